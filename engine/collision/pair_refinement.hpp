@@ -1,0 +1,64 @@
+// Interruptible refinement of one pair of volume trees: stop whenever you like, keep a valid answer.
+//
+//   frontier of this level --block--> overlap tests --> frontier of the next level
+//                                                       (committed when complete)
+//
+// What makes interruption safe: the answer is always the last complete level. Node pairs of two
+// leaves are carried from level to level untested; a leaf against an inner node descends the
+// other one. (Dingliana 2002, sec. 3.1.2 and app. B.2, corrected)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/collision/placed_tree.hpp"
+
+namespace impetus {
+
+/// Why a refinement is where it is.
+enum class StopReason { kSeparated, kFinest, kBudgetSpent };
+
+/// Nodes of a and b that overlap.
+struct NodePair {
+  std::int32_t a{0};
+  std::int32_t b{0};
+
+  friend bool operator==(const NodePair&, const NodePair&) = default;
+};
+
+class PairRefinement {
+ public:
+  /// Tests the two roots: level 0, one node-pair test. Both trees must outlive this.
+  PairRefinement(PlacedTree& a, PlacedTree& b);
+
+  /// True when no work could change the answer: separated, or nothing finer exists.
+  [[nodiscard]] bool resolved() const { return next_block() == 0; }
+
+  /// Tests the next block needs: the children of one node pair. Zero when resolved.
+  [[nodiscard]] std::int64_t next_block() const;
+
+  /// Tests one block; commits the next level when it was the last of this one.
+  /// Precondition: !resolved().
+  void refine_one_block();
+
+  /// The node pairs that overlap at the last complete level; empty when separated.
+  [[nodiscard]] const std::vector<NodePair>& overlapping() const { return committed_; }
+  [[nodiscard]] int level() const { return level_; }
+  [[nodiscard]] StopReason stop_reason() const;
+
+ private:
+  [[nodiscard]] std::int64_t block_size(const NodePair& pair) const;
+  void expand(const NodePair& pair);
+  void skip_leaf_pairs();
+  void commit_if_complete();
+
+  PlacedTree* a_;
+  PlacedTree* b_;
+  int level_{0};
+  std::vector<NodePair> committed_;
+  std::vector<NodePair> expanding_;
+  std::size_t next_{0};
+};
+
+}  // namespace impetus

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dynamics/body.hpp"
+
+namespace impetus {
+
+Matrix3 world_inverse_inertia(const BodyModel& model, const BodyState& state) {
+  const Matrix3 rotation = state.pose.orientation.toRotationMatrix();
+  return rotation * model.inverse_inertia * rotation.transpose();
+}
+
+Vector3 velocity(const BodyModel& model, const BodyState& state) {
+  return model.inverse_mass * state.linear_momentum;
+}
+
+Vector3 angular_velocity(const BodyModel& model, const BodyState& state) {
+  return world_inverse_inertia(model, state) * state.angular_momentum;
+}
+
+double kinetic_energy(const BodyModel& model, const BodyState& state) {
+  return 0.5 * (state.linear_momentum.dot(velocity(model, state)) +
+                state.angular_momentum.dot(angular_velocity(model, state)));
+}
+
+}  // namespace impetus

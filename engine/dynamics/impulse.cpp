@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dynamics/impulse.hpp"
+
+#include <algorithm>
+
+namespace impetus {
+namespace {
+
+struct Side {
+  const BodyModel& model;
+  BodyState& state;
+  Vector3 arm;
+};
+
+Vector3 point_velocity(const BodyModel& model, const BodyState& state, const Vector3& arm) {
+  return velocity(model, state) + angular_velocity(model, state).cross(arm);
+}
+
+/// How much an impulse of 1 N s along n changes the speed of the side's point along n (1/kg).
+double mobility(const Side& side, const Vector3& normal) {
+  const Vector3 turn =
+      world_inverse_inertia(side.model, side.state) * Vector3(side.arm.cross(normal));
+  return side.model.inverse_mass + normal.dot(turn.cross(side.arm));
+}
+
+void push(Side& side, const Vector3& impulse) {
+  side.state.linear_momentum += impulse;
+  side.state.angular_momentum += side.arm.cross(impulse);
+}
+
+/// Applies the single-contact impulse (eq. 3.1) if the contact approaches; returns its size.
+double apply_if_approaching(const Contact& contact, double restitution,
+                            const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+  const double speed = separation_speed(contact, models, states);
+  if (!(speed < 0.0)) {
+    return 0.0;
+  }
+  const auto a = static_cast<std::size_t>(contact.bodies.a);
+  const auto b = static_cast<std::size_t>(contact.bodies.b);
+  const Vector3& normal = contact.touch.normal;
+  Side side_a{models[a], states[a], contact.touch.point - states[a].pose.position};
+  Side side_b{models[b], states[b], contact.touch.point - states[b].pose.position};
+  const double give = mobility(side_a, normal) + mobility(side_b, normal);
+  if (!(give > 0.0)) {
+    return 0.0;
+  }
+  const double impulse_Ns = -(1.0 + restitution) * speed / give;
+  if (models[a].inverse_mass > 0.0) {
+    push(side_a, impulse_Ns * normal);
+  }
+  if (models[b].inverse_mass > 0.0) {
+    push(side_b, -impulse_Ns * normal);
+  }
+  return impulse_Ns;
+}
+
+/// One pass over the contacts; true when it changed anything.
+bool pass(const std::vector<Contact>& contacts, double restitution,
+          const std::vector<BodyModel>& models, std::vector<BodyState>& states,
+          std::vector<double>& impulse_Ns) {
+  bool changed = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const double added = apply_if_approaching(contacts[i], restitution, models, states);
+    impulse_Ns[i] += added;
+    changed = changed || added > 0.0;
+  }
+  return changed;
+}
+
+}  // namespace
+
+double separation_speed(const Contact& contact, const std::vector<BodyModel>& models,
+                        const std::vector<BodyState>& states) {
+  const auto a = static_cast<std::size_t>(contact.bodies.a);
+  const auto b = static_cast<std::size_t>(contact.bodies.b);
+  const Vector3 arm_a = contact.touch.point - states[a].pose.position;
+  const Vector3 arm_b = contact.touch.point - states[b].pose.position;
+  const Vector3 relative = point_velocity(models[a], states[a], arm_a) -
+                           point_velocity(models[b], states[b], arm_b);
+  return contact.touch.normal.dot(relative);
+}
+
+ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
+                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+  ResponseResult result;
+  result.impulse_Ns.assign(contacts.size(), 0.0);
+  for (const Contact& contact : contacts) {
+    result.approach_m_s.push_back(std::max(0.0, -separation_speed(contact, models, states)));
+  }
+  const std::size_t passes = 2 * contacts.size();
+  for (std::size_t done = 0; done < passes; ++done) {
+    if (!pass(contacts, restitution, models, states, result.impulse_Ns)) {
+      return result;
+    }
+  }
+  pass(contacts, /*restitution=*/0.0, models, states, result.impulse_Ns);
+  for (const Contact& contact : contacts) {
+    result.residual_approach_m_s =
+        std::max(result.residual_approach_m_s, -separation_speed(contact, models, states));
+  }
+  return result;
+}
+
+}  // namespace impetus

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "engine/dynamics/motion.hpp"
+
+#include <algorithm>
+
+namespace impetus {
+namespace {
+
+Quaternion sum_normalised(const Quaternion& p, const Quaternion& q) {
+  return Quaternion(Eigen::Vector4d(p.coeffs() + q.coeffs())).normalized();
+}
+
+/// The rotation by the Cayley map of `turn` (radians about its own direction, to second order).
+Quaternion cayley(const Vector3& turn) {
+  return Quaternion(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()).normalized();
+}
+
+/// Implicit midpoint: ω = R_mid I⁻¹ R_midᵀ L with R_mid half way between the old and new rotation.
+Quaternion rotated(const BodyModel& model, const BodyState& state, double dt_s) {
+  constexpr int kIterations = 4;
+  const Quaternion start = state.pose.orientation;
+  Quaternion middle = start;
+  Quaternion end = start;
+  for (int iteration = 0; iteration <= kIterations; ++iteration) {
+    const Matrix3 rotation = middle.toRotationMatrix();
+    const Vector3 spin = rotation * (model.inverse_inertia *
+                                     Vector3(rotation.transpose() * state.angular_momentum));
+    end = (cayley(spin * dt_s) * start).normalized();
+    middle = sum_normalised(start, end);
+  }
+  return end;
+}
+
+}  // namespace
+
+double advance(const BodyModel& model, BodyState& state, double dt_s) {
+  const double waiting_s = std::min(state.held_s, dt_s);
+  const double moving_s = dt_s - waiting_s;
+  state.held_s -= waiting_s;
+  state.held_fraction = dt_s > 0.0 ? waiting_s / dt_s : 0.0;
+
+  const Vector3 step = moving_s * velocity(model, state);
+  state.pose.position += step;
+  if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0)) {
+    state.pose.orientation = rotated(model, state, moving_s);
+  }
+  return step.norm();
+}
+
+Pose between(const BodyState& before, const BodyState& after, double fraction) {
+  const double still = after.held_fraction;
+  const double moved = still < 1.0 ? std::clamp((fraction - still) / (1.0 - still), 0.0, 1.0) : 0.0;
+  const Vector3 position =
+      before.pose.position + moved * (after.pose.position - before.pose.position);
+  return {position, before.pose.orientation.slerp(moved, after.pose.orientation)};
+}
+
+}  // namespace impetus

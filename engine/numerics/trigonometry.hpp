@@ -1,0 +1,23 @@
+// Sine, cosine and visual angle made of + − × ÷ alone: the same bits on every machine.
+//
+// The C library's functions differ between versions in the last bit, so nothing that decides a
+// step may use them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace impetus {
+
+struct SineCosine {
+  double sine;
+  double cosine;
+};
+
+/// Sine and cosine of an angle in degrees, |angle| ≤ 1e6; error below 2e-16. Multiples of 90° are
+/// exact.
+SineCosine sine_cosine_deg(double angle_deg);
+
+/// Metres in the screen's plane that one degree of visual angle covers at its centre, for an eye
+/// `viewing_distance_m` away: 2 d tan(½°). Used as a linear scale, so 10° is ten times 1°.
+double metres_per_degree(double viewing_distance_m);
+
+}  // namespace impetus

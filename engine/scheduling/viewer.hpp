@@ -1,0 +1,33 @@
+// The viewer: where the eye is, and the screen it looks at.
+//
+// The world is life-size: the screen lies in the plane through the world's origin that faces the
+// eye, so a metre in that plane is a metre on the glass.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/numerics/vector.hpp"
+
+namespace impetus {
+
+/// The screen as the viewer meets it: size in metres and pixels, eye to screen in metres.
+struct ScreenGeometry {
+  double width_m{0.0};
+  double height_m{0.0};
+  int width_px{0};
+  int height_px{0};
+  double viewing_distance_m{0.0};
+};
+
+/// The eye (metres, world) and the two unit directions that span the screen.
+struct Viewer {
+  ScreenGeometry screen;
+  Vector3 eye{Vector3::UnitZ()};
+  Vector3 right{Vector3::UnitX()};
+  Vector3 up{Vector3::UnitY()};
+};
+
+/// An eye at the viewing distance, turned about the vertical by `azimuth_deg` from the z axis: the
+/// angle between the world's x axis and the image plane.
+Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg);
+
+}  // namespace impetus

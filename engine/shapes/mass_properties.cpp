@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "engine/shapes/mass_properties.hpp"
+
+#include <numbers>
+
+namespace impetus {
+
+MassProperties solid_sphere(double radius_m, double density_kg_m3) {
+  MassProperties result;
+  result.volume_m3 = 4.0 / 3.0 * std::numbers::pi * radius_m * radius_m * radius_m;
+  result.mass_kg = density_kg_m3 * result.volume_m3;
+  result.inertia = Matrix3::Identity() * (0.4 * result.mass_kg * radius_m * radius_m);
+  return result;
+}
+
+MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3) {
+  if (mesh.triangles.empty()) {
+    return {};
+  }
+  // The solid is the signed sum of the tetrahedra (origin, a, b, c). Each has volume D/6, first
+  // moment D/24 (a+b+c) and second moments D/120 (aaᵀ + bbᵀ + ccᵀ + (a+b+c)(a+b+c)ᵀ), D = a·(b×c).
+  const Vector3 origin = mesh.vertices[mesh.triangles.front()[0]];
+  double six_volumes = 0.0;
+  Vector3 first = Vector3::Zero();
+  Matrix3 second = Matrix3::Zero();
+  for (const auto& triangle : mesh.triangles) {
+    const Vector3 a = mesh.vertices[triangle[0]] - origin;
+    const Vector3 b = mesh.vertices[triangle[1]] - origin;
+    const Vector3 c = mesh.vertices[triangle[2]] - origin;
+    const double determinant = a.dot(b.cross(c));
+    const Vector3 sum = a + b + c;
+    six_volumes += determinant;
+    first += determinant * sum;
+    second += determinant * (a * a.transpose() + b * b.transpose() + c * c.transpose() +
+                             sum * sum.transpose());
+  }
+  MassProperties result;
+  result.volume_m3 = six_volumes / 6.0;
+  result.mass_kg = density_kg_m3 * result.volume_m3;
+  const Vector3 offset = first / (4.0 * six_volumes);
+  result.centre = origin + offset;
+  const Matrix3 covariance =
+      density_kg_m3 * second / 120.0 - result.mass_kg * (offset * offset.transpose());
+  result.inertia = Matrix3::Identity() * covariance.trace() - covariance;
+  return result;
+}
+
+}  // namespace impetus

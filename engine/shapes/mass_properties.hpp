@@ -1,0 +1,28 @@
+// Mass, centre of mass and inertia of homogeneous solids.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/numerics/vector.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
+
+namespace impetus {
+
+/// `centre` in the shape's own frame (metres); `inertia` (kg m²) about the centre of mass, in the
+/// same axes.
+struct MassProperties {
+  double mass_kg{0.0};
+  double volume_m3{0.0};
+  Vector3 centre{Vector3::Zero()};
+  Matrix3 inertia{Matrix3::Zero()};
+};
+
+/// A solid sphere about the origin: 4/3 π r³ and 2/5 m r².
+MassProperties solid_sphere(double radius_m, double density_kg_m3);
+
+/// The solid inside a closed, outward-oriented mesh, by the divergence theorem over its triangles
+/// (Mirtich 1996; Tonon 2004 for the tetrahedron's moments). Coordinates are taken from the first
+/// vertex, so a mesh far from the origin loses no more than its coordinates have lost.
+/// Precondition: find_defects(mesh).none().
+MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3);
+
+}  // namespace impetus

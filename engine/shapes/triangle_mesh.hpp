@@ -1,0 +1,36 @@
+// A triangle mesh in memory, and whether its surface encloses a solid.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/numerics/vector.hpp"
+
+namespace impetus {
+
+/// Vertices in metres; each triangle lists three of them counter-clockwise as seen from outside.
+struct TriangleMesh {
+  std::vector<Vector3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What keeps a mesh from being a solid: all zero for a closed, consistently oriented surface.
+struct MeshDefects {
+  std::int64_t open_edges{0};          ///< edges with one triangle
+  std::int64_t misoriented_edges{0};   ///< edges that two triangles run along the same way
+  std::int64_t crowded_edges{0};       ///< edges with more than two triangles
+  std::int64_t degenerate_triangles{0};  ///< a repeated vertex or no area
+  std::int64_t bad_vertices{0};        ///< not finite
+
+  [[nodiscard]] bool none() const {
+    return open_edges == 0 && misoriented_edges == 0 && crowded_edges == 0 &&
+           degenerate_triangles == 0 && bad_vertices == 0;
+  }
+};
+
+/// Counts the defects of a mesh. Every vertex index must be within `vertices`.
+MeshDefects find_defects(const TriangleMesh& mesh);
+
+}  // namespace impetus

@@ -1,0 +1,103 @@
+// The world: bodies, and the step that moves them and handles their collisions within a budget.
+//
+//   move        integrate bodies; momenta are exact
+//   pair        swept bounds -> candidate pairs in a fixed order
+//   prioritise  a metric per pair -> an order of refinement
+//   refine      while the meter grants work: the next pair, one block of node-pair tests
+//   model       contacts of the last complete level, averaged
+//   respond     impulses; never add energy
+//
+// A step is a pure function of the state, the input and the work granted: it reads no clock and
+// no file, and gives the same bits on every machine. (Dingliana 2002, ch. 3)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/collision/contact_model.hpp"
+#include "engine/dynamics/body.hpp"
+#include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/state_hash.hpp"
+#include "engine/scheduling/work_meter.hpp"
+
+namespace impetus {
+
+/// Raised whenever a recording made before would no longer replay.
+inline constexpr int kRecordingFormat = 1;
+
+/// What holds for every body of the world.
+struct WorldSettings {
+  double restitution{1.0};  ///< in [0, 1]
+  /// An imposed manipulation, not physics: bodies stay where they touched for this long before
+  /// their rebound shows (Dingliana 2002, sec. 6.2.1).
+  double imposed_hold_s{0.0};
+};
+
+/// Everything that decides a step besides the state.
+struct StepInput {
+  double dt_s{0.0};
+  Viewer viewer;
+};
+
+/// What kept a step from being what it should, as bits.
+enum Degradation : std::uint32_t {
+  kFloorOverBudget = 1,   ///< the coarsest level of every pair cost more than was granted
+  kApproachRemains = 2,   ///< the response ran out of passes and left bodies approaching
+  kNotFinite = 4,         ///< a state is not a finite number
+};
+
+/// One pair of bodies that is in contact at the end of the step.
+struct CollisionReport {
+  BodyPair bodies;
+  int level{0};                          ///< last complete level of refinement
+  StopReason stop{StopReason::kFinest};  ///< why it went no deeper
+  Contact contact;
+  bool began{false};          ///< the pair was apart in the step before
+  double approach_m_s{0.0};   ///< speed of approach along the normal, before the response
+  double impulse_Ns{0.0};     ///< along the normal
+  double imposed_hold_s{0.0};  ///< the hold that this contact started
+};
+
+struct StepReport {
+  std::vector<CollisionReport> collisions;
+  std::int64_t work_granted{0};  ///< node-pair tests; a replay grants the same
+  std::int64_t work_spent{0};
+  std::int64_t work_floor{0};  ///< tests that are done whatever the budget
+  std::uint32_t degradations{0};
+  StateHash state;
+};
+
+class World {
+ public:
+  /// `states` are the bodies' states at time zero, one per model. Throws std::invalid_argument on
+  /// an unequal number, a body without a tree, or settings out of range.
+  World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings);
+
+  StepReport step(const StepInput& input, WorkMeter& meter);
+
+  [[nodiscard]] const std::vector<BodyModel>& models() const { return models_; }
+  [[nodiscard]] const std::vector<BodyState>& states() const { return states_; }
+  [[nodiscard]] const WorldSettings& settings() const { return settings_; }
+
+  /// For tests that ask whether a changed start is noticed.
+  [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
+
+ private:
+  struct RefinedPair;
+
+  std::vector<PairBounds> move_and_pair(double dt_s);
+  std::vector<RefinedPair> refine(const std::vector<BodyPair>& order, WorkMeter& meter,
+                                  StepReport& report);
+  void model(const std::vector<RefinedPair>& refined, StepReport& report);
+  void respond_to(StepReport& report);
+  [[nodiscard]] bool touched_before(BodyPair bodies) const;
+
+  std::vector<BodyModel> models_;
+  std::vector<BodyState> states_;
+  std::vector<PlacedTree> placed_;
+  WorldSettings settings_;
+  std::vector<BodyPair> touching_;  ///< pairs in contact after the last step
+};
+
+}  // namespace impetus

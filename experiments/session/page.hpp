@@ -1,0 +1,50 @@
+// A page: everything a participant reads or answers outside the stimulus, as plain data.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+/// How far the session has come; always visible.
+struct Progress {
+  std::int64_t done{0};
+  std::int64_t total{0};
+  std::string label;  ///< "Practice 2 of 6", "Trial 12 of 81"
+};
+
+/// One way to leave a page. `key` is what is pressed: "1", "space", "enter", "escape", "y".
+struct Choice {
+  std::string label;
+  std::string key;
+};
+
+/// One thing to fill in; always optional.
+struct Field {
+  enum class Kind { kNumber, kChoice, kText };
+  std::string id;
+  std::string label;
+  Kind kind{Kind::kText};
+  std::vector<std::string> options;  ///< of a kChoice
+  double minimum{0.0};               ///< of a kNumber
+  double maximum{0.0};
+};
+
+struct Page {
+  /// kText: paragraphs, then choices as buttons. kForm: fields to fill in as well. kScale: the
+  /// choices are the points of a rating scale, side by side, with anchors under the two ends.
+  enum class Layout { kText, kForm, kScale };
+  Layout layout{Layout::kText};
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<Field> fields;
+  std::vector<Choice> choices;
+  std::string low_anchor;   ///< words under the first point of a scale
+  std::string high_anchor;  ///< words under the last
+  Progress progress;
+  bool can_pause{true};  ///< Esc asks for a pause; false where Esc is one of the choices
+};
+
+}  // namespace impetus

@@ -1,0 +1,119 @@
+// What a session needs from the outside, as interfaces: a real window and a headless simulation
+// implement the same ones, so that a simulated participant runs the very code a person runs.
+//
+//   Clock      when is it                     (monotonic, nanoseconds)
+//   Display    show a picture at a flip       (what was measured comes back)
+//   Input      ask a page, notice Esc         (what was answered comes back)
+//   Scenes     condition -> world             (what is on show)
+//   Recorder   keep what happened             (an error is thrown, never swallowed)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/session/design.hpp"
+#include "experiments/session/frame_grid.hpp"
+#include "experiments/session/page.hpp"
+#include "experiments/session/record.hpp"
+#include "experiments/session/staged_scene.hpp"
+
+namespace impetus {
+
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  /// Nanoseconds since an arbitrary instant; never goes back.
+  [[nodiscard]] virtual std::int64_t now_ns() const = 0;
+};
+
+/// One body as it is drawn.
+struct PosedBody {
+  Pose pose;
+  DrawnBody look;
+};
+
+/// One frame of a trial: all that drawing it needs.
+struct Picture {
+  bool fixation_cross{false};
+  std::vector<PosedBody> bodies;
+  Viewer viewer;
+  Progress progress;
+};
+
+class Display {
+ public:
+  virtual ~Display() = default;
+
+  /// Frames per second of the grid on which everything is scheduled (nominal rate).
+  [[nodiscard]] virtual double refresh_hz() const = 0;
+  [[nodiscard]] virtual const ScreenGeometry& geometry() const = 0;
+
+  /// Starts a grid of slots one refresh apart at the next flip. Call it when timing may restart
+  /// (after a page, an interval); within a trial's timed phases the grid goes on.
+  virtual void restart_grid() = 0;
+
+  /// Draws the picture for the grid's next slot, waits for it and flips. Frames are never skipped:
+  /// after a miss the grid moves on by whole slots, and the flip says how many.
+  virtual Flip show(const Picture& picture) = 0;
+};
+
+/// What a participant may do at any moment instead of answering.
+enum class Interruption { kNone, kPauseRequested, kDisplayClosed };
+
+/// What came back from a page.
+struct Answer {
+  Interruption interruption{Interruption::kNone};
+  std::size_t choice{0};            ///< index into the page's choices
+  std::vector<std::string> fields;  ///< one per field of the page; "" when left empty
+  std::string device;               ///< "key", "mouse" or "simulated"
+  std::int64_t shown_ns{0};         ///< flip that first showed the page
+  std::int64_t arrived_ns{0};       ///< own stamp when the event was taken from the queue
+  std::int64_t arrival_uncertainty_ns{0};  ///< the event may have arrived this much earlier
+  std::int64_t late_frames{0};      ///< late flips while the page was up
+};
+
+class Input {
+ public:
+  virtual ~Input() = default;
+
+  /// Shows a page until it is answered, the pause key is pressed (where the page allows it) or
+  /// the display closes.
+  virtual Answer ask(const Page& page) = 0;
+
+  /// Whether a pause was asked for, or the display closed, since the last call. Called once per
+  /// frame of a trial.
+  virtual Interruption interruption() = 0;
+
+  /// Tells what a trial showed, before its question is asked. A simulated participant judges by
+  /// it; a person has seen it.
+  virtual void witnessed(const AttemptRecord& shown) { static_cast<void>(shown); }
+};
+
+class Scenes {
+ public:
+  virtual ~Scenes() = default;
+  /// The scene of one condition, ready to step.
+  [[nodiscard]] virtual StagedScene stage(const Condition& condition,
+                                          const ScreenGeometry& screen) const = 0;
+};
+
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+
+  /// Hands over one attempt at a trial; returns at once.
+  virtual void save(AttemptRecord attempt) = 0;
+  /// Hands over an answer outside trials (consent, age, strategy); returns at once.
+  virtual void save(QuestionRecord answer) = 0;
+  /// Hands over a remark about the session ("pause", "quit", ...); returns at once.
+  virtual void save(NoteRecord note) = 0;
+
+  /// Waits until everything handed over is committed to disk. Throws when it could not be.
+  virtual void await_saved() = 0;
+};
+
+}  // namespace impetus

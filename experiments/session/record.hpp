@@ -1,0 +1,88 @@
+// What is recorded of a session, as plain data. See experiments/store/schema.sql for each column.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/world.hpp"
+#include "experiments/session/frame_grid.hpp"
+
+namespace impetus {
+
+/// One step of the world: its input beyond the trial's own, and proof of its outcome. Step 0 is
+/// the state at the start.
+struct StepRecord {
+  std::int64_t step{0};
+  std::int64_t work_granted{0};
+  std::int64_t work_spent{0};
+  std::uint32_t degradations{0};
+  StateHash state;
+};
+
+/// One contact, at the step in which it began.
+struct CollisionRecord {
+  std::int64_t step{0};
+  CollisionReport report;
+  double eccentricity_deg{0.0};     ///< of the contact point from the screen's centre
+  std::int64_t first_frame_shown{-1};  ///< −1: no frame showed it
+};
+
+enum class FramePhase { kFixation, kStimulus };
+
+/// One frame of a timed phase.
+struct FrameRecord {
+  std::int64_t frame{0};
+  FramePhase phase{FramePhase::kStimulus};
+  double shown_time_s{0.0};  ///< of the stimulus; 0 in the fixation phase
+  Flip flip;
+};
+
+/// One rating, with the scale it was given on: scales run in opposite directions, so never pool
+/// ratings without them.
+struct RatingRecord {
+  std::int64_t rating{0};
+  std::int64_t minimum{0};
+  std::int64_t maximum{0};
+  std::int64_t best{0};
+  std::string low_anchor;
+  std::string high_anchor;
+  std::string device;
+  std::int64_t question_shown_ns{0};
+  std::int64_t arrived_ns{0};
+  std::int64_t arrival_uncertainty_ns{0};
+};
+
+enum class AttemptOutcome { kCompleted, kInterrupted };
+
+/// One showing of a planned trial. An interrupted trial is shown again as the next attempt.
+struct AttemptRecord {
+  std::int64_t slot{0};
+  std::int64_t number{1};
+  AttemptOutcome outcome{AttemptOutcome::kInterrupted};
+  std::int64_t onset_ns{0};  ///< flip of the first frame of the stimulus
+  std::vector<StepRecord> steps;
+  std::vector<CollisionRecord> collisions;
+  std::vector<FrameRecord> frames;
+  std::vector<RatingRecord> ratings;  ///< none when interrupted
+  double intended_hold_s{0.0};
+  double realised_hold_s{0.0};  ///< differs only when rounding to the display's grid was allowed
+  std::int64_t late_untimed_frames{0};  ///< on the question and in the interval
+};
+
+/// An answer outside trials. `kind`: "consent", "demographic" or "question".
+struct QuestionRecord {
+  std::string kind;
+  std::string id;
+  std::string text;    ///< the words that were asked
+  std::string answer;  ///< "" when left empty
+};
+
+/// A remark. `kind`: "pause", "continue", "quit", "display closed", "break", "finished".
+struct NoteRecord {
+  std::string kind;
+  std::string text;
+};
+
+}  // namespace impetus

@@ -1,0 +1,31 @@
+// One condition's scene, ready to step and to draw.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/world.hpp"
+
+namespace impetus {
+
+/// How a body looks: a sphere of this radius (metres) and colour (sRGB, 0–1).
+struct DrawnBody {
+  std::string name;
+  double radius_m{0.0};
+  std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
+};
+
+struct StagedScene {
+  World world;
+  Viewer viewer;
+  std::vector<DrawnBody> looks;  ///< one per body of the world
+  double step_hz{240.0};
+  double duration_s{0.0};  ///< from onset to the end of the stimulus, an imposed hold included
+  double contact_s{0.0};   ///< when the bodies are to meet, from onset
+  double imposed_hold_s{0.0};
+};
+
+}  // namespace impetus
