@@ -54,6 +54,19 @@ double apply_if_approaching(const Contact& contact, double restitution,
   return impulse_Ns;
 }
 
+/// What the bodies of a contact bring to it: their speeds and those of their spins (m/s).
+double incoming_speed(const Contact& contact, const std::vector<BodyModel>& models,
+                      const std::vector<BodyState>& states) {
+  double speed = 0.0;
+  for (const std::int32_t index : {contact.bodies.a, contact.bodies.b}) {
+    const auto body = static_cast<std::size_t>(index);
+    const Vector3 arm = contact.touch.point - states[body].pose.position;
+    speed += velocity(models[body], states[body]).norm() +
+             angular_velocity(models[body], states[body]).norm() * arm.norm();
+  }
+  return speed;
+}
+
 /// One pass over the contacts; true when it changed anything.
 bool pass(const std::vector<Contact>& contacts, double restitution,
           const std::vector<BodyModel>& models, std::vector<BodyState>& states,
@@ -75,8 +88,8 @@ double separation_speed(const Contact& contact, const std::vector<BodyModel>& mo
   const auto b = static_cast<std::size_t>(contact.bodies.b);
   const Vector3 arm_a = contact.touch.point - states[a].pose.position;
   const Vector3 arm_b = contact.touch.point - states[b].pose.position;
-  const Vector3 relative = point_velocity(models[a], states[a], arm_a) -
-                           point_velocity(models[b], states[b], arm_b);
+  const Vector3 relative =
+      point_velocity(models[a], states[a], arm_a) - point_velocity(models[b], states[b], arm_b);
   return contact.touch.normal.dot(relative);
 }
 
@@ -84,7 +97,9 @@ ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
                        const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
   ResponseResult result;
   result.impulse_Ns.assign(contacts.size(), 0.0);
+  double fastest_m_s = 0.0;
   for (const Contact& contact : contacts) {
+    fastest_m_s = std::max(fastest_m_s, incoming_speed(contact, models, states));
     result.approach_m_s.push_back(std::max(0.0, -separation_speed(contact, models, states)));
   }
   const std::size_t passes = 2 * contacts.size();
@@ -97,6 +112,9 @@ ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
   for (const Contact& contact : contacts) {
     result.residual_approach_m_s =
         std::max(result.residual_approach_m_s, -separation_speed(contact, models, states));
+  }
+  if (result.residual_approach_m_s <= kNegligibleApproach * fastest_m_s) {
+    result.residual_approach_m_s = 0.0;
   }
   return result;
 }

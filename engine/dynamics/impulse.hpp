@@ -21,10 +21,13 @@ namespace impetus {
 double separation_speed(const Contact& contact, const std::vector<BodyModel>& models,
                         const std::vector<BodyState>& states);
 
+/// Share of the largest incoming speed below which an approach is rounding.
+inline constexpr double kNegligibleApproach = 1e-9;
+
 struct ResponseResult {
   std::vector<double> impulse_Ns;     ///< per contact, along its normal, ≥ 0
   std::vector<double> approach_m_s;   ///< per contact before the response; 0 when separating
-  double residual_approach_m_s{0.0};  ///< largest approach that the passes left
+  double residual_approach_m_s{0.0};  ///< largest approach that the passes left; 0 if negligible
 };
 
 /// Applies impulses to `states` until no contact approaches or the passes (two per contact) are

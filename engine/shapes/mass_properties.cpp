@@ -39,8 +39,9 @@ MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3) {
   result.mass_kg = density_kg_m3 * result.volume_m3;
   const Vector3 offset = first / (4.0 * six_volumes);
   result.centre = origin + offset;
-  const Matrix3 covariance =
-      density_kg_m3 * second / 120.0 - result.mass_kg * (offset * offset.transpose());
+  // A matrix of its own: scaled as an expression, Eigen scales one factor and loses the symmetry.
+  const Matrix3 square = offset * offset.transpose();
+  const Matrix3 covariance = density_kg_m3 * second / 120.0 - result.mass_kg * square;
   result.inertia = Matrix3::Identity() * covariance.trace() - covariance;
   return result;
 }

@@ -111,6 +111,8 @@ class Recorder {
   virtual void save(QuestionRecord answer) = 0;
   /// Hands over a remark about the session ("pause", "quit", ...); returns at once.
   virtual void save(NoteRecord note) = 0;
+  /// Marks that this participant has done everything the protocol asks; returns at once.
+  virtual void mark_finished() = 0;
 
   /// Waits until everything handed over is committed to disk. Throws when it could not be.
   virtual void await_saved() = 0;

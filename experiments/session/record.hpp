@@ -62,6 +62,7 @@ struct AttemptRecord {
   std::int64_t number{1};
   AttemptOutcome outcome{AttemptOutcome::kInterrupted};
   std::int64_t onset_ns{0};  ///< flip of the first frame of the stimulus
+  std::vector<std::string> body_names;  ///< by index in the world
   std::vector<StepRecord> steps;
   std::vector<CollisionRecord> collisions;
   std::vector<FrameRecord> frames;
@@ -79,7 +80,7 @@ struct QuestionRecord {
   std::string answer;  ///< "" when left empty
 };
 
-/// A remark. `kind`: "pause", "continue", "quit", "display closed", "break", "finished".
+/// A remark. `kind`: "pause", "continue", "quit", "display closed", "break".
 struct NoteRecord {
   std::string kind;
   std::string text;

@@ -25,7 +25,8 @@ struct StagedScene {
   double step_hz{240.0};
   double duration_s{0.0};  ///< from onset to the end of the stimulus, an imposed hold included
   double contact_s{0.0};   ///< when the bodies are to meet, from onset
-  double imposed_hold_s{0.0};
+  double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
+  double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
 };
 
 }  // namespace impetus

@@ -1,0 +1,138 @@
+# Reads the rated main trials of one protocol from study files, by the documented views alone.
+#
+#   rated_trial ─┐
+#   trial_level ─┴─> trials: one row per rating, one column per factor
+#   enrolment_summary ─> enrolments: one row per participant, planned and completed
+#
+# Invariant: every rating returned was given on one and the same scale, in the main phase, and
+# every participant is one person: a pseudonym is never in two files.
+# SPDX-License-Identifier: MIT
+
+kViews <- c("rated_trial", "trial_level", "enrolment_summary")
+kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_anchor", "high_anchor")
+
+# Returns list(protocol, trials, enrolments, factors, scale, hashes, files).
+#
+# `factors`: names without unit; "delay" finds the factor delay or delay_<unit>. In `trials` they
+# are R factors with their levels in rising order; study$factors maps name to column.
+read_studies <- function(paths, protocol, factors) {
+  repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
+  if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
+  parts <- lapply(paths, read_one_study, protocol = protocol)
+  trials <- do.call(rbind, lapply(parts, `[[`, "trials"))
+  levels <- do.call(rbind, lapply(parts, `[[`, "levels"))
+  enrolments <- do.call(rbind, lapply(parts, `[[`, "enrolments"))
+  names_of_files <- paste(basename(paths), collapse = ", ")
+  if (nrow(trials) == 0) {
+    refuse(names_of_files, ": expected rated main trials of '", protocol, "', got none yet")
+  }
+  refuse_shared_pseudonyms(enrolments)
+  columns <- factor_columns(levels, factors, names_of_files)
+  for (column in columns) trials[[column]] <- factor_of_trials(trials, levels, column)
+  list(
+    protocol = protocol, trials = trials, enrolments = enrolments, factors = columns,
+    scale = one_scale(trials), hashes = unique(trials$protocol_hash), files = basename(paths)
+  )
+}
+
+read_one_study <- function(path, protocol) {
+  study <- open_study(path)
+  on.exit(DBI::dbDisconnect(study))
+  ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
+  enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")
+  if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
+  rated <- "rated_trial WHERE protocol = ? AND phase = 'main'"
+  trials <- ask("SELECT * FROM", rated, "ORDER BY participant, slot")
+  # As text: a view's column may hold numbers and words, an R column cannot.
+  levels <- ask(
+    "SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level",
+    "WHERE trial IN (SELECT trial FROM", rated, ")"
+  )
+  file <- basename(path)
+  mark <- function(rows) if (nrow(rows) > 0) cbind(rows, file = file, path = path) else NULL
+  list(trials = mark(trials), levels = mark(levels), enrolments = mark(enrolments))
+}
+
+# A read-only connection to a study file, or a refusal.
+open_study <- function(path) {
+  if (!file.exists(path)) refuse(path, ": expected a study file, found no such file")
+  if (dir.exists(path)) refuse(path, ": expected a study file, got a folder")
+  study <- tryCatch(
+    DBI::dbConnect(RSQLite::SQLite(), path, flags = RSQLite::SQLITE_RO),
+    error = function(condition) refuse(path, ": expected a study file, could not open it")
+  )
+  present <- tryCatch(
+    DBI::dbGetQuery(study, "SELECT name FROM sqlite_master WHERE type = 'view'")$name,
+    error = function(condition) NULL
+  )
+  absent <- setdiff(kViews, present)
+  if (length(absent) == 0) return(study)
+  DBI::dbDisconnect(study)
+  if (is.null(present)) refuse(path, ": expected a study file, got a file that SQLite cannot read")
+  refuse(path, ": expected a study file, got a database without the view ", absent[1])
+}
+
+refuse_protocol <- function(study, path, protocol) {
+  others <- DBI::dbGetQuery(study, "SELECT DISTINCT protocol FROM enrolment_summary")$protocol
+  refuse(
+    path, ": expected protocol '", protocol, "', got ",
+    if (length(others) == 0) "no protocol at all" else paste0("'", others, "'", collapse = ", ")
+  )
+}
+
+refuse_shared_pseudonyms <- function(enrolments) {
+  homes <- unique(enrolments[c("participant", "path", "file")])
+  twice <- homes$participant[duplicated(homes$participant)]
+  if (length(twice) == 0) return(invisible())
+  refuse(
+    "participant ", twice[1], " is in ",
+    paste(homes$file[homes$participant == twice[1]], collapse = " and in "),
+    ": expected every pseudonym in one file only"
+  )
+}
+
+# The column that holds each factor: the name itself or the name and a unit.
+factor_columns <- function(levels, factors, files) {
+  present <- unique(levels$factor)
+  vapply(factors, function(name) {
+    found <- present[present == name | startsWith(present, paste0(name, "_"))]
+    if (length(found) == 1) return(found)
+    refuse(
+      files, ": expected one factor '", name, "' or '", name, "_<unit>' in every main trial, got ",
+      paste(if (length(found) > 1) found else present, collapse = ", ")
+    )
+  }, "")
+}
+
+factor_of_trials <- function(trials, levels, column) {
+  key <- function(rows) paste(rows$path, rows$trial)
+  mine <- levels[levels$factor == column, ]
+  value <- mine$level[match(key(trials), key(mine))]
+  if (anyNA(value)) {
+    refuse(
+      trials$file[which(is.na(value))[1]], ": expected a level of ", column,
+      " in every main trial, trial ", trials$trial[which(is.na(value))[1]], " has none"
+    )
+  }
+  number <- suppressWarnings(as.numeric(value))
+  if (anyNA(number)) factor(value) else factor(number)
+}
+
+# The one scale of all ratings, as a one-row data frame; refuses to pool two.
+one_scale <- function(trials) {
+  scales <- unique(trials[kScaleColumns])
+  if (nrow(scales) == 1) return(scales)
+  described <- vapply(seq_len(nrow(scales)), function(i) describe_scale(scales[i, ]), "")
+  refuse(
+    "expected ratings on one scale, got ", paste(described, collapse = "; and "),
+    ": scales that differ are never pooled"
+  )
+}
+
+# "1 (very believable) to 3 (very unbelievable), 1 best"
+describe_scale <- function(scale) {
+  sprintf(
+    "%d (%s) to %d (%s), %d best", scale$rating_minimum, scale$low_anchor, scale$rating_maximum,
+    scale$high_anchor, scale$rating_best
+  )
+}

@@ -1,0 +1,160 @@
+# Results in words: one paragraph, a caption, and the file that holds them.
+#
+# Two rules: a p above .05 is never called "no difference" (the equivalence tests speak to that),
+# and every p in words is the one adjusted within its family.
+# SPDX-License-Identifier: MIT
+
+# The paragraph. `main`: the factor of interest; `others`: those tested for equivalence too.
+results_paragraph <- function(trials, scale, tests, main, others) {
+  sentences <- c(
+    scale_words(scale), means_words(trials, main), model_words(tests, main),
+    odds_words(tests, main, scale),
+    unlist(lapply(others, function(factor) other_factor_words(tests, factor))),
+    anova_words(tests, main), friedman_words(tests, main), pooled_words(tests, main)
+  )
+  paste(sentences, collapse = " ")
+}
+
+scale_words <- function(scale) sprintf("Ratings ran from %s.", describe_scale(scale))
+
+means_words <- function(trials, main) {
+  rows <- means_with_intervals(trials, main)
+  limits <- ifelse(is.na(rows$low), "", sprintf(" [%.2f, %.2f]", rows$low, rows$high))
+  sprintf("Mean ratings by %s: %s%s.", name_and_unit(main),
+    paste0(rows$cell, ": ", sprintf("%.2f", rows$mean), limits, collapse = "; "),
+    if (all(is.na(rows$low))) "" else " (within-participant 95 % intervals)")
+}
+
+model_words <- function(tests, main) {
+  row <- tests_of(tests, kEffectsFamily, main)
+  if (nrow(row) == 0) return(character())
+  random <- if (grepl("slope", row$method)) "intercept and slope" else "intercept"
+  sprintf("In the cumulative-link mixed model (random %s for each participant), %s: %s.", random,
+    effect_words(row), chi_squared_words(row))
+}
+
+effect_words <- function(row) {
+  name <- plain_name(row$effect)
+  if (row$p_holm < kSignificance) return(paste("ratings depended on", name))
+  paste("an effect of", name, "was not detected, which is not evidence of its absence")
+}
+
+odds_words <- function(tests, main, scale) {
+  rows <- tests_of(tests, kOddsFamily)
+  rows <- rows[startsWith(rows$effect, paste0(main, ": ")), ]
+  if (nrow(rows) == 0) return(character())
+  sprintf("Odds ratios of a higher rating (towards \"%s\"): %s.", scale$high_anchor, paste(sprintf(
+    "%s, %.2f, 95 %% CI [%.2f, %.2f]", sub("^.*: ", "", rows$effect), rows$effect_size,
+    rows$interval_low, rows$interval_high
+  ), collapse = "; "))
+}
+
+# One other factor: what the model found, then what the equivalence tests show.
+other_factor_words <- function(tests, factor) {
+  row <- tests_of(tests, kEffectsFamily, factor)
+  effect <- if (nrow(row) > 0) sprintf("In the same model, %s: %s.", effect_words(row),
+    chi_squared_words(row))
+  rows <- tests_of(tests, kEquivalenceFamily)
+  rows <- rows[startsWith(rows$effect, paste0(factor, ": ")), ]
+  if (nrow(rows) == 0) return(effect)
+  c(effect, equivalence_words(rows, factor))
+}
+
+equivalence_words <- function(rows, factor) {
+  shown <- rows$p_holm < kSignificance
+  largest <- rows[which.max(abs(rows$effect_size)), ]
+  summary <- sprintf("largest difference %+.2f, 90 %% CI [%.2f, %.2f]", largest$effect_size,
+    largest$interval_low, largest$interval_high)
+  pairs <- sub("^.*: ", "", rows$effect)
+  margin <- sprintf("±%.2f points", kEquivalenceMargin)
+  if (all(shown)) {
+    return(sprintf("All differences by %s lie within %s (two one-sided tests, %s; %s).",
+      plain_name(factor), margin, largest_p(rows$p_holm), summary))
+  }
+  sprintf("For %s, equivalence within %s was not shown between %s (%s).", name_and_unit(factor),
+    margin, paste(gsub("against", "and", pairs[!shown]), collapse = ", "), summary)
+}
+
+anova_words <- function(tests, main) {
+  rows <- tests_of(tests, kAnovaFamily)
+  if (nrow(rows) == 0) return(character())
+  row <- rows[rows$effect == main, ]
+  sentence <- sprintf(
+    paste(
+      "Repeated-measures ANOVA of cell means (Greenhouse–Geisser), %s: %s,",
+      "generalised η² = %.3f, 90 %% CI [%.3f, %.3f]."
+    ),
+    plain_name(main), F_words(row), row$effect_size, row$interval_low, row$interval_high
+  )
+  interactions <- rows[grepl(":", rows$effect, fixed = TRUE), ]
+  if (nrow(interactions) == 0) return(sentence)
+  found <- interactions[interactions$p_holm < kSignificance, ]
+  paste(sentence, if (nrow(found) == 0) "No interaction was detected." else
+    sprintf("Interactions detected: %s.", paste(found$effect, p_words(found$p_holm),
+      sep = ", ", collapse = "; ")))
+}
+
+friedman_words <- function(tests, main) {
+  row <- tests_of(tests, kFriedmanFamily, main)
+  if (nrow(row) == 0) return(character())
+  sprintf("Friedman's test, %s: %s, Kendall's W = %.2f.", plain_name(main), chi_squared_words(row),
+    row$effect_size)
+}
+
+pooled_words <- function(tests, main) {
+  rows <- tests_of(tests, kPooledFamily)
+  row <- rows[rows$effect == main, ]
+  if (nrow(row) == 0) return(character())
+  apart <- rows[rows$effect != main, ]
+  place <- strsplit(sub("^.* at ", "", apart$effect), " ", fixed = TRUE)
+  each <- vapply(place, function(words) paste(name_and_unit(words[1]), words[2]), "")
+  separately <- paste0("; at ", each, ", ", p_words(apart$p_holm), collapse = "")
+  sprintf("As in the thesis, a pooled single-factor ANOVA (treats trials as independent): %s%s.",
+    F_words(row), if (nrow(apart) == 0) "" else separately)
+}
+
+# "speed_deg_s" -> "speed", "speed (°/s)"
+plain_name <- function(factor) sub(" \\(.*$", "", name_and_unit(factor))
+name_and_unit <- function(factor) {
+  label <- label_of(factor)
+  paste0(tolower(substr(label, 1, 1)), substring(label, 2))
+}
+
+chi_squared_words <- function(row) {
+  sprintf("χ²(%d) = %.1f, %s", as.integer(row$df1), row$statistic, p_words(row$p_holm))
+}
+
+F_words <- function(row) {
+  df <- function(x) format(round(x, 1), nsmall = if (x == round(x)) 0 else 1, trim = TRUE)
+  sprintf("F(%s, %s) = %.1f, %s", df(row$df1), df(row$df2), row$statistic, p_words(row$p_holm))
+}
+
+p_words <- function(p) {
+  ifelse(p < 0.001, "p < .001", paste0("p = ", sub("^0", "", sprintf("%.3f", p))))
+}
+
+largest_p <- function(p) sub("p", if (max(p) < 0.001) "all p" else "largest p", p_words(max(p)))
+
+# What the figure shows, for beneath it.
+figure_caption <- function(trials, main, beside, simulated) {
+  shown <- nrow(complete_participants(participant_means(trials, main)))
+  split <- vapply(varying_factors(trials, beside), name_and_unit, "")
+  paste0(
+    "Mean rating by ", name_and_unit(main), ", ", count_of(max(shown, 1),
+      if (simulated) "simulated participant" else "participant"), ". ",
+    if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
+    "Thin lines: participants, shifted sideways a little to keep them apart.",
+    if (length(split) > 0) paste0(" Beside it, the same by ", paste(split, collapse = " and by "),
+      ".")
+  )
+}
+
+# Writes the report as Markdown: results, the data behind them, remarks, caption.
+write_report <- function(path, title, paragraph, sentences, remarks, caption) {
+  bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
+  text <- c(
+    paste("#", title), "", paragraph, "", "## Data", "", bullets(sentences), "",
+    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
+  )
+  writeLines(enc2utf8(text), path, useBytes = TRUE)
+}

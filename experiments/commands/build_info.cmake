@@ -1,0 +1,23 @@
+# Writes a header that names this build, only when it changed.
+execute_process(COMMAND git -C "${SOURCE}" describe --always --dirty --abbrev=12
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT commit)
+  set(commit "unknown commit")
+endif()
+string(STRIP "${FLAGS}" flags)
+set(text "// Made by the build; do not edit.
+#pragma once
+
+namespace impetus {
+
+inline constexpr char kBuild[] = \"impetus ${VERSION}, ${commit}, ${COMPILER}, ${flags}\";
+
+}  // namespace impetus
+")
+set(before "")
+if(EXISTS "${OUTPUT}")
+  file(READ "${OUTPUT}" before)
+endif()
+if(NOT before STREQUAL text)
+  file(WRITE "${OUTPUT}" "${text}")
+endif()

@@ -1,0 +1,131 @@
+// `impetus check`: validates protocols and prints their designs.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/session/plan.hpp"
+
+namespace impetus {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  double refresh_hz{60.0};
+  bool allow_rounding{false};
+};
+
+/// A participant's own pace, for the estimate alone.
+constexpr double kAssumedRatingS = 1.5;
+constexpr double kAssumedReadingS = 150.0;
+
+double expected_minutes(const Protocol& protocol, const Plan& plan) {
+  const ProtocolScenes scenes(protocol, 0.0);
+  double seconds = kAssumedReadingS;
+  for (const PlannedTrial& trial : plan) {
+    seconds += scenes.stage(trial.condition, assumed_screen()).duration_s + kAssumedRatingS +
+               (protocol.script.timing.fixation_ms + protocol.script.timing.interval_ms) / 1e3;
+  }
+  return seconds / 60.0;
+}
+
+std::string level_list(const Factor& factor) {
+  std::string text;
+  for (const LevelValue& level : factor.levels) {
+    text += (text.empty() ? "" : ", ") + to_text(level);
+  }
+  return text;
+}
+
+void print_factors(const Protocol& protocol) {
+  for (const Factor& factor : protocol.design.factors) {
+    std::printf("  factor       %s = %s\n", factor.name.c_str(), level_list(factor).c_str());
+    std::printf("               %s; overrides %s\n", protocol.labels.at(factor.name).c_str(),
+                protocol.pointers.at(factor.name).c_str());
+  }
+}
+
+/// How often each level of each factor is shown in the main trials.
+void print_exposure(const Protocol& protocol, const Plan& plan) {
+  std::map<std::string, std::int64_t> shown;
+  for (const PlannedTrial& trial : plan) {
+    if (trial.phase == TrialPhase::kMain) {
+      for (const FactorLevel& level : trial.condition) {
+        ++shown[level.factor + " " + to_text(level.value)];
+      }
+    }
+  }
+  for (const Factor& factor : protocol.design.factors) {
+    std::string text;
+    for (const LevelValue& level : factor.levels) {
+      const std::string value = to_text(level);
+      text += (text.empty() ? "" : ", ") + value + ": " +
+              std::to_string(shown[factor.name + " " + value]) + " times";
+    }
+    std::printf("  shown        %s %s\n", factor.name.c_str(), text.c_str());
+  }
+}
+
+void print_design(const Protocol& protocol) {
+  const Design& design = protocol.design;
+  const Plan plan = make_plan(design, {protocol.name, "check", 1});
+  const std::size_t cell_count = cells(design).size();
+  const std::size_t practice = design.practice.size();
+  std::printf("%s: valid\n", protocol.document.name.c_str());
+  std::printf("  %s\n", protocol.title.c_str());
+  std::printf("  scene        %s\n", protocol.scene.name.c_str());
+  print_factors(protocol);
+  std::printf("  cells        %zu\n", cell_count);
+  std::printf("  repetitions  %lld\n", static_cast<long long>(design.repetitions));
+  std::printf("  trials       %zu, after %zu of practice\n", plan.size() - practice, practice);
+  for (const LongestRun& rule : design.longest_runs) {
+    std::printf("  order        random, at most %lld equal %s in a row\n",
+                static_cast<long long>(rule.longest), rule.factor.c_str());
+  }
+  print_exposure(protocol, plan);
+  std::printf("  rating       %lld (%s) to %lld (%s)\n",
+              static_cast<long long>(protocol.script.scale.minimum),
+              protocol.script.scale.low_anchor.c_str(),
+              static_cast<long long>(protocol.script.scale.maximum),
+              protocol.script.scale.high_anchor.c_str());
+  std::printf("  duration     about %.0f minutes, at %.1f s for a rating\n",
+              std::ceil(expected_minutes(protocol, plan)), kAssumedRatingS);
+  std::printf("  hash         %s\n", protocol.hash.c_str());
+}
+
+int check(const CheckOptions& options) {
+  int status = kDone;
+  for (const std::string& file : options.files) {
+    try {
+      const Protocol protocol = load_protocol(file);
+      check_frames(protocol, options.refresh_hz, options.allow_rounding);
+      print_design(protocol);
+    } catch (const std::runtime_error& error) {
+      std::fflush(stdout);
+      std::fprintf(stderr, "impetus: %s\n", error.what());
+      status = kFound;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Validate protocols and print their designs");
+  command->add_option("files", options->files, "Protocol files")->required();
+  command->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
+      ->capture_default_str()
+      ->check(CLI::Range(20.0, 1000.0));
+  command->add_flag("--allow-rounding", options->allow_rounding,
+                    "Accept delays that are not whole frames, as `run` would with this option");
+  command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+}
+
+}  // namespace impetus

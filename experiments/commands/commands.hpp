@@ -1,0 +1,27 @@
+// The program's commands. Each adds itself to the command line and runs when it was called.
+//
+// A command returns the exit status: 0 done, 1 found what it looks for (a divergence, an invalid
+// file), 2 could not run. It throws InputError or StoreError with the sentence to print.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace impetus {
+
+inline constexpr int kDone = 0;
+inline constexpr int kFound = 1;
+inline constexpr int kCouldNotRun = 2;
+
+/// What main() calls once the command line is read.
+using Command = std::function<int()>;
+
+/// Each adds a subcommand to `app`; parsing that subcommand puts its action into `chosen`.
+void add_run(CLI::App& app, Command& chosen);
+void add_check(CLI::App& app, Command& chosen);
+void add_replay(CLI::App& app, Command& chosen);
+void add_screen(CLI::App& app, Command& chosen);
+void add_mesh(CLI::App& app, Command& chosen);
+
+}  // namespace impetus

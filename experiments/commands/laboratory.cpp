@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/laboratory.hpp"
+
+#include "experiments/observers/headless_lab.hpp"
+#include "experiments/protocol/screen_file.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/shown_observer.hpp"
+#include "experiments/commands/window_size.hpp"
+#include "experiments/stage/display_query.hpp"
+#include "experiments/stage/screen_setup.hpp"
+#include "experiments/stage/steady_clock.hpp"
+#include "experiments/stage/window.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+constexpr double kHeadlessHz = 60.0;
+
+class HeadlessLaboratory final : public Laboratory {
+ public:
+  explicit HeadlessLaboratory(const LaboratoryOptions& options)
+      : display_(clock_, kHeadlessHz, assumed_screen()),
+        observer_(options.observer->parameters, options.seed, options.participant, clock_) {}
+
+  Display& display() override { return display_; }
+  Input& input() override { return observer_; }
+  SyncTest sync_test() override {
+    return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
+  }
+  [[nodiscard]] std::string description() const override {
+    return "headless, virtual time, 60 Hz; flips happen exactly when they are due";
+  }
+  [[nodiscard]] bool screen_measured() const override { return false; }
+
+ private:
+  VirtualClock clock_;
+  HeadlessDisplay display_;
+  CausalityObserver observer_;
+};
+
+#ifdef IMPETUS_WINDOW
+
+class WindowLaboratory final : public Laboratory {
+ public:
+  explicit WindowLaboratory(const LaboratoryOptions& options)
+      : window_(window_options(options.window_size), clock_) {
+    window_.set_geometry(lab_screen(options));
+    if (options.observer) {
+      observer_ = std::make_unique<ShownObserver>(*options.observer, options.seed,
+                                                  options.participant, window_, clock_);
+    }
+  }
+
+  Display& display() override { return window_; }
+  Input& input() override { return observer_ ? static_cast<Input&>(*observer_) : window_; }
+  SyncTest sync_test() override { return window_.sync_test(); }
+  [[nodiscard]] std::string description() const override { return window_.description(); }
+  [[nodiscard]] bool screen_measured() const override { return measured_; }
+
+ private:
+  /// From the file; asked for once and kept when there is none yet. What a simulated participant
+  /// looks at needs no ruler.
+  ScreenGeometry lab_screen(const LaboratoryOptions& options) {
+    const auto file =
+        options.screen_file.empty() ? default_screen_file() : options.screen_file;
+    if (std::filesystem::exists(file) || !options.screen_file.empty()) {
+      measured_ = true;
+      return load_screen(file);
+    }
+    ScreenGeometry screen = assumed_screen();
+    if (!options.observer) {
+      const auto entered = ask_screen_geometry(window_, screen);
+      if (!entered) {
+        throw InputError("the screen's size and distance were not entered; `impetus screen` asks "
+                         "again");
+      }
+      save_screen(*entered, file);
+      measured_ = true;
+      screen = *entered;
+    }
+    screen.width_px = screen.height_px = 0;
+    return screen;
+  }
+
+  SteadyClock clock_;
+  Window window_;
+  std::unique_ptr<ShownObserver> observer_;
+  bool measured_{false};
+};
+
+#endif
+
+}  // namespace
+
+double refresh_hz_of(const LaboratoryOptions& options) {
+#ifdef IMPETUS_WINDOW
+  if (!options.observer || options.show) {
+    return display_refresh_hz();
+  }
+#endif
+  static_cast<void>(options);
+  return kHeadlessHz;
+}
+
+std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
+  if (options.observer && !options.show) {
+    return std::make_unique<HeadlessLaboratory>(options);
+  }
+#ifdef IMPETUS_WINDOW
+  return std::make_unique<WindowLaboratory>(options);
+#else
+  throw InputError("this build has no window; run with --observer NAME, without --show");
+#endif
+}
+
+}  // namespace impetus

@@ -1,0 +1,42 @@
+// The place a session runs in: a window and a person, a window and a simulated participant, or
+// nothing but virtual time.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiments/protocol/observer_file.hpp"
+#include "experiments/session/ports.hpp"
+#include "experiments/session/timing_check.hpp"
+
+namespace impetus {
+
+struct LaboratoryOptions {
+  std::optional<ObserverFile> observer;
+  bool show{false};                    ///< a simulated participant in a real window
+  std::string participant;
+  std::uint64_t seed{0};
+  std::filesystem::path screen_file;   ///< "" for the lab's default
+  std::string window_size;             ///< "1280x1024"; "" for fullscreen
+};
+
+class Laboratory {
+ public:
+  virtual ~Laboratory() = default;
+  virtual Display& display() = 0;
+  virtual Input& input() = 0;
+  virtual SyncTest sync_test() = 0;
+  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual bool screen_measured() const = 0;
+};
+
+/// Frames per second that the laboratory will have, found without opening it.
+double refresh_hz_of(const LaboratoryOptions& options);
+
+/// Throws InputError when there is no display, no window in this build, or no usable screen file.
+std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);
+
+}  // namespace impetus

@@ -1,0 +1,108 @@
+// `impetus replay`: simulates every recorded trial again and compares each step's hash.
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/replayed_trial.hpp"
+#include "experiments/session/input_error.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/replay_viewing.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+struct ReplayOptions {
+  std::string study;
+  std::optional<std::int64_t> trial;
+  std::string participant;
+  bool view{false};
+  std::string window_size;
+};
+
+std::vector<StoredAttempt> chosen_attempts(StudyFile& study, const ReplayOptions& options) {
+  std::vector<StoredAttempt> attempts = load_attempts(study);
+  std::erase_if(attempts, [&](const StoredAttempt& attempt) {
+    return (options.trial && attempt.trial_id != *options.trial) ||
+           (!options.participant.empty() && attempt.participant != options.participant);
+  });
+  if (attempts.empty() && (options.trial || !options.participant.empty())) {
+    throw InputError(study.name() + ": expected a recorded trial" +
+                     (options.trial ? " " + std::to_string(*options.trial) : "") +
+                     (options.participant.empty() ? "" : " of " + options.participant) +
+                     ", but there is none");
+  }
+  return attempts;
+}
+
+void print_divergence(const StoredAttempt& attempt, const Divergence& divergence) {
+  std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld",
+              static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
+              static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
+              static_cast<long long>(divergence.step));
+  if (divergence.body.empty()) {
+    std::printf(", in the hash alone\n");
+  } else {
+    std::printf(", body %s, %s\n", divergence.body.c_str(), divergence.field.c_str());
+  }
+}
+
+int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
+  using Seconds = std::chrono::duration<double>;
+  ReplayLibrary library(study);
+  std::int64_t steps = 0;
+  std::int64_t diverged = 0;
+  double simulated_s = 0.0;
+  const auto start = std::chrono::steady_clock::now();
+  for (const StoredAttempt& attempt : attempts) {
+    const StagedScene scene = library.stage(attempt);
+    const ReplayResult result = replay(scene, library.steps(attempt));
+    steps += result.steps;
+    simulated_s += static_cast<double>(result.steps) / scene.step_hz;
+    if (result.divergence) {
+      // Only the first is of use: what follows in the same trial follows from it.
+      print_divergence(attempt, *result.divergence);
+      ++diverged;
+    }
+  }
+  const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu trials, %lld steps, %.0f times real time, %lld divergent\n", attempts.size(),
+              static_cast<long long>(steps), simulated_s / took_s,
+              static_cast<long long>(diverged));
+  return diverged == 0 ? kDone : kFound;
+}
+
+int replay_study(const ReplayOptions& options) {
+  StudyFile study = StudyFile::open_for_reading(options.study);
+  const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);
+  if (!options.view) {
+    return compare_all(study, attempts);
+  }
+#ifdef IMPETUS_WINDOW
+  return view_attempts(study, attempts, options.window_size);
+#else
+  throw InputError("--view: this build has no window");
+#endif
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command =
+      app.add_subcommand("replay", "Simulate every recorded trial again and compare each step");
+  command->add_option("study", options->study, "Study file")->required();
+  command->add_option("--trial", options->trial,
+                      "Only this trial (the column `trial` of the views)");
+  command->add_option("--participant", options->participant, "Only this participant's trials");
+  command->add_flag("--view", options->view, "Play the trials in a window");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->callback([options, &chosen] { chosen = [options] { return replay_study(*options); }; });
+}
+
+}  // namespace impetus

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/replay_viewing.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/replayed_trial.hpp"
+#include "experiments/commands/window_size.hpp"
+#include "experiments/session/replay_view.hpp"
+#include "experiments/stage/replay_viewer.hpp"
+#include "experiments/stage/steady_clock.hpp"
+
+namespace impetus {
+namespace {
+
+std::string title_of(const StoredAttempt& attempt) {
+  std::string title = attempt.participant + " · trial " + std::to_string(attempt.trial.slot) +
+                      " of " + std::to_string(attempt.trials_planned) + " · ";
+  title += attempt.trial.phase == TrialPhase::kPractice ? "practice" : "main";
+  return attempt.number > 1 ? title + " · attempt " + std::to_string(attempt.number) : title;
+}
+
+std::vector<std::string> facts_of(const StoredAttempt& attempt) {
+  std::vector<std::string> facts;
+  for (const auto& [factor, level] : nlohmann::json::parse(attempt.trial.condition).items()) {
+    facts.push_back(factor + " " + level.dump());
+  }
+  facts.push_back(attempt.rating ? "rated " + std::to_string(*attempt.rating)
+                                 : "interrupted, not rated");
+  return facts;
+}
+
+std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attempt,
+                                   const StagedScene& scene) {
+  using Kind = TimelineMark::Kind;
+  std::vector<TimelineMark> marks{{Kind::kContact, scene.contact_s, scene.contact_s, "contact"}};
+  if (scene.realised_hold_s > 0.0) {
+    marks.push_back({Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s,
+                     "imposed hold"});
+  }
+  if (attempt.rating) {
+    const double at_s = static_cast<double>(attempt.answered_ns - attempt.onset_ns) / 1e9;
+    marks.push_back({Kind::kResponse, at_s, at_s, "rated " + std::to_string(*attempt.rating)});
+  }
+  for (const LateFrame& frame : load_late_frames(study, attempt.id)) {
+    marks.push_back({Kind::kLateFrame, frame.shown_time_s, frame.shown_time_s,
+                     "late by " + std::to_string(frame.missed_slots)});
+  }
+  return marks;
+}
+
+ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt& attempt) {
+  StagedScene scene = library.stage(attempt);
+  ReplayView view;
+  view.title = title_of(attempt);
+  view.facts = facts_of(attempt);
+  view.viewer = scene.viewer;
+  view.looks = scene.looks;
+  view.step_hz = scene.step_hz;
+  view.duration_s = scene.duration_s;
+  view.marks = marks_of(study, attempt, scene);
+  ReplayResult result = replay(std::move(scene), library.steps(attempt), /*keep_states=*/true);
+  view.states = std::move(result.states);
+  view.agrees = !result.divergence;
+  return view;
+}
+
+}  // namespace
+
+int view_attempts(StudyFile& study, const std::vector<StoredAttempt>& attempts,
+                  const std::string& window_size) {
+  std::vector<StoredAttempt> shown;
+  for (const StoredAttempt& attempt : attempts) {
+    if (attempt.onset_ns > 0) {
+      shown.push_back(attempt);
+    }
+  }
+  if (shown.empty()) {
+    throw InputError(study.name() + ": expected a trial that was shown, but there is none");
+  }
+  ReplayLibrary library(study);
+  const SteadyClock clock;
+  Window window(window_options(window_size), clock);
+  std::size_t index = 0;
+  while (true) {
+    window.set_geometry(shown[index].screen);
+    const ViewerExit exit = view_replay(window, view_of(study, library, shown[index]));
+    if (exit == ViewerExit::kClosed) {
+      return kDone;
+    }
+    const bool next = exit == ViewerExit::kNextTrial;
+    index = next ? std::min(index + 1, shown.size() - 1) : index - (index > 0 ? 1 : 0);
+  }
+}
+
+}  // namespace impetus

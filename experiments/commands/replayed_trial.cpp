@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/replayed_trial.hpp"
+
+#include "build_info.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/store/attempt_rows.hpp"
+
+namespace impetus {
+
+StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
+  if (attempt.recording_format != kRecordingFormat) {
+    throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
+                     " was recorded in format " + std::to_string(attempt.recording_format) +
+                     " by " + attempt.build + "; this build replays format " +
+                     std::to_string(kRecordingFormat) + ", use that one");
+  }
+  const Protocol& source = protocol(attempt.protocol_id);
+  const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0);
+  const auto condition = nlohmann::json::parse(attempt.trial.condition);
+  return scenes.stage(condition_from_json(condition, source.design), attempt.screen);
+}
+
+std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt) {
+  return load_steps(study_.database(), attempt.id);
+}
+
+const Protocol& ReplayLibrary::protocol(std::int64_t id) {
+  const auto known = protocols_.find(id);
+  if (known != protocols_.end()) {
+    return known->second;
+  }
+  const ProtocolTexts texts = load_protocol_texts(study_, id);
+  const std::string place = study_.name() + ", protocol " + texts.name;
+  return protocols_
+      .emplace(id, make_protocol(parse_json(place, texts.protocol_json),
+                                 parse_json(place + ", scene", texts.scene_json)))
+      .first->second;
+}
+
+}  // namespace impetus

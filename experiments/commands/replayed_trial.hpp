@@ -1,0 +1,33 @@
+// Recorded trials made ready to simulate again: each with the protocol, screen and steps it had.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/replay.hpp"
+#include "experiments/store/study_reader.hpp"
+
+namespace impetus {
+
+class ReplayLibrary {
+ public:
+  /// `study` must outlive this.
+  explicit ReplayLibrary(StudyFile& study) : study_(study) {}
+
+  /// The attempt's scene at its start. Throws InputError when it was recorded in a format that
+  /// this build does not replay, naming the build that does.
+  [[nodiscard]] StagedScene stage(const StoredAttempt& attempt);
+
+  [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt);
+
+ private:
+  const Protocol& protocol(std::int64_t id);
+
+  StudyFile& study_;
+  std::map<std::int64_t, Protocol> protocols_;
+};
+
+}  // namespace impetus

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/models/mesh_file.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <array>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace impetus {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
+  throw std::runtime_error(file.string() + ": " + problem);
+}
+
+/// The errors that assimp logs and then repairs in its own way: its OFF reader, for one, replaces
+/// an index out of range by another vertex.
+class ErrorLog {
+ public:
+  ErrorLog() {
+    Assimp::DefaultLogger::create(nullptr, Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(new Line(first_), Assimp::Logger::Err);
+  }
+  ~ErrorLog() { Assimp::DefaultLogger::kill(); }
+  ErrorLog(const ErrorLog&) = delete;
+  ErrorLog& operator=(const ErrorLog&) = delete;
+
+  /// The first error, or nothing.
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ private:
+  class Line final : public Assimp::LogStream {  // owned by the logger
+   public:
+    explicit Line(std::string& first) : first_(&first) {}
+    void write(const char* message) override {
+      if (first_->empty()) {
+        *first_ = message;
+        first_->erase(first_->find_last_not_of('\n') + 1);
+      }
+    }
+
+   private:
+    std::string* first_;
+  };
+  std::string first_;
+};
+
+/// Collects placed triangles; equal positions share a vertex.
+class Welder {
+ public:
+  void add(const aiMesh& part, const aiMatrix4x4& placement, const std::filesystem::path& file) {
+    const bool mirrored = placement.Determinant() < 0.0F;
+    for (unsigned int i = 0; i < part.mNumFaces; ++i) {
+      const aiFace& face = part.mFaces[i];
+      if (face.mNumIndices != 3) {
+        continue;  // points and lines have no surface
+      }
+      std::array<std::uint32_t, 3> triangle{};
+      for (unsigned int corner = 0; corner < 3; ++corner) {
+        const unsigned int index = face.mIndices[corner];
+        if (index >= part.mNumVertices) {
+          refuse(file, "a face names vertex " + std::to_string(index) + " of " +
+                           std::to_string(part.mNumVertices));
+        }
+        triangle[corner] = vertex(placement * part.mVertices[index], file);
+      }
+      if (mirrored) {
+        std::swap(triangle[1], triangle[2]);
+      }
+      mesh_.triangles.push_back(triangle);
+    }
+  }
+
+  TriangleMesh take() { return std::move(mesh_); }
+
+ private:
+  std::uint32_t vertex(const aiVector3D& place, const std::filesystem::path& file) {
+    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
+      refuse(file, "a vertex has a coordinate that is not a finite number");
+    }
+    // Adding +0 makes both zeros the same place.
+    const std::array<double, 3> key{place.x + 0.0, place.y + 0.0, place.z + 0.0};
+    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
+    const auto [entry, is_new] = index_of_.try_emplace(key, next);
+    if (is_new) {
+      mesh_.vertices.emplace_back(key[0], key[1], key[2]);
+    }
+    return entry->second;
+  }
+
+  TriangleMesh mesh_;
+  std::map<std::array<double, 3>, std::uint32_t> index_of_;
+};
+
+void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Welder& welder,
+              const std::filesystem::path& file) {
+  const aiMatrix4x4 placement = above * node.mTransformation;
+  for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
+    welder.add(*scene.mMeshes[node.mMeshes[i]], placement, file);
+  }
+  for (unsigned int i = 0; i < node.mNumChildren; ++i) {
+    add_node(scene, *node.mChildren[i], placement, welder, file);
+  }
+}
+
+}  // namespace
+
+TriangleMesh load_mesh(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) {
+    refuse(file, std::filesystem::exists(file) ? "is not a file" : "there is no such file");
+  }
+  const ErrorLog errors;
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+  if (scene == nullptr) {
+    refuse(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+  }
+  if (!errors.first().empty()) {
+    refuse(file, "cannot be read as a mesh: " + errors.first());
+  }
+  Welder welder;
+  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), welder, file);
+  TriangleMesh mesh = welder.take();
+  if (mesh.triangles.empty()) {
+    refuse(file, "has no triangles");
+  }
+  return mesh;
+}
+
+}  // namespace impetus

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/protocol_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "experiments/protocol/validation.hpp"
+#include "experiments/scenes/scene_file.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+std::string item(const std::string& list, std::size_t index) {
+  return list + "/" + std::to_string(index);
+}
+
+bool has_level(const json& factor, const json& level) {
+  const json& levels = factor["levels"];
+  return std::find(levels.begin(), levels.end(), level) != levels.end();
+}
+
+void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
+  const json& factors = protocol.value["design"]["factors"];
+  std::set<std::string> names;
+  std::set<std::string> pointers;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const std::string place = item("/design/factors", i);
+    const auto pointer = factors[i]["pointer"].get<std::string>();
+    if (!names.insert(factors[i]["name"].get<std::string>()).second) {
+      refuse(protocol, place + "/name",
+             "expected a name of its own, got " + factors[i]["name"].dump() + " again");
+    }
+    if (!pointers.insert(pointer).second) {
+      refuse(protocol, place + "/pointer",
+             "expected a value that no other factor overrides, got \"" + pointer + "\" again");
+    }
+    bool found = false;
+    try {
+      found = scene.value.contains(json::json_pointer(pointer)) &&
+              scene.value[json::json_pointer(pointer)].is_primitive();
+    } catch (const json::exception&) {
+      found = false;
+    }
+    if (!found) {
+      refuse(protocol, place + "/pointer",
+             "expected a pointer to a single value of " + scene.name + ", got \"" + pointer +
+                 "\"");
+    }
+  }
+}
+
+void check_practice(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  const json practice = design.value("practice", json::array());
+  for (std::size_t i = 0; i < practice.size(); ++i) {
+    const std::string place = item("/design/practice", i);
+    for (const json& factor : design["factors"]) {
+      const auto name = factor["name"].get<std::string>();
+      if (!practice[i].contains(name)) {
+        refuse(protocol, place, "expected a level for every factor, but \"" + name +
+                                    "\" has none");
+      }
+      if (!has_level(factor, practice[i][name])) {
+        refuse(protocol, place + "/" + name,
+               "expected one of the factor's levels " + factor["levels"].dump() + ", got " +
+                   practice[i][name].dump());
+      }
+    }
+    if (practice[i].size() != design["factors"].size()) {
+      refuse(protocol, place, "expected only factors of the design, got a name that is none");
+    }
+  }
+}
+
+void check_runs(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  const json rules = design.value("longest_runs", json::array());
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const json& factors = design["factors"];
+    const bool known = std::any_of(factors.begin(), factors.end(), [&](const json& factor) {
+      return factor["name"] == rules[i]["factor"];
+    });
+    if (!known) {
+      refuse(protocol, item("/design/longest_runs", i) + "/factor",
+             "expected the name of a factor, got " + rules[i]["factor"].dump());
+    }
+  }
+}
+
+void check_scale(const JsonDocument& protocol) {
+  const json& rating = protocol.value["rating"];
+  if (rating["minimum"] >= rating["maximum"]) {
+    refuse(protocol, "/rating/maximum",
+           "expected more than the minimum " + rating["minimum"].dump() + ", got " +
+               rating["maximum"].dump());
+  }
+  if (rating["best"] != rating["minimum"] && rating["best"] != rating["maximum"]) {
+    refuse(protocol, "/rating/best",
+           "expected one end of the scale, " + rating["minimum"].dump() + " or " +
+               rating["maximum"].dump() + ", got " + rating["best"].dump());
+  }
+}
+
+void check_questions(const JsonDocument& protocol) {
+  const json& session = protocol.value["session"];
+  std::set<std::string> ids{"consent"};
+  for (const char* list : {"demographics", "questions"}) {
+    const json entries = session.value(list, json::array());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string place = item(std::string("/session/") + list, i);
+      if (!ids.insert(entries[i]["id"].get<std::string>()).second) {
+        refuse(protocol, place + "/id",
+               "expected an id of its own, got " + entries[i]["id"].dump() + " again");
+      }
+      if (entries[i].value("kind", "") == "choice" && !entries[i].contains("options")) {
+        refuse(protocol, place, "expected the key \"options\" for a choice, which is missing");
+      }
+    }
+  }
+}
+
+/// The schema's or the scene's own complaint about `scene` at `pointer`; "" when there is none.
+std::string complaint(const json& scene) {
+  if (const auto problem = find_schema_problem(scene_schema(), scene)) {
+    return problem->message;
+  }
+  const auto problems = scene_problems(scene);
+  return problems.empty() ? "" : problems.front().message;
+}
+
+std::string milliseconds(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f ms", seconds * 1e3);
+  return text;
+}
+
+bool on_grid(double duration_s, double hz) {
+  const double frames = duration_s * hz;
+  return std::abs(frames - std::round(frames)) < 1e-3;
+}
+
+std::string off_grid_message(const json& value, double hz) {
+  char rate[32];
+  std::snprintf(rate, sizeof rate, "%g", hz);
+  return "expected a whole number of " + std::string(rate) + " Hz frames (" +
+         milliseconds(1.0 / hz) + "), got " + value.dump();
+}
+
+void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
+  const json& factors = protocol.document.value["design"]["factors"];
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    if (factors[i]["pointer"] != bound.pointer) {
+      continue;
+    }
+    const json& levels = factors[i]["levels"];
+    for (std::size_t j = 0; j < levels.size(); ++j) {
+      if (!on_grid(levels[j].get<double>() * bound.unit_s, hz)) {
+        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j),
+               off_grid_message(levels[j], hz));
+      }
+    }
+    return;
+  }
+  const json& value = protocol.scene.value[json::json_pointer(bound.pointer)];
+  if (!on_grid(value.get<double>() * bound.unit_s, hz)) {
+    refuse(protocol.scene, bound.pointer, off_grid_message(value, hz));
+  }
+}
+
+}  // namespace
+
+void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
+  check_factors(protocol, scene);
+  check_practice(protocol);
+  check_runs(protocol);
+  check_scale(protocol);
+  check_questions(protocol);
+}
+
+void check_levels(const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
+    const Factor& factor = protocol.design.factors[i];
+    for (std::size_t j = 0; j < factor.levels.size(); ++j) {
+      const json scene = scene_under(protocol, {{factor.name, factor.levels[j]}});
+      const std::string message = complaint(scene);
+      if (!message.empty()) {
+        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j), message);
+      }
+    }
+  }
+}
+
+void check_frames(const Protocol& protocol, double refresh_hz, bool allow_rounding) {
+  for (const FrameBoundValue& bound : frame_bound_values()) {
+    if (!(allow_rounding && bound.may_round)) {
+      check_frame_bound(protocol, bound, refresh_hz);
+    }
+  }
+  const json& fixation = protocol.document.value["timing"]["fixation_ms"];
+  if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
+    refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
+  }
+}
+
+}  // namespace impetus

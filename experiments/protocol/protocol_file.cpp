@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/protocol_file.hpp"
+
+#include <utility>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "experiments/protocol/embedded_schema.hpp"
+#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/validation.hpp"
+#include "experiments/scenes/scene_file.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+const json& protocol_schema() {
+  static const json schema = json::parse(kProtocolSchemaText);
+  return schema;
+}
+
+LevelValue level_value(const json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  return value.get<double>();
+}
+
+Text text_from(const json& object) {
+  return {object["title"].get<std::string>(),
+          object["paragraphs"].get<std::vector<std::string>>()};
+}
+
+Field field_from(const json& object) {
+  const auto kind = object["kind"].get<std::string>();
+  Field field;
+  field.id = object["id"].get<std::string>();
+  field.label = object["label"].get<std::string>();
+  field.kind = kind == "number"   ? Field::Kind::kNumber
+               : kind == "choice" ? Field::Kind::kChoice
+                                  : Field::Kind::kText;
+  field.options = object.value("options", std::vector<std::string>{});
+  field.minimum = object.value("minimum", -1e9);
+  field.maximum = object.value("maximum", 1e9);
+  return field;
+}
+
+Design design_from(const json& object) {
+  Design design;
+  for (const json& entry : object["factors"]) {
+    Factor factor{entry["name"].get<std::string>(), {}};
+    for (const json& level : entry["levels"]) {
+      factor.levels.push_back(level_value(level));
+    }
+    design.factors.push_back(std::move(factor));
+  }
+  design.repetitions = object["repetitions"].get<std::int64_t>();
+  for (const json& rule : object.value("longest_runs", json::array())) {
+    design.longest_runs.push_back(
+        {rule["factor"].get<std::string>(), rule["longest"].get<std::int64_t>()});
+  }
+  return design;
+}
+
+RatingScale scale_from(const json& object) {
+  return {object["question"].get<std::string>(),   object["minimum"].get<std::int64_t>(),
+          object["maximum"].get<std::int64_t>(),   object["best"].get<std::int64_t>(),
+          object["low_anchor"].get<std::string>(), object["high_anchor"].get<std::string>()};
+}
+
+Script script_from(const json& document) {
+  const json& session = document["session"];
+  Script script;
+  script.title = document["title"].get<std::string>();
+  script.welcome = text_from(session["welcome"]);
+  script.consent = text_from(session["consent"]);
+  script.consent_statement = session["consent"]["statement"].get<std::string>();
+  for (const json& field : session.value("demographics", json::array())) {
+    script.demographics.push_back(field_from(field));
+  }
+  for (const json& page : session["instructions"]) {
+    script.instructions.push_back(text_from(page));
+  }
+  if (session.contains("breaks")) {
+    script.break_text = text_from(session["breaks"]);
+    script.break_every = session["breaks"]["every"].get<std::int64_t>();
+  }
+  for (const json& question : session.value("questions", json::array())) {
+    script.questions.push_back(
+        {question["id"].get<std::string>(), question["text"].get<std::string>()});
+  }
+  script.thanks = text_from(session["thanks"]);
+  script.scale = scale_from(document["rating"]);
+  script.timing = {document["timing"]["fixation_ms"].get<double>(),
+                   document["timing"]["interval_ms"].get<double>()};
+  return script;
+}
+
+void require_schema(const JsonDocument& document, const json& schema) {
+  if (const auto problem = find_schema_problem(schema, document.value)) {
+    refuse(document, problem->pointer, problem->message);
+  }
+}
+
+std::string hash_of(const json& protocol, const json& scene) {
+  const std::string canonical = protocol.dump() + "\n" + scene.dump();
+  const XXH128_hash_t hash = XXH3_128bits(canonical.data(), canonical.size());
+  char text[33];
+  std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                static_cast<unsigned long long>(hash.low64));
+  return text;
+}
+
+}  // namespace
+
+json to_json(const Condition& condition) {
+  json object = json::object();
+  for (const FactorLevel& level : condition) {
+    std::visit([&](const auto& value) { object[level.factor] = value; }, level.value);
+  }
+  return object;
+}
+
+Condition condition_from_json(const json& object, const Design& design) {
+  Condition condition;
+  for (const Factor& factor : design.factors) {
+    condition.push_back({factor.name, level_value(object.at(factor.name))});
+  }
+  return condition;
+}
+
+json scene_under(const Protocol& protocol, const Condition& condition) {
+  json scene = protocol.scene.value;
+  for (const FactorLevel& level : condition) {
+    const json::json_pointer pointer(protocol.pointers.at(level.factor));
+    std::visit([&](const auto& value) { scene[pointer] = value; }, level.value);
+  }
+  return scene;
+}
+
+Protocol make_protocol(JsonDocument document, JsonDocument scene) {
+  require_schema(document, protocol_schema());
+  require_schema(scene, scene_schema());
+  for (const SceneProblem& problem : scene_problems(scene.value)) {
+    refuse(scene, problem.pointer, problem.message);
+  }
+  Protocol protocol;
+  protocol.name = document.value["name"].get<std::string>();
+  protocol.title = document.value["title"].get<std::string>();
+  protocol.hash = hash_of(document.value, scene.value);
+  protocol.document = std::move(document);
+  protocol.scene = std::move(scene);
+
+  const json& design = protocol.document.value["design"];
+  check_design(protocol.document, protocol.scene);
+  protocol.design = design_from(design);
+  for (const json& factor : design["factors"]) {
+    const auto name = factor["name"].get<std::string>();
+    protocol.pointers[name] = factor["pointer"].get<std::string>();
+    protocol.labels[name] = factor.value("label", name);
+  }
+  for (const json& condition : design.value("practice", json::array())) {
+    protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
+  }
+  protocol.script = script_from(protocol.document.value);
+  check_levels(protocol);
+  return protocol;
+}
+
+Protocol load_protocol(const std::filesystem::path& path) {
+  JsonDocument document = read_json(path);
+  require_schema(document, protocol_schema());
+  const auto scene = path.parent_path() / document.value["scene"].get<std::string>();
+  return make_protocol(std::move(document), read_json(scene.lexically_normal()));
+}
+
+}  // namespace impetus

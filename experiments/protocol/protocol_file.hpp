@@ -1,0 +1,41 @@
+// A protocol file and the scene it names, validated, as the structs a session runs on.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "experiments/protocol/json_document.hpp"
+#include "experiments/session/design.hpp"
+#include "experiments/session/script.hpp"
+
+namespace impetus {
+
+struct Protocol {
+  std::string name;
+  std::string title;
+  Design design;
+  Script script;
+  std::map<std::string, std::string> pointers;  ///< factor -> JSON Pointer into the scene
+  std::map<std::string, std::string> labels;    ///< factor -> words
+  JsonDocument document;
+  JsonDocument scene;
+  std::string hash;  ///< of both values; white space does not count
+};
+
+/// Reads the protocol and the scene beside it. Throws InputError naming file, place, what was
+/// expected and what was there.
+Protocol load_protocol(const std::filesystem::path& path);
+
+/// The same from texts, as a study file keeps them.
+Protocol make_protocol(JsonDocument document, JsonDocument scene);
+
+/// The scene with the levels of `condition` put in. `condition` names factors of the protocol.
+nlohmann::json scene_under(const Protocol& protocol, const Condition& condition);
+
+/// {"delay_ms": 100, ...} and back.
+nlohmann::json to_json(const Condition& condition);
+Condition condition_from_json(const nlohmann::json& object, const Design& design);
+
+}  // namespace impetus

@@ -1,0 +1,24 @@
+// The session's `Scenes`, from a protocol: a condition's levels put into the scene, then built.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/ports.hpp"
+
+namespace impetus {
+
+class ProtocolScenes final : public Scenes {
+ public:
+  /// `protocol` must outlive this. `round_hold_to_hz` > 0 rounds imposed holds to that grid.
+  ProtocolScenes(const Protocol& protocol, double round_hold_to_hz)
+      : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz) {}
+
+  [[nodiscard]] StagedScene stage(const Condition& condition,
+                                  const ScreenGeometry& screen) const override;
+
+ private:
+  const Protocol* protocol_;
+  double round_hold_to_hz_;
+};
+
+}  // namespace impetus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/screen_file.hpp"
+
+#include <cstdlib>
+#include <fstream>
+
+#include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/validation.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+const json& screen_schema() {
+  static const json schema = json::parse(R"({
+    "type": "object",
+    "additionalProperties": false,
+    "required": ["schema_version", "width_cm", "height_cm", "viewing_distance_cm"],
+    "properties": {
+      "schema_version": {"const": 1},
+      "width_cm": {"type": "number", "minimum": 10, "maximum": 300},
+      "height_cm": {"type": "number", "minimum": 10, "maximum": 200},
+      "viewing_distance_cm": {"type": "number", "minimum": 20, "maximum": 300}
+    }
+  })");
+  return schema;
+}
+
+}  // namespace
+
+std::filesystem::path default_screen_file() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  const std::filesystem::path base = config != nullptr && *config != '\0'
+                                         ? std::filesystem::path(config)
+                                         : std::filesystem::path(home != nullptr ? home : ".") /
+                                               ".config";
+  return base / "impetus" / "screen.json";
+}
+
+ScreenGeometry load_screen(const std::filesystem::path& path) {
+  const JsonDocument document = read_json(path);
+  if (const auto problem = find_schema_problem(screen_schema(), document.value)) {
+    refuse(document, problem->pointer, problem->message);
+  }
+  ScreenGeometry screen;
+  screen.width_m = document.value["width_cm"].get<double>() / 100.0;
+  screen.height_m = document.value["height_cm"].get<double>() / 100.0;
+  screen.viewing_distance_m = document.value["viewing_distance_cm"].get<double>() / 100.0;
+  return screen;
+}
+
+void save_screen(const ScreenGeometry& screen, const std::filesystem::path& path) {
+  const json document{{"schema_version", 1},
+                      {"width_cm", screen.width_m * 100.0},
+                      {"height_cm", screen.height_m * 100.0},
+                      {"viewing_distance_cm", screen.viewing_distance_m * 100.0}};
+  std::error_code failed;
+  std::filesystem::create_directories(path.parent_path(), failed);
+  const std::filesystem::path fresh = path.string() + ".new";
+  std::ofstream file(fresh);
+  file << document.dump(2) << "\n";
+  file.close();
+  if (file) {
+    std::filesystem::rename(fresh, path, failed);
+  }
+  if (!file || failed) {
+    throw InputError(path.string() + ": expected a file that can be written, but it cannot be");
+  }
+}
+
+ScreenGeometry assumed_screen() { return {0.376, 0.301, 1280, 1024, 0.57}; }
+
+}  // namespace impetus

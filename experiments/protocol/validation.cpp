@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/validation.hpp"
+
+#include <set>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+#include <vector>
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+/// One step down from `schema` to what governs `token`, references followed; null when nothing
+/// does.
+const json* follow(const json& root, const json* schema) {
+  while (schema != nullptr && schema->contains("$ref")) {
+    const std::string target = (*schema)["$ref"].get<std::string>();
+    schema = &root.at(json::json_pointer(target.substr(1)));
+  }
+  return schema;
+}
+
+const json* governing(const json& root, const json& schema, const std::string& token,
+                      bool in_array) {
+  if (in_array) {
+    return schema.contains("items") ? follow(root, &schema["items"]) : nullptr;
+  }
+  if (schema.contains("properties") && schema["properties"].contains(token)) {
+    return follow(root, &schema["properties"][token]);
+  }
+  if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object()) {
+    return follow(root, &schema["additionalProperties"]);
+  }
+  return nullptr;
+}
+
+std::string shortened(const json& value) {
+  constexpr std::size_t kLongest = 60;
+  const std::string text = value.dump();
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "…";
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == items.size() ? last : ", ";
+    text += items[i];
+  }
+  return text;
+}
+
+std::string type_words(const json& schema) {
+  if (!schema.contains("type")) {
+    return "a value";
+  }
+  std::vector<std::string> words;
+  const json types = schema["type"].is_array() ? schema["type"] : json::array({schema["type"]});
+  for (const json& type : types) {
+    const auto name = type.get<std::string>();
+    if (name == "array") {
+      words.emplace_back("a list");
+    } else if (name == "integer") {
+      words.emplace_back("a whole number");
+    } else if (name == "string") {
+      words.emplace_back("a text");
+    } else {
+      words.push_back((name == "object" ? "an " : "a ") + name);
+    }
+  }
+  return joined(words, " or ");
+}
+
+std::string expectation(const json& schema) {
+  if (schema.contains("const")) {
+    return schema["const"].dump();
+  }
+  if (schema.contains("enum")) {
+    std::vector<std::string> options;
+    for (const json& option : schema["enum"]) {
+      options.push_back(option.dump());
+    }
+    return (options.size() > 1 ? "one of " : "") + joined(options, ", ");
+  }
+  std::string words = type_words(schema);
+  const auto add = [&](const char* keyword, const char* before, const char* after) {
+    if (schema.contains(keyword)) {
+      words += std::string(before) + schema[keyword].dump() + after;
+    }
+  };
+  add("minimum", " ≥ ", "");
+  add("exclusiveMinimum", " > ", "");
+  add("maximum", schema.contains("minimum") || schema.contains("exclusiveMinimum") ? " and ≤ "
+                                                                                   : " ≤ ", "");
+  add("minItems", " of at least ", "");
+  add("maxItems", schema.contains("minItems") ? " and at most " : " of at most ", "");
+  add("minLength", " of at least ", " character");
+  add("pattern", " that matches ", "");
+  if (schema.value("uniqueItems", false)) {
+    words += " without repeats";
+  }
+  return words;
+}
+
+/// "" unless the object has a key too many or too few.
+std::string key_problem(const json& schema, const json& value) {
+  if (!value.is_object() || !schema.contains("properties")) {
+    return "";
+  }
+  for (const json& key : schema.value("required", json::array())) {
+    if (!value.contains(key.get<std::string>())) {
+      return "expected the key " + key.dump() + ", which is missing";
+    }
+  }
+  if (schema.value("additionalProperties", json(true)) != json(false)) {
+    return "";
+  }
+  std::vector<std::string> known;
+  for (const auto& [key, unused] : schema["properties"].items()) {
+    known.push_back("\"" + key + "\"");
+  }
+  for (const auto& [key, unused] : value.items()) {
+    if (!schema["properties"].contains(key)) {
+      return "expected only the keys " + joined(known, ", ") + ", got \"" + key + "\"";
+    }
+  }
+  return "";
+}
+
+SchemaProblem explain(const json& root, const json& value, const std::vector<std::string>& path) {
+  SchemaProblem problem;
+  const json* schema = &root;
+  const json* here = &value;
+  for (const std::string& token : path) {
+    const json* next = governing(root, *schema, token, here->is_array());
+    if (next == nullptr) {
+      break;
+    }
+    problem.pointer += "/" + token;
+    here = here->is_array() ? &(*here)[std::stoul(token)] : &(*here)[token];
+    schema = next;
+  }
+  const std::string about_keys = key_problem(*schema, *here);
+  problem.message = about_keys.empty()
+                        ? "expected " + expectation(*schema) + ", got " + shortened(*here)
+                        : about_keys;
+  return problem;
+}
+
+/// valijson names places "<root>", "[key]", "[key]", ...
+std::vector<std::string> path_of(const std::vector<std::string>& context) {
+  std::vector<std::string> path;
+  for (const std::string& part : context) {
+    if (part.size() > 2 && part.front() == '[') {
+      path.push_back(part.substr(1, part.size() - 2));
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+std::optional<SchemaProblem> find_schema_problem(const json& schema, const json& value) {
+  valijson::Schema parsed;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
+  valijson::ValidationResults results;
+  const valijson::adapters::NlohmannJsonAdapter target(value);
+  if (valijson::Validator().validate(parsed, target, &results)) {
+    return std::nullopt;
+  }
+  // Errors are listed from the innermost out: the deepest place is the cause.
+  std::vector<std::string> deepest;
+  valijson::ValidationResults::Error error;
+  while (results.popError(error)) {
+    std::vector<std::string> path = path_of(error.context);
+    if (path.size() > deepest.size()) {
+      deepest = std::move(path);
+    }
+  }
+  return explain(schema, value, deepest);
+}
+
+}  // namespace impetus

@@ -1,0 +1,37 @@
+// A session: one participant, from welcome to thanks, or as far as they come.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "experiments/session/plan.hpp"
+#include "experiments/session/script.hpp"
+#include "experiments/session/trial.hpp"
+
+namespace impetus {
+
+/// What earlier sessions of this enrolment already have; empty for a first session.
+struct SessionHistory {
+  std::set<std::int64_t> completed_slots;
+  std::map<std::int64_t, std::int64_t> attempts;  ///< made so far, by slot
+  std::set<std::string> answered;                 ///< ids of questions outside trials
+  bool resumed{false};
+};
+
+enum class SessionEnding { kFinished, kQuit, kDeclined, kDisplayClosed };
+
+struct SessionResult {
+  SessionEnding ending{SessionEnding::kQuit};
+  std::int64_t completed_trials{0};  ///< practice included, earlier sessions included
+};
+
+/// Welcomes, asks consent and demographics, instructs, practises, runs the trials with breaks,
+/// asks the questions, thanks. What `history` has is not asked or shown again; instructions are.
+/// Everything acknowledged is on disk before the next trial is shown. Throws what the recorder
+/// throws.
+SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
+                          const Ports& ports);
+
+}  // namespace impetus

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/session_pages.hpp"
+
+#include <string>
+
+namespace impetus {
+namespace {
+
+std::string quoted(const std::string& words) { return "“" + words + "”"; }
+
+/// "“Very believable”", or where the point lies between the two anchors.
+std::string meaning_of(const RatingScale& scale, std::int64_t rating) {
+  if (rating == scale.minimum) {
+    return quoted(scale.low_anchor);
+  }
+  if (rating == scale.maximum) {
+    return quoted(scale.high_anchor);
+  }
+  return "between " + quoted(scale.low_anchor) + " and " + quoted(scale.high_anchor);
+}
+
+std::string times(std::int64_t count) {
+  return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+}  // namespace
+
+Text welcome_back(std::int64_t completed_trials) {
+  return {"Welcome back",
+          {"This session goes on where the last one stopped. " + std::to_string(completed_trials) +
+               (completed_trials == 1 ? " trial is" : " trials are") + " already saved.",
+           "The instructions are shown again first."}};
+}
+
+Page text_page(const Text& text, const Progress& progress) {
+  Page page;
+  page.title = text.title;
+  page.paragraphs = text.paragraphs;
+  page.choices = {{"Continue", "space"}};
+  page.progress = progress;
+  return page;
+}
+
+Page consent_page(const Text& text, const Progress& progress) {
+  Page page = text_page(text, progress);
+  page.choices = {{"Yes, I agree", "y"}, {"No, I do not", "n"}};
+  return page;
+}
+
+Page demographics_page(const std::vector<Field>& fields, const Progress& progress) {
+  Page page = text_page({"About you", {"Leave empty what you would rather not say."}}, progress);
+  page.layout = Page::Layout::kForm;
+  page.fields = fields;
+  page.choices = {{"Continue", "enter"}};
+  return page;
+}
+
+Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress) {
+  const std::string count = std::to_string(trials);
+  if (phase == TrialPhase::kPractice) {
+    return text_page({"Practice",
+                      {"First come " + count + " practice trials, to get used to the scale.",
+                       "They do not count."}},
+                     progress);
+  }
+  return text_page(
+      {"Ready?",
+       {"Now come the " + count + " trials that count. The bar at the bottom shows how far you are.",
+        "Keep your eyes on the cross before each one. Esc pauses at any time."}},
+      progress);
+}
+
+Page practice_feedback(const RatingScale& scale, std::int64_t rating, const Progress& progress) {
+  return text_page({"You answered " + std::to_string(rating),
+                    {"On the scale, " + std::to_string(rating) + " means " +
+                         meaning_of(scale, rating) + ".",
+                     "There are no right or wrong answers: it is how it looked to you."}},
+                   progress);
+}
+
+Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
+                      const Progress& progress) {
+  Text text{"Practice is over", {}};
+  for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
+    const auto used = use.find(point);
+    const std::int64_t count = used == use.end() ? 0 : used->second;
+    text.paragraphs.push_back(std::to_string(point) + " (" + meaning_of(scale, point) + "): " +
+                              (count == 0 ? "not used" : times(count)));
+  }
+  text.paragraphs.push_back(use.size() == 1
+                                ? "You used one point only. The whole scale is there for you."
+                                : "Use the whole scale in the same way from now on.");
+  return text_page(text, progress);
+}
+
+Page break_page(const Text& text, std::int64_t done, std::int64_t total, const Progress& progress) {
+  Text with_count = text;
+  with_count.paragraphs.push_back(std::to_string(done) + " of " + std::to_string(total) +
+                                  " trials are done and saved.");
+  return text_page(with_count, progress);
+}
+
+Page question_page(const FreeQuestion& question, const Progress& progress) {
+  Page page = text_page({"One question", {}}, progress);
+  page.layout = Page::Layout::kForm;
+  page.fields = {{question.id, question.text, Field::Kind::kText, {}, 0.0, 0.0}};
+  page.choices = {{"Continue", "enter"}};
+  return page;
+}
+
+Page pause_page(const Progress& progress) {
+  Page page = text_page({"Pause",
+                         {"Everything you have answered is saved.",
+                          "If you pause within a trial, it is shown again from its start."}},
+                        progress);
+  page.choices = {{"Continue", "space"}, {"Quit", "q"}};
+  page.can_pause = false;
+  return page;
+}
+
+Page quit_page(const Progress& progress) {
+  Page page = text_page({"Quit the session?",
+                         {"Your answers stay saved. The session can go on later at the next trial."}},
+                        progress);
+  page.choices = {{"Yes, quit", "y"}, {"No, go back", "n"}};
+  page.can_pause = false;
+  return page;
+}
+
+Page thanks_page(const Text& text, const Progress& progress) {
+  Page page = text_page(text, progress);
+  page.choices = {{"Close", "space"}};
+  page.can_pause = false;
+  return page;
+}
+
+}  // namespace impetus

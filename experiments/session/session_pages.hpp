@@ -1,0 +1,35 @@
+// The pages that every session shows, whatever the study: their words are the platform's.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+
+#include "experiments/session/page.hpp"
+#include "experiments/session/plan.hpp"
+#include "experiments/session/script.hpp"
+
+namespace impetus {
+
+inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
+inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
+
+Text welcome_back(std::int64_t completed_trials);
+Page text_page(const Text& text, const Progress& progress);
+Page consent_page(const Text& text, const Progress& progress);
+Page demographics_page(const std::vector<Field>& fields, const Progress& progress);
+Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress);
+
+/// After each practice trial: what the answer meant on the scale, never whether it was right.
+Page practice_feedback(const RatingScale& scale, std::int64_t rating, const Progress& progress);
+
+/// After practice: how often each point was used, and a reminder when only one was.
+Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
+                      const Progress& progress);
+
+Page break_page(const Text& text, std::int64_t done, std::int64_t total, const Progress& progress);
+Page question_page(const FreeQuestion& question, const Progress& progress);
+Page pause_page(const Progress& progress);
+Page quit_page(const Progress& progress);
+Page thanks_page(const Text& text, const Progress& progress);
+
+}  // namespace impetus

@@ -1,0 +1,30 @@
+// One attempt at a trial: interval, fixation, stimulus, question.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/session/plan.hpp"
+#include "experiments/session/ports.hpp"
+#include "experiments/session/script.hpp"
+
+namespace impetus {
+
+/// The interfaces a session runs on; all must outlive it.
+struct Ports {
+  Display& display;
+  Input& input;
+  const Scenes& scenes;
+  Recorder& recorder;
+};
+
+struct AttemptResult {
+  AttemptRecord record;
+  Interruption interruption{Interruption::kNone};
+};
+
+/// Shows the interval (during which the trial before is being saved), waits until it is saved,
+/// then shows fixation and stimulus and asks for the rating. Each frame shows the state for its
+/// scheduled time, so every participant sees the same frames. Throws what the recorder throws.
+AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
+                          const Progress& progress, const Ports& ports);
+
+}  // namespace impetus

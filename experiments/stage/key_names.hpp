@@ -1,0 +1,18 @@
+// The names that pages give to keys: "1" to "9", "space", "enter", "escape", letters.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SDL.h>
+
+#include <string>
+
+namespace impetus {
+
+/// Whether this key goes by that name. Digits count on the keypad too, and by their place on the
+/// keyboard, since some layouts want Shift for them.
+[[nodiscard]] bool is_key(const SDL_Keysym& pressed, const std::string& name);
+
+/// "Enter" for "enter", as it is printed on a button.
+[[nodiscard]] std::string printed_key(const std::string& name);
+
+}  // namespace impetus

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/stage/page_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/stage/key_names.hpp"
+#include "experiments/stage/palette.hpp"
+#include "experiments/stage/widgets.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr float kColumnEms = 36.0F;
+constexpr float kWidestShare = 0.86F;
+constexpr float kPointEms = 3.2F;  // of the points' own, larger text
+
+std::string hint_for(const Choice& choice) {
+  return choice.key.empty() || choice.label == choice.key ? ""
+                                                          : "  (" + printed_key(choice.key) + ")";
+}
+
+ButtonLook look_of(const Page& page, std::size_t choice, ImVec2 size_px, const ChoiceMarks& marks) {
+  return {page.choices[choice].label, hint_for(page.choices[choice]), size_px,
+          marks.focused == choice, marks.chosen == choice};
+}
+
+void move_down(float pixels) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::round(pixels)));
+}
+
+std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
+                                     const ChoiceMarks& marks) {
+  std::optional<std::size_t> clicked;
+  const float gap_px = std::round(0.7F * ImGui::GetFontSize());
+  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
+  ImVec2 size_px;
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    size_px = button_size(page.choices[choice].label, hint_for(page.choices[choice]));
+    if (at.x > column.left && at.x + size_px.x > column.left + column.width) {
+      at = ImVec2(column.left, at.y + size_px.y + gap_px);
+    }
+    ImGui::SetCursorScreenPos(at);
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+    at.x += size_px.x + gap_px;
+  }
+  ImGui::SetCursorScreenPos(ImVec2(column.left, at.y + size_px.y));
+  return clicked;
+}
+
+/// Side by side, the first at the column's left edge and the last at its right.
+std::optional<std::size_t> draw_points(const Page& page, const Column& column,
+                                       const ChoiceMarks& marks) {
+  std::optional<std::size_t> clicked;
+  const auto count = static_cast<float>(page.choices.size());
+  float width_px = kPointEms * ImGui::GetFontSize();
+  for (const Choice& choice : page.choices) {
+    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
+  }
+  width_px = std::round(std::min(width_px, 0.86F * column.width / count));
+  const ImVec2 size_px(width_px, std::round(2.1F * ImGui::GetFontSize()));
+  const float apart_px = count > 1.0F ? (column.width - width_px) / (count - 1.0F) : 0.0F;
+  const float top = ImGui::GetCursorScreenPos().y;
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    const float left = column.left + std::round(static_cast<float>(choice) * apart_px);
+    ImGui::SetCursorScreenPos(ImVec2(left, top));
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+  }
+  ImGui::SetCursorScreenPos(ImVec2(column.left, top + size_px.y));
+  return clicked;
+}
+
+void draw_anchors(const Gui& gui, const Page& page, const Column& column) {
+  ImFont* font = gui.fonts().body[1];
+  const float width_px = 0.42F * column.width;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float low = draw_text(page.low_anchor, font, palette::kText, width_px, Align::kLeft);
+  ImGui::SetCursorScreenPos(ImVec2(column.left + column.width - width_px, at.y));
+  const float high = draw_text(page.high_anchor, font, palette::kText, width_px, Align::kRight);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::max(low, high)));
+}
+
+}  // namespace
+
+Column reading_column(const Gui& gui) {
+  const float em_px = gui.fonts().body[0]->FontSize;
+  const float width = std::round(std::min(kColumnEms * em_px, kWidestShare * gui.width()));
+  return {std::floor((gui.width() - width) / 2.0F), width};
+}
+
+float part_gap() { return std::round(0.9F * ImGui::GetFontSize()); }
+
+void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
+  const Column column = reading_column(gui);
+  const bool is_scale = page.layout == Page::Layout::kScale;
+  const Align align = is_scale ? Align::kCentre : Align::kLeft;
+  if (!page.title.empty()) {
+    draw_text(page.title, gui.fonts().title[reading_size], palette::kText, column.width, align);
+    move_down(part_gap());
+  }
+  for (const std::string& paragraph : page.paragraphs) {
+    draw_text(paragraph, gui.fonts().body[reading_size], palette::kText, column.width, align);
+    move_down(0.65F * ImGui::GetFontSize());
+  }
+}
+
+std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
+                                        const ChoiceMarks& marks) {
+  const Column column = reading_column(gui);
+  move_down(part_gap());
+  if (page.layout != Page::Layout::kScale) {
+    return draw_rows(page, column, marks);
+  }
+  move_down(part_gap());
+  ImGui::PushFont(gui.fonts().title[0]);
+  const auto clicked = draw_points(page, column, marks);
+  ImGui::PopFont();
+  move_down(0.5F * ImGui::GetFontSize());
+  draw_anchors(gui, page, column);
+  if (page.choices.size() > 1) {
+    move_down(1.5F * part_gap());
+    draw_text("Press " + printed_key(page.choices.front().key) + " – " +
+                  printed_key(page.choices.back().key) + ", or click.",
+              gui.fonts().small, palette::kQuietText, column.width, Align::kCentre);
+  }
+  return clicked;
+}
+
+}  // namespace impetus

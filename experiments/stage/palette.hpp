@@ -1,0 +1,27 @@
+// The one set of colours: dark on light grey, close enough to the pictures' mid-grey that eyes
+// need not adapt between a page and a picture.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <imgui.h>
+
+namespace impetus::palette {
+
+inline constexpr float kPageGrey = 202.0F / 255.0F;  ///< sRGB
+inline constexpr float kPictureGrey = 0.5F;
+inline constexpr ImU32 kPage = IM_COL32(202, 202, 202, 255);
+inline constexpr ImU32 kText = IM_COL32(28, 28, 30, 255);
+inline constexpr ImU32 kQuietText = IM_COL32(68, 68, 72, 255);
+inline constexpr ImU32 kSurface = IM_COL32(226, 226, 226, 255);  ///< buttons, fields
+inline constexpr ImU32 kSurfaceHovered = IM_COL32(238, 238, 238, 255);
+inline constexpr ImU32 kLine = IM_COL32(146, 146, 148, 255);
+inline constexpr ImU32 kAccent = IM_COL32(34, 82, 124, 255);  ///< focus, what is chosen
+inline constexpr ImU32 kOnAccent = IM_COL32(245, 245, 245, 255);
+inline constexpr ImU32 kWarning = IM_COL32(132, 44, 24, 255);
+
+inline constexpr ImU32 kContact = IM_COL32(160, 40, 32, 255);
+inline constexpr ImU32 kHold = IM_COL32(196, 142, 42, 255);
+inline constexpr ImU32 kResponse = IM_COL32(30, 110, 62, 255);
+inline constexpr ImU32 kLateFrame = IM_COL32(106, 62, 136, 255);
+
+}  // namespace impetus::palette

@@ -1,0 +1,32 @@
+// The bar under a replay: contacts, holds, response and late frames over time, to be scrubbed.
+//
+//    contact      response                       labels
+//   ────┃█████──────┃──────────────┃────         track, with the hold as a band
+//            ' '                                 late frames
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "experiments/session/replay_view.hpp"
+#include "experiments/stage/gui.hpp"
+
+namespace impetus {
+
+struct TimelineFrame {
+  ImVec2 origin;  ///< upper left corner, pixels
+  float width_px{0.0F};
+  double span_s{1.0};
+  double time_s{0.0};
+};
+
+/// What the bar with labels and key takes, in pixels.
+[[nodiscard]] float timeline_height(const Gui& gui);
+
+/// Draws it. Returns the time under the mouse while its button is held on the track.
+std::optional<double> draw_timeline(const Gui& gui, const std::vector<TimelineMark>& marks,
+                                    const TimelineFrame& frame);
+
+}  // namespace impetus

@@ -1,0 +1,13 @@
+// A number as somebody typed it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace impetus {
+
+/// The number that the text is, with a point for decimals; nothing when it is anything else.
+std::optional<double> typed_number(const std::string& text);
+
+}  // namespace impetus

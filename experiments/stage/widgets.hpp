@@ -1,0 +1,35 @@
+// The few things that every screen of this room is made of: text, buttons, a focus ring.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+namespace impetus {
+
+enum class Align { kLeft, kCentre, kRight };
+
+/// Wrapped text at the cursor, each line aligned within `width_px`; the cursor moves below it.
+/// Returns the height.
+float draw_text(const std::string& text, ImFont* font, ImU32 colour, float width_px, Align align);
+
+struct ButtonLook {
+  std::string label;
+  std::string hint;  ///< the key, in a quieter colour after the label; may be empty
+  ImVec2 size_px;
+  bool focused{false};
+  bool chosen{false};  ///< drawn as pressed
+};
+
+/// The size that a label and its hint ask for.
+ImVec2 button_size(const std::string& label, const std::string& hint);
+
+/// A button at the cursor. Returns true when it was clicked with the mouse. `id` sets it apart
+/// from the others on the screen.
+bool draw_button(int id, const ButtonLook& look);
+
+/// A ring around the focused thing.
+void draw_focus_ring(ImVec2 from, ImVec2 to);
+
+}  // namespace impetus

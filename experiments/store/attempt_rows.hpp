@@ -1,0 +1,28 @@
+// One attempt at a trial as rows of the study file.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/session/record.hpp"
+
+namespace impetus {
+
+struct AttemptOwner {
+  std::int64_t trial_id{0};
+  std::int64_t session_id{0};
+  bool sync_overridden{false};
+};
+
+/// Inserts the attempt with its steps, collisions, frames and ratings. Throws SQLite::Exception.
+void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
+                    const AttemptRecord& attempt);
+
+/// The steps of an attempt, in order. Throws SQLite::Exception.
+std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id);
+
+}  // namespace impetus

@@ -1,0 +1,54 @@
+// Who does which protocol: the plan, stored whole before the first trial is shown.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/session/plan.hpp"
+#include "experiments/session/session.hpp"
+#include "experiments/store/study_file.hpp"
+
+namespace impetus {
+
+struct ProtocolTexts {
+  std::string name;
+  std::string hash;
+  std::string protocol_json;
+  std::string scene_json;
+};
+
+/// A planned trial as the file keeps it; the condition is JSON text.
+struct StoredTrial {
+  std::int64_t id{0};
+  std::int64_t slot{0};
+  TrialPhase phase{TrialPhase::kMain};
+  std::int64_t repetition{1};
+  std::string condition;
+  std::uint64_t seed{0};
+};
+
+struct Enrolment {
+  std::int64_t id{0};
+  std::uint64_t seed{0};
+  std::vector<StoredTrial> trials;
+  SessionHistory history;
+};
+
+/// The participant's enrolment in a protocol of this version, if there is one. Throws InputError
+/// when it is finished, was made with another version of the protocol, or when the pseudonym
+/// belongs to a participant of the other kind (simulated or not).
+std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pseudonym,
+                                        bool simulated, const ProtocolTexts& protocol);
+
+/// Stores participant, protocol and plan in one transaction. Ids of `trials` are filled in.
+Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
+                const ProtocolTexts& protocol, std::uint64_t seed,
+                std::vector<StoredTrial> trials);
+
+/// Hashes of other versions of the protocol that the study holds.
+std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& protocol);
+
+}  // namespace impetus

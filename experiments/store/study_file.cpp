@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/store/study_file.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "experiments/session/input_error.hpp"
+#include "experiments/store/embedded_schema.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr int kApplicationId = 0x494d5054;  // "IMPT"
+constexpr int kSchemaVersion = 1;
+
+std::int64_t pragma(SQLite::Database& database, const std::string& name) {
+  return database.execAndGet("PRAGMA " + name).getInt64();
+}
+
+/// Refuses what is not a study of this version. The first read also tells whether it is SQLite.
+void require_study(SQLite::Database& database, const std::string& name) {
+  std::int64_t application = 0;
+  try {
+    application = pragma(database, "application_id");
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() == SQLITE_NOTADB) {
+      throw InputError(name + ": expected an Impetus study, got a file that is no SQLite database");
+    }
+    throw InputError(name + ": expected an Impetus study that can be read: " + error.what());
+  }
+  if (application != kApplicationId) {
+    throw InputError(name + ": expected an Impetus study, got a database of another program");
+  }
+  const std::int64_t version = pragma(database, "user_version");
+  if (version != kSchemaVersion) {
+    throw InputError(name + ": expected a study of schema version " +
+                     std::to_string(kSchemaVersion) + ", got version " + std::to_string(version));
+  }
+}
+
+void create_schema(SQLite::Database& database, const std::string& build) {
+  SQLite::Transaction transaction(database);
+  database.exec(kStudySchemaSql);
+  SQLite::Statement study(database,
+                          "INSERT INTO study VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
+  study.bind(1, build);
+  study.exec();
+  database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
+  database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+  transaction.commit();
+}
+
+int take_lock(const std::string& name) {
+  const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) {
+    throw InputError(name + ": expected a file that can be written, but it cannot be: " +
+                     std::strerror(errno));
+  }
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    ::close(file);
+    throw InputError(name + ": in use by another Impetus process; end that session first");
+  }
+  return file;
+}
+
+}  // namespace
+
+StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const std::string& build) {
+  StudyFile study;
+  study.name_ = path.string();
+  study.lock_ = take_lock(study.name_);
+  try {
+    const bool fresh = std::filesystem::file_size(path) == 0;
+    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READWRITE);
+    study.database_->setBusyTimeout(2000);
+    if (!fresh) {
+      require_study(*study.database_, study.name_);
+    }
+    study.writing_ = true;
+    study.database_->exec("PRAGMA foreign_keys = ON");
+    study.database_->exec("PRAGMA journal_mode = WAL");
+    study.database_->exec("PRAGMA synchronous = FULL");
+    if (fresh) {
+      create_schema(*study.database_, build);
+    }
+  } catch (const SQLite::Exception& error) {
+    throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
+  }
+  return study;
+}
+
+StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
+  StudyFile study;
+  study.name_ = path.string();
+  if (!std::filesystem::is_regular_file(path)) {
+    throw InputError(study.name_ + ": expected an Impetus study, but there is no such file");
+  }
+  try {
+    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READONLY);
+    study.database_->setBusyTimeout(2000);
+  } catch (const SQLite::Exception& error) {
+    throw InputError(study.name_ + ": expected an Impetus study that can be read: " +
+                     error.what());
+  }
+  require_study(*study.database_, study.name_);
+  return study;
+}
+
+StudyFile::StudyFile(StudyFile&& other) noexcept
+    : name_(std::move(other.name_)),
+      lock_(std::exchange(other.lock_, -1)),
+      database_(std::move(other.database_)),
+      writing_(std::exchange(other.writing_, false)) {}
+
+StudyFile::~StudyFile() {
+  if (database_ && writing_) {
+    // Back to one file. A failure here loses nothing: the log stays beside it and is read next time.
+    database_->tryExec("PRAGMA journal_mode = DELETE");
+  }
+  database_.reset();
+  if (lock_ >= 0) {
+    ::close(lock_);
+  }
+}
+
+}  // namespace impetus

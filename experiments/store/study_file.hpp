@@ -1,0 +1,48 @@
+// A study file: one SQLite database, its version, and the lock that keeps two writers apart.
+//
+// While a session runs the file is in write-ahead mode with full synchronisation; closed properly
+// it is one file again, which can be copied, mailed and opened read-only.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace impetus {
+
+/// The disk or the database failed while something was to be kept. What was acknowledged before
+/// is safe.
+class StoreError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class StudyFile {
+ public:
+  /// Opens a study for writing, or makes a new one; `build` goes into a new one. Throws InputError
+  /// when the file is no study, of another version, read-only, or in use by another process.
+  static StudyFile open_for_writing(const std::filesystem::path& path, const std::string& build);
+
+  /// Opens a study that exists, read-only. Throws InputError.
+  static StudyFile open_for_reading(const std::filesystem::path& path);
+
+  StudyFile(StudyFile&&) noexcept;
+  StudyFile& operator=(StudyFile&&) = delete;
+  ~StudyFile();
+
+  [[nodiscard]] SQLite::Database& database() { return *database_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  StudyFile() = default;
+
+  std::string name_;
+  int lock_{-1};  ///< closed after the database: closing it earlier would drop SQLite's own locks
+  std::unique_ptr<SQLite::Database> database_;
+  bool writing_{false};
+};
+
+}  // namespace impetus

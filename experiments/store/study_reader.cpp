@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/store/study_reader.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <utility>
+
+namespace impetus {
+
+std::vector<StoredAttempt> load_attempts(StudyFile& study) {
+  SQLite::Statement query(
+      study.database(),
+      "SELECT attempt.id, trial.id, pseudonym, protocol_id, slot, phase, repetition, condition, "
+      "trial.seed, number, outcome = 'completed', "
+      "(SELECT count(*) FROM trial AS planned WHERE planned.enrolment_id = enrolment.id), "
+      "recording_format, build, screen_width_m, screen_height_m, screen_width_px, "
+      "screen_height_px, viewing_distance_m, refresh_hz, rounding_allowed, onset_ns, rating, "
+      "coalesce(arrived_ns, 0) "
+      "FROM attempt JOIN trial ON trial.id = trial_id "
+      "JOIN enrolment ON enrolment.id = trial.enrolment_id "
+      "JOIN participant ON participant.id = participant_id "
+      "JOIN session ON session.id = session_id "
+      "LEFT JOIN rating ON rating.attempt_id = attempt.id ORDER BY attempt.id");
+  std::vector<StoredAttempt> attempts;
+  while (query.executeStep()) {
+    int column = 0;
+    const auto integer = [&] { return query.getColumn(column++).getInt64(); };
+    const auto number = [&] { return query.getColumn(column++).getDouble(); };
+    const auto text = [&] { return query.getColumn(column++).getString(); };
+    StoredAttempt attempt;
+    attempt.id = integer();
+    attempt.trial_id = attempt.trial.id = integer();
+    attempt.participant = text();
+    attempt.protocol_id = integer();
+    attempt.trial.slot = integer();
+    attempt.trial.phase = text() == "practice" ? TrialPhase::kPractice : TrialPhase::kMain;
+    attempt.trial.repetition = integer();
+    attempt.trial.condition = text();
+    attempt.trial.seed = static_cast<std::uint64_t>(integer());
+    attempt.number = integer();
+    attempt.completed = integer() != 0;
+    attempt.trials_planned = integer();
+    attempt.recording_format = static_cast<int>(integer());
+    attempt.build = text();
+    attempt.screen.width_m = number();
+    attempt.screen.height_m = number();
+    attempt.screen.width_px = static_cast<int>(integer());
+    attempt.screen.height_px = static_cast<int>(integer());
+    attempt.screen.viewing_distance_m = number();
+    attempt.refresh_hz = number();
+    attempt.rounding_allowed = integer() != 0;
+    attempt.onset_ns = integer();
+    if (!query.getColumn(column).isNull()) {
+      attempt.rating = query.getColumn(column).getInt64();
+    }
+    ++column;
+    attempt.answered_ns = integer();
+    attempts.push_back(std::move(attempt));
+  }
+  return attempts;
+}
+
+ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
+  SQLite::Statement query(study.database(),
+                          "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?");
+  query.bind(1, protocol_id);
+  query.executeStep();
+  return {query.getColumn(0).getString(), query.getColumn(1).getString(),
+          query.getColumn(2).getString(), query.getColumn(3).getString()};
+}
+
+std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(study.database(),
+                          "SELECT shown_time_s, missed_slots FROM frame WHERE attempt_id = ? "
+                          "AND phase = 'stimulus' AND missed_slots > 0 ORDER BY frame");
+  query.bind(1, attempt_id);
+  std::vector<LateFrame> frames;
+  while (query.executeStep()) {
+    frames.push_back({query.getColumn(0).getDouble(), query.getColumn(1).getInt64()});
+  }
+  return frames;
+}
+
+}  // namespace impetus

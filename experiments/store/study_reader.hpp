@@ -1,0 +1,48 @@
+// What a replay needs of a study: every attempt with the inputs that decided it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/store/enrolment.hpp"
+#include "experiments/store/study_file.hpp"
+
+namespace impetus {
+
+struct StoredAttempt {
+  std::int64_t id{0};
+  std::int64_t trial_id{0};
+  std::string participant;
+  std::int64_t protocol_id{0};
+  StoredTrial trial;
+  std::int64_t number{1};
+  bool completed{false};
+  std::int64_t trials_planned{0};
+  int recording_format{0};
+  std::string build;
+  ScreenGeometry screen;
+  double refresh_hz{0.0};
+  bool rounding_allowed{false};
+  std::int64_t onset_ns{0};
+  std::optional<std::int64_t> rating;
+  std::int64_t answered_ns{0};
+};
+
+/// All attempts in the order they were made.
+std::vector<StoredAttempt> load_attempts(StudyFile& study);
+
+/// A protocol's texts as they were stored. `protocol_id` must exist.
+ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id);
+
+/// Stimulus time (seconds) and missed slots of the frames of an attempt that were late.
+struct LateFrame {
+  double shown_time_s{0.0};
+  std::int64_t missed_slots{0};
+};
+std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id);
+
+}  // namespace impetus

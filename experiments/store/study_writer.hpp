@@ -1,0 +1,83 @@
+// The recorder of a session: one transaction per trial, on a thread that never draws.
+//
+//   session thread:  save(attempt) --queue--> writer thread:  BEGIN … COMMIT (synchronised)
+//                    await_saved()  <-------- all committed, or the first error
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "experiments/session/ports.hpp"
+#include "experiments/session/timing_check.hpp"
+#include "experiments/store/enrolment.hpp"
+
+namespace impetus {
+
+/// What a session says of itself before it begins.
+struct SessionFacts {
+  std::string build;
+  std::string machine;
+  std::string display;
+  bool simulated{false};
+  std::string observer;  ///< JSON; "" for a person
+  ScreenGeometry screen;
+  bool screen_measured{false};
+  double refresh_hz{0.0};
+  bool rounding_allowed{false};
+  SyncTest sync;
+  bool sync_overridden{false};
+};
+
+class StudyWriter final : public Recorder {
+ public:
+  /// Begins a session row. `study` and `enrolment` must outlive this. Throws StoreError.
+  StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts);
+
+  /// Waits for what is queued. The session keeps no ending unless end() was called.
+  ~StudyWriter() override;
+  StudyWriter(const StudyWriter&) = delete;
+  StudyWriter& operator=(const StudyWriter&) = delete;
+
+  void save(AttemptRecord attempt) override;
+  void save(QuestionRecord answer) override;
+  void save(NoteRecord note) override;
+  void mark_finished() override;
+
+  /// Throws StoreError with the first thing that could not be saved.
+  void await_saved() override;
+
+  /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
+  void end(const std::string& ending);
+
+ private:
+  using Task = std::function<void(SQLite::Database&)>;
+
+  void enqueue(Task task);
+  void run();
+  void perform(const Task& task);
+  void begin_session(SQLite::Database& database, const SessionFacts& facts);
+
+  StudyFile& study_;
+  std::int64_t enrolment_id_;
+  std::map<std::int64_t, std::int64_t> trial_ids_;  ///< by slot
+  bool sync_overridden_;
+  std::int64_t session_id_{0};
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Task> tasks_;
+  bool busy_{false};
+  bool stopping_{false};
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+}  // namespace impetus

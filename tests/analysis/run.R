@@ -1,0 +1,19 @@
+# Runs every test of analysis/: Rscript tests/analysis/run.R <repo root> [--slow]
+# Exits 1 when a test fails. --slow adds the whole script on 20 participants (about 40 s).
+# SPDX-License-Identifier: MIT
+
+words <- commandArgs(trailingOnly = TRUE)
+root <- normalizePath(setdiff(words, "--slow")[1], mustWork = TRUE)
+run_slow <- "--slow" %in% words
+schema_path <- file.path(root, "experiments/store/schema.sql")
+script_path <- file.path(root, "analysis/causality.R")
+
+Sys.setlocale("LC_ALL", "C.UTF-8")
+for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
+source(file.path(root, "tests/analysis/synthetic_study.R"))
+
+results <- testthat::test_dir(file.path(root, "tests/analysis"),
+  reporter = testthat::ProgressReporter$new(show_praise = FALSE, update_interval = Inf),
+  env = globalenv(), stop_on_failure = FALSE, load_helpers = FALSE)
+counts <- as.data.frame(results)
+if (nrow(counts) == 0 || any(counts$failed > 0) || any(counts$error)) quit(status = 1)

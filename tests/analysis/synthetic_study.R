@@ -1,0 +1,137 @@
+# Study files made up for the tests: the project's own schema, filled by a known observer.
+#
+# The observer is the cumulative-logit one of the simulated causality participant:
+#   eta = -2.2 + 4.5 * Phi((delay - mu_i) / 45 ms) + u_i,  mu_i ~ N(110, 30) ms,  u_i ~ N(0, .6)
+#   P(rating <= k) = logistic(cut_k - eta),  cuts (-1, 1.2),  a lapse of .02 rates at random
+# Speed and viewpoint do not enter it: their planted effect is none.
+# SPDX-License-Identifier: MIT
+
+kDelaysMs <- c(0, 100, 300)
+kSpeedsDegS <- c(5, 10, 15)
+kViewpointsDeg <- c(0, 45, 85)
+
+# One row per main trial of every participant, in a shuffled order, without ratings yet.
+causality_plan <- function(participants = 20, repetitions = 3) {
+  cells <- expand.grid(
+    delay_ms = kDelaysMs, speed_deg_s = kSpeedsDegS, viewpoint_deg = kViewpointsDeg,
+    repetition = seq_len(repetitions)
+  )
+  plans <- lapply(seq_len(participants), function(i) {
+    data.frame(participant = sprintf("P%02d", i), cells[sample(nrow(cells)), ])
+  })
+  do.call(rbind, plans)
+}
+
+# The cumulative-logit observer's ratings, 1 to 3, for the rows of a plan.
+observed_ratings <- function(plan) {
+  person <- factor(plan$participant)
+  midpoint_ms <- rnorm(nlevels(person), 110, 30)[person]
+  intercept <- rnorm(nlevels(person), 0, 0.6)[person]
+  eta <- -2.2 + 4.5 * pnorm((plan$delay_ms - midpoint_ms) / 45) + intercept
+  position <- eta + rlogis(nrow(plan))
+  rating <- 1 + (position > -1) + (position > 1.2)
+  lapse <- runif(nrow(plan)) < 0.02
+  ifelse(lapse, sample(1:3, nrow(plan), replace = TRUE), rating)
+}
+
+# The plan with ratings, from a seed.
+causality_trials <- function(seed, participants = 20, repetitions = 3) {
+  set.seed(seed)
+  plan <- causality_plan(participants, repetitions)
+  plan$rating <- observed_ratings(plan)
+  plan
+}
+
+# Writes rated trials to a new study file at `path` and returns the path.
+#
+# `trials` has participant, repetition, rating and one column per factor (delay_ms among them);
+# rows with rating NA are planned and not yet done. Optional columns take their defaults below.
+write_study <- function(path, trials, protocol = "causality", practice = 0) {
+  defaults <- list(
+    simulated = 1, protocol_hash = "hash-1", minimum = 1, maximum = 3, best = 1,
+    low_anchor = "very believable", high_anchor = "very unbelievable", device = NA,
+    realised_hold_ms = NA, timed_frames = 150, late_timed_frames = 0, sync_overridden = 0
+  )
+  factors <- setdiff(names(trials), c("participant", "repetition", "rating", names(defaults)))
+  for (column in setdiff(names(defaults), names(trials))) trials[[column]] <- defaults[[column]]
+
+  study <- new_study(path)
+  on.exit(DBI::dbDisconnect(study))
+  put <- function(table, rows) DBI::dbAppendTable(study, table, rows)
+
+  people <- unique(trials[c("participant", "simulated")])
+  people$id <- seq_len(nrow(people))
+  put("participant", data.frame(
+    id = people$id, pseudonym = people$participant, simulated = people$simulated
+  ))
+  hashes <- unique(trials$protocol_hash)
+  put("protocol", data.frame(
+    id = seq_along(hashes), name = protocol, hash = paste(protocol, hashes),
+    protocol_json = "{}", scene_json = "{}"
+  ))
+  enrolments <- unique(trials[c("participant", "protocol_hash", "sync_overridden")])
+  enrolments$id <- seq_len(nrow(enrolments))
+  key <- function(rows) paste(rows$participant, rows$protocol_hash)
+  unfinished <- key(enrolments) %in% key(trials[is.na(trials$rating), ])
+  put("enrolment", data.frame(
+    id = enrolments$id, participant_id = match(enrolments$participant, people$participant),
+    protocol_id = match(enrolments$protocol_hash, hashes), seed = enrolments$id,
+    planned_utc = "2026-01-01T10:00:00Z",
+    finished_utc = ifelse(unfinished, NA, "2026-01-01T11:00:00Z")
+  ))
+  put("session", data.frame(
+    id = enrolments$id, enrolment_id = enrolments$id, started_utc = "2026-01-01T10:00:00Z",
+    recording_format = 1, build = "test", machine = "test", display = "test", simulated = 1,
+    screen_width_m = 0.5, screen_height_m = 0.3, screen_width_px = 1920, screen_height_px = 1080,
+    viewing_distance_m = 0.57, screen_measured = 1, refresh_hz = 60, rounding_allowed = 0,
+    sync_tries = 1, sync_valid_flips = 120, sync_passed = 1 - enrolments$sync_overridden,
+    sync_overridden = enrolments$sync_overridden
+  ))
+
+  trials$enrolment <- enrolments$id[match(key(trials), key(enrolments))]
+  trials$phase <- rep("main", nrow(trials))
+  if (practice > 0) {
+    first <- trials[!duplicated(trials$enrolment), ]
+    first <- first[rep(seq_len(nrow(first)), each = practice), ]
+    first$phase <- "practice"
+    first$rating <- first$maximum  # would shift every mean if it were pooled
+    trials <- rbind(first, trials)
+  }
+  trials$id <- seq_len(nrow(trials))
+  conditions <- vapply(trials$id, function(i) {
+    as.character(jsonlite::toJSON(as.list(trials[i, factors]), auto_unbox = TRUE))
+  }, "")
+  put("trial", data.frame(
+    id = trials$id, enrolment_id = trials$enrolment, slot = trials$id, phase = trials$phase,
+    repetition = trials$repetition, condition = conditions, seed = trials$id
+  ))
+  done <- trials[!is.na(trials$rating), ]
+  realised_ms <- ifelse(is.na(done$realised_hold_ms), done$delay_ms, done$realised_hold_ms)
+  put("attempt", data.frame(
+    id = done$id, trial_id = done$id, session_id = done$enrolment, number = rep(1, nrow(done)),
+    outcome = rep("completed", nrow(done)), onset_ns = done$id,
+    intended_hold_ms = done$delay_ms, realised_hold_ms = realised_ms,
+    timed_frames = done$timed_frames, late_timed_frames = done$late_timed_frames,
+    late_untimed_frames = rep(0, nrow(done)), sync_overridden = done$sync_overridden
+  ))
+  put("rating", data.frame(
+    attempt_id = done$id, rating = done$rating, minimum = done$minimum, maximum = done$maximum,
+    best = done$best, low_anchor = done$low_anchor, high_anchor = done$high_anchor,
+    device = ifelse(is.na(done$device), ifelse(done$simulated == 1, "simulated", "key"),
+      done$device),
+    question_shown_ns = done$id, arrived_ns = done$id + 5e8,
+    arrival_uncertainty_ns = rep(1e6, nrow(done))
+  ))
+  path
+}
+
+# An empty study file at `path`, open for writing. `schema_path` is set by run.R.
+new_study <- function(path) {
+  unlink(path)
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  lines <- sub("--.*$", "", readLines(schema_path))
+  for (statement in strsplit(paste(lines, collapse = "\n"), ";")[[1]]) {
+    if (nzchar(trimws(statement))) DBI::dbExecute(study, statement)
+  }
+  study
+}

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+obk <- function() {
+  data(obk.long, package = "afex", envir = environment())
+  data.frame(participant = factor(obk.long$id), rating = obk.long$value, phase = obk.long$phase,
+    hour = obk.long$hour)
+}
+
+test_that("the ANOVA agrees with base R's strata and Greenhouse–Geisser on obk.long", {
+  trials <- obk()
+  rows <- repeated_measures_tests(trials, c("phase", "hour"))$rows
+  strata <- summary(aov(rating ~ phase * hour + Error(participant / (phase * hour)), trials))
+  F_of <- function(stratum) strata[[paste0("Error: participant:", stratum)]][[1]][["F value"]][1]
+  expect_equal(rows$statistic, vapply(c("phase", "hour", "phase:hour"), F_of, 0,
+    USE.NAMES = FALSE))
+  # Epsilon from the covariance of the phase means: tr(S)^2 / (df tr(S^2)) in orthonormal contrasts.
+  contrasts <- qr.Q(qr(contr.helmert(3)))
+  covariance <- t(contrasts) %*% cov(participant_means(trials, "phase")) %*% contrasts
+  epsilon <- sum(diag(covariance))^2 / (2 * sum(covariance^2))
+  expect_equal(rows$df1[1], 2 * epsilon)
+  expect_equal(rows$df2[1], 2 * 15 * epsilon)
+})
+
+test_that("generalised eta squared is SS / (SS + every error) and lies in its interval", {
+  trials <- obk()
+  row <- repeated_measures_tests(trials, c("phase", "hour"))$rows[1, ]
+  strata <- summary(aov(rating ~ phase * hour + Error(participant / (phase * hour)), trials))
+  squares <- lapply(strata, function(s) s[[1]][["Sum Sq"]])
+  errors <- sum(vapply(squares, function(s) s[length(s)], 0))
+  phase <- squares[["Error: participant:phase"]][1]
+  expect_equal(row$effect_size, phase / (phase + errors))
+  expect_lt(row$interval_low, row$effect_size)
+  expect_gt(row$interval_high, row$effect_size)
+})
+
+test_that("a participant with an empty cell is left out and counted", {
+  trials <- obk()
+  trials <- trials[!(trials$participant == "3" & trials$phase == "pre" & trials$hour == "1"), ]
+  result <- repeated_measures_tests(trials, c("phase", "hour"))
+  expect_equal(unique(result$rows$participants), 15)
+  expect_equal(result$remarks,
+    "1 participant without a rating in every cell is left out of the repeated-measures ANOVA.")
+})
+
+test_that("an effect too wide for the Greenhouse–Geisser correction is labelled uncorrected", {
+  trials <- obk()
+  trials <- droplevels(trials[trials$participant %in% c("1", "4", "9", "12"), ])
+  result <- repeated_measures_tests(trials, c("phase", "hour"))
+  expect_match(result$rows$method[2], "uncorrected")
+  expect_match(result$remarks, "cannot be computed for hour, phase:hour: its p is uncorrected")
+})
+
+test_that("Friedman's test gives the published result for the rounding times", {
+  # Hollander and Wolfe (1973), p. 140, as in ?friedman.test: chi-squared(2) = 11.143, p = .003805
+  times <- matrix(c(
+    5.40, 5.50, 5.55, 5.85, 5.70, 5.75, 5.20, 5.60, 5.50, 5.55, 5.50, 5.40, 5.90, 5.85, 5.70,
+    5.45, 5.55, 5.60, 5.40, 5.40, 5.35, 5.45, 5.50, 5.35, 5.25, 5.15, 5.00, 5.85, 5.80, 5.70,
+    5.25, 5.20, 5.10, 5.65, 5.55, 5.45, 5.60, 5.35, 5.45, 5.05, 5.00, 4.95, 5.50, 5.50, 5.40,
+    5.45, 5.55, 5.50, 5.55, 5.55, 5.35, 5.45, 5.50, 5.55, 5.50, 5.45, 5.25, 5.65, 5.60, 5.40,
+    5.70, 5.65, 5.55, 6.30, 6.30, 6.25
+  ), 22, byrow = TRUE)
+  trials <- data.frame(participant = rep(1:22, 3), rating = as.vector(times),
+    method = factor(rep(1:3, each = 22)))
+  row <- friedman_tests(trials, "method")$rows
+  expect_equal(row$statistic, 11.143, tolerance = 1e-4)  # published to 3 decimals
+  expect_equal(row$p, 0.003805, tolerance = 1e-3)        # published to 4 digits
+  expect_equal(row$effect_size, row$statistic / (22 * 2))  # W = chi-squared / (n (k - 1))
+})
+
+test_that("the pooled ANOVA is the thesis's: every trial, overall and at each speed", {
+  trials <- causality_trials(seed = 41, participants = 4)
+  trials$delay_ms <- factor(trials$delay_ms)
+  trials$speed_deg_s <- factor(trials$speed_deg_s)
+  rows <- pooled_tests(trials, "delay_ms", by = "speed_deg_s")$rows
+  expect_equal(rows$effect, c("delay_ms", paste("delay_ms at speed_deg_s", c(5, 10, 15))))
+  expect_equal(rows$df2, c(4 * 81 - 3, rep(4 * 27 - 3, 3)))
+  expect_equal(rows$statistic[1],
+    oneway.test(rating ~ delay_ms, trials, var.equal = TRUE)$statistic[["F"]])
+  expect_match(rows$method, "treats trials as independent")
+})
+
+test_that("Holm's correction stays within its family", {
+  row <- function(family, p) test_row(family, "m", "e", "z", 1, 1, p = p)
+  tests <- combine_outcomes(outcome(rbind(row("A", 0.01), row("B", 0.02), row("A", 0.03))))
+  expect_equal(tests$rows$p_holm, c(0.02, 0.02, 0.03))  # A: 2 × .01, 1 × .03; B: 1 × .02
+})

@@ -1,0 +1,217 @@
+// Refuses an #include that points against the arrows between the rooms.
+//
+// The tables below are the rules, stated once. Arrows are transitive: a room may include its
+// rooms, and theirs. Third-party libraries are not: a room gets only those it names.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace impetus {
+namespace {
+
+struct Room {
+  std::string folder;
+  std::vector<std::string> rooms;
+  std::vector<std::string> libraries;
+};
+
+const std::vector<Room> kRooms = {
+    {"engine/numerics", {}, {"Eigen"}},
+    {"engine/shapes", {"engine/numerics"}, {}},
+    {"engine/trees", {"engine/shapes"}, {}},
+    {"engine/scheduling", {"engine/shapes"}, {}},
+    {"engine/collision", {"engine/trees", "engine/scheduling"}, {}},
+    {"engine/dynamics", {"engine/collision"}, {}},
+    {"engine", {"engine/dynamics"}, {}},
+    {"experiments/models", {"engine"}, {"assimp"}},
+    {"experiments/session", {"engine"}, {}},
+    {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
+    {"experiments/observers", {"experiments/session"}, {}},
+    {"experiments/protocol",
+     {"experiments/session", "experiments/scenes", "experiments/observers"},
+     {"JSON", "valijson"}},
+    {"experiments/store", {"experiments/session"}, {"SQLite"}},
+    {"experiments/stage", {"experiments/session"}, {"window"}},
+    {"experiments/commands",
+     {"experiments/protocol", "experiments/store", "experiments/stage"},
+     {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
+    {"experiments", {"experiments/commands"}, {"CLI"}},
+};
+
+/// How a library's headers begin.
+struct Library {
+  std::string name;
+  std::string header;
+};
+
+const std::vector<Library> kLibraries = {
+    {"Eigen", "Eigen/"},       {"assimp", "assimp/"}, {"JSON", "nlohmann/"},
+    {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
+    {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
+    {"window", "imgui"},       {"CLI", "CLI/"},
+};
+
+/// The engine reads no clock, no file and no global random state, prints nothing, has no threads
+/// and no container whose order depends on a hash.
+const std::set<std::string> kNotInTheEngine = {
+    "chrono", "ctime",  "time.h", "fstream",       "iostream",      "cstdio",     "stdio.h",
+    "random", "thread", "future", "unordered_map", "unordered_set", "filesystem",
+};
+
+bool begins_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// The room of a file: the first two folders of its path, or the only one. Null when the table does
+/// not know it.
+const Room* room_of(const std::string& path) {
+  const std::size_t first = path.find('/');
+  const std::size_t second = path.find('/', first + 1);
+  const std::string folder = path.substr(0, second == std::string::npos ? first : second);
+  const auto room = std::find_if(kRooms.begin(), kRooms.end(),
+                                 [&](const Room& each) { return each.folder == folder; });
+  return room == kRooms.end() ? nullptr : &*room;
+}
+
+bool may_reach(const Room& from, const std::string& folder) {
+  if (from.folder == folder) {
+    return true;
+  }
+  return std::any_of(from.rooms.begin(), from.rooms.end(), [&](const std::string& name) {
+    return may_reach(*room_of(name + "/file"), folder);
+  });
+}
+
+/// What is wrong with `header` in a file of `room`; empty when it may be included.
+std::string objection(const Room& room, const std::string& header) {
+  if (begins_with(header, "engine/") || begins_with(header, "experiments/")) {
+    const Room* target = room_of(header);
+    if (target == nullptr) {
+      return "is in no room";
+    }
+    return may_reach(room, target->folder) ? "" : "points against the arrows";
+  }
+  if (begins_with(header, "tests/")) {
+    return "is a test";
+  }
+  for (const Library& library : kLibraries) {
+    const auto& own = room.libraries;
+    if (begins_with(header, library.header) &&
+        std::find(own.begin(), own.end(), library.name) == own.end()) {
+      return "is a library that this room does not use";
+    }
+  }
+  if (begins_with(room.folder, "engine") && kNotInTheEngine.count(header) > 0) {
+    return "has no place in the engine";
+  }
+  return "";
+}
+
+/// One line for every include of `text`, the content of the file `path`, that breaks a rule.
+std::vector<std::string> violations(const std::string& path, const std::string& text) {
+  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  const Room* room = room_of(path);
+  if (room == nullptr) {
+    return {path + ": is in no room of the table"};
+  }
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_search(line, match, include)) {
+      const std::string wrong = objection(*room, match[1]);
+      if (!wrong.empty()) {
+        found.push_back(path + ": " + match[1].str() + " " + wrong);
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<std::filesystem::path> sources_under(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".hpp" || extension == ".cpp" || extension == ".h") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(Arrows, NoIncludePointsAgainstThem) {
+  const std::filesystem::path root = IMPETUS_SOURCE_DIR;
+  std::size_t files = 0;
+  for (const char* folder : {"engine", "experiments"}) {
+    for (const std::filesystem::path& file : sources_under(root / folder)) {
+      std::ostringstream text;
+      text << std::ifstream(file).rdbuf();
+      const std::string path = file.lexically_relative(root).generic_string();
+      for (const std::string& violation : violations(path, text.str())) {
+        ADD_FAILURE() << violation;
+      }
+      ++files;
+    }
+  }
+  EXPECT_GT(files, 30U) << "the sources were not found under " << root;
+}
+
+TEST(Arrows, EveryRoomOfTheTableLeadsToRoomsOfTheTable) {
+  for (const Room& room : kRooms) {
+    for (const std::string& name : room.rooms) {
+      EXPECT_EQ(room_of(name + "/file")->folder, name);
+    }
+  }
+}
+
+struct Planted {
+  std::string path;
+  std::string line;
+};
+
+TEST(Arrows, PlantedViolationsAreCaught) {
+  const std::vector<Planted> plants = {
+      {"engine/shapes/sphere.hpp", "#include \"engine/trees/volume_tree.hpp\""},
+      {"engine/scheduling/viewer.hpp", "#include \"engine/trees/volume_tree.hpp\""},
+      {"engine/dynamics/body.cpp", "#include \"engine/world.hpp\""},
+      {"engine/world.cpp", "  #  include \"experiments/session/plan.hpp\""},
+      {"engine/world.cpp", "#include <chrono>"},
+      {"engine/trees/volume_tree.cpp", "#include <unordered_map>"},
+      {"engine/shapes/triangle_mesh.cpp", "#include <fstream>"},
+      {"engine/world.cpp", "#include \"tests/engine/builders.hpp\""},
+      {"experiments/session/plan.cpp", "#include <nlohmann/json.hpp>"},
+      {"experiments/session/plan.cpp", "#include \"experiments/store/writer.hpp\""},
+      {"experiments/store/writer.cpp", "#include \"experiments/protocol/protocol_file.hpp\""},
+      {"experiments/protocol/protocol_file.cpp", "#include <SQLiteCpp/Database.h>"},
+      {"experiments/protocol/protocol_file.cpp", "#include <assimp/scene.h>"},
+      {"experiments/stage/window.cpp", "#include \"experiments/store/writer.hpp\""},
+      {"experiments/observers/headless_lab.cpp", "#include <SDL.h>"},
+      {"experiments/store/writer.cpp", "#include \"experiments/commands/run.hpp\""},
+      {"experiments/attic/anything.cpp", ""},
+      {"engine/world.cpp", "#include \"engine/attic/anything.hpp\""},
+  };
+  for (const Planted& plant : plants) {
+    EXPECT_EQ(violations(plant.path, plant.line + "\n").size(), 1U)
+        << plant.path << ": " << plant.line;
+  }
+}
+
+TEST(Arrows, LawfulIncludesPass) {
+  EXPECT_TRUE(violations("experiments/store/reader.cpp",
+                         "#include <SQLiteCpp/Database.h>\n#include <vector>\n"
+                         "#include \"engine/numerics/bits.hpp\"\n"
+                         "#include \"experiments/session/plan.hpp\"\n")
+                  .empty());
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,229 @@
+// Mesh files: every format gives the same welded surface, and every refusal says what was wrong.
+// SPDX-License-Identifier: MIT
+#include "experiments/models/mesh_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/models/mesh_report.hpp"
+
+namespace impetus {
+namespace {
+
+/// A folder of its own for each test, removed afterwards.
+class MeshFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = std::filesystem::temp_directory_path() / ("impetus_mesh_file_" + name);
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+  /// What load_mesh says about the file, without the folder; "accepted" when it loads.
+  std::string refusal(const std::filesystem::path& file) {
+    try {
+      load_mesh(file);
+    } catch (const std::runtime_error& error) {
+      const std::string text = error.what();
+      const std::string start = folder_.string() + "/";
+      EXPECT_EQ(text.compare(0, start.size(), start), 0) << text;
+      return text.substr(start.size());
+    }
+    return "accepted";
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// A cube of side 2 m about the origin, as six quadrilaterals.
+const char kCubeObj[] =
+    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n";
+const char kCubeObjFaces[] = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+const char kCubeVertices[] = "-1 -1 -1\n1 -1 -1\n-1 1 -1\n1 1 -1\n-1 -1 1\n1 -1 1\n-1 1 1\n1 1 1\n";
+const char kCubeFaces[] = "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+
+std::string cube_obj() { return std::string(kCubeObj) + kCubeObjFaces; }
+
+std::string cube_off() { return std::string("OFF\n8 6 0\n") + kCubeVertices + kCubeFaces; }
+
+std::string cube_ply() {
+  return std::string(
+             "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+             "property float z\nelement face 6\nproperty list uchar int vertex_indices\n"
+             "end_header\n") +
+         kCubeVertices + kCubeFaces;
+}
+
+/// STL repeats every vertex of every triangle.
+std::string as_stl(const TriangleMesh& mesh) {
+  std::ostringstream out;
+  out << "solid cube\n";
+  for (const auto& triangle : mesh.triangles) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const std::uint32_t corner : triangle) {
+      out << "vertex " << mesh.vertices[corner].transpose() << "\n";
+    }
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid cube\n";
+  return out.str();
+}
+
+/// Twelve floats (the corners 0, x, y, z), then twelve unsigned shorts (four triangles).
+const char kTetrahedronBytes[] =
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAACAAEA"
+    "AAABAAMAAAADAAIAAQACAAMA";
+
+/// A tetrahedron (0, x, y, z unit corners) whose node is scaled by `scale` along x and moved by
+/// 10 m along y.
+std::string tetrahedron_gltf(const std::string& scale) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"children":[1],"translation":[0,10,0]},{"mesh":0,"scale":[)" +
+         scale + R"(,1,1]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,)" +
+         std::string(kTetrahedronBytes) + R"("}],
+"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},
+{"buffer":0,"byteOffset":48,"byteLength":24}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],
+"max":[1,1,1]},{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+}
+
+void expect_cube(const TriangleMesh& mesh) {
+  const MeshReport report = report_mesh(mesh);
+  EXPECT_EQ(report.vertices, 8);
+  EXPECT_EQ(report.triangles, 12);
+  EXPECT_EQ(report.components, 1);
+  EXPECT_TRUE(report.defects.none());
+  ASSERT_TRUE(report.usable());
+  EXPECT_NEAR(report.solid->volume_m3, 8.0, 1e-14);
+}
+
+TEST_F(MeshFile, EveryFormatGivesTheSameWeldedCube) {
+  const TriangleMesh cube = load_mesh(write("cube.obj", cube_obj()));
+  expect_cube(cube);
+  expect_cube(load_mesh(write("cube.off", cube_off())));
+  expect_cube(load_mesh(write("cube.ply", cube_ply())));
+  expect_cube(load_mesh(write("cube.stl", as_stl(cube))));
+}
+
+TEST_F(MeshFile, NormalsAndTextureCoordinatesDoNotKeepVerticesApart) {
+  const std::string text = std::string(kCubeObj) +
+                           "vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 0 1 0\nvn -1 0 0\nvn 1 0 0\n"
+                           "f 1//1 3//1 4//1 2//1\nf 5//2 6//2 8//2 7//2\nf 1//3 2//3 6//3 5//3\n"
+                           "f 3//4 7//4 8//4 4//4\nf 1//5 5//5 7//5 3//5\nf 2//6 4//6 8//6 6//6\n";
+  expect_cube(load_mesh(write("hard_edges.obj", text)));
+}
+
+TEST_F(MeshFile, MeshesOfOneFileAreMergedAndComponentsCounted) {
+  std::string text = cube_obj();
+  text += "o second\n";
+  text += "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n";
+  text += "f 9 11 10\nf 9 10 12\nf 9 12 11\nf 10 11 12\n";
+  const MeshReport report = report_mesh(load_mesh(write("two.obj", text)));
+  EXPECT_EQ(report.components, 2);
+  EXPECT_EQ(report.triangles, 16);
+  EXPECT_TRUE(report.defects.none());
+  EXPECT_NEAR(report.solid->volume_m3, 8.0 + 1.0 / 6.0, 1e-14);
+}
+
+TEST_F(MeshFile, TransformsOfNodesAreApplied) {
+  const TriangleMesh mesh = load_mesh(write("scaled.gltf", tetrahedron_gltf("2")));
+  const MeshReport report = report_mesh(mesh);
+  ASSERT_TRUE(report.usable());
+  EXPECT_NEAR(report.solid->volume_m3, 2.0 / 6.0, 1e-15);
+  EXPECT_LT((report.solid->centre - Vector3(0.5, 10.25, 0.25)).norm(), 1e-14);
+}
+
+TEST_F(MeshFile, AMirroringTransformKeepsTheOutsideOutside) {
+  const MeshReport report = report_mesh(load_mesh(write("mirrored.gltf", tetrahedron_gltf("-2"))));
+  ASSERT_TRUE(report.usable());
+  EXPECT_NEAR(report.solid->volume_m3, 2.0 / 6.0, 1e-15);
+}
+
+TEST_F(MeshFile, RefusesWhatIsNotThere) {
+  EXPECT_EQ(refusal(folder_ / "missing.obj"), "missing.obj: there is no such file");
+  std::filesystem::create_directory(folder_ / "folder.obj");
+  EXPECT_EQ(refusal(folder_ / "folder.obj"), "folder.obj: is not a file");
+}
+
+TEST_F(MeshFile, RefusesWhatIsNotAMesh) {
+  EXPECT_EQ(refusal(write("notes.txt", "shopping list\n")),
+            "notes.txt: cannot be read as a mesh: No suitable reader found for the file format of "
+            "file \"" +
+                (folder_ / "notes.txt").string() + "\".");
+  EXPECT_NE(refusal(write("broken.ply", "ply\nformat ascii 1.0\nelement vert")), "accepted");
+  EXPECT_NE(refusal(write("empty.stl", "")), "accepted");
+}
+
+TEST_F(MeshFile, RefusesAFileWithoutTriangles) {
+  EXPECT_EQ(refusal(write("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n")),
+            "lines.obj: has no triangles");
+  EXPECT_EQ(refusal(write("points.obj", "v 0 0 0\nv 1 0 0\np 1 2\n")),
+            "points.obj: has no triangles");
+}
+
+TEST_F(MeshFile, RefusesAnIndexOutOfRange) {
+  std::string off = cube_off();
+  off.replace(off.rfind("4 1 3 7 5"), 9, "4 1 3 7 8");
+  EXPECT_NE(refusal(write("index.off", off)).find("out of range"), std::string::npos)
+      << refusal(folder_ / "index.off");
+  std::string ply = cube_ply();
+  ply.replace(ply.rfind("4 1 3 7 5"), 9, "4 1 3 7 8");
+  EXPECT_NE(refusal(write("index.ply", ply)), "accepted");
+  EXPECT_NE(refusal(write("index.obj", std::string(kCubeObj) + "f 1 2 9\n")), "accepted");
+}
+
+TEST_F(MeshFile, RefusesACoordinateThatIsNotFinite) {
+  EXPECT_EQ(refusal(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
+            "nan.obj: a vertex has a coordinate that is not a finite number");
+  EXPECT_EQ(refusal(write("inf.obj", "v inf 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
+            "inf.obj: a vertex has a coordinate that is not a finite number");
+}
+
+TEST_F(MeshFile, AReportDescribesASolid) {
+  EXPECT_EQ(describe_mesh(load_mesh(write("cube.obj", cube_obj()))),
+            "triangles     12\n"
+            "vertices      8\n"
+            "components    1\n"
+            "defects       none: a closed, consistently oriented surface\n"
+            "volume        8 m^3\n"
+            "centre        (0, 0, 0) m\n"
+            "mass          8000 kg at 1000 kg/m^3\n"
+            "inertia       xx 5333.33, yy 5333.33, zz 5333.33, xy 0, xz 0, yz 0 kg m^2 about the "
+            "centre\n");
+}
+
+TEST_F(MeshFile, AReportSaysWhyASurfaceIsNoSolid) {
+  const std::string open = std::string(kCubeObj) + "f 1 3 4 2\n";
+  EXPECT_EQ(describe_mesh(load_mesh(write("open.obj", open))),
+            "triangles     2\n"
+            "vertices      4\n"
+            "components    1\n"
+            "defects       4 open edges, 0 misoriented edges, 0 edges of more than two triangles, "
+            "0 degenerate triangles, 0 vertices that are not finite\n"
+            "volume        undefined: the surface encloses no solid\n");
+}
+
+TEST_F(MeshFile, AReportSaysWhenASurfaceIsInsideOut) {
+  const std::string turned =
+      std::string(kCubeObj) + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
+  const TriangleMesh mesh = load_mesh(write("turned.obj", turned));
+  EXPECT_FALSE(report_mesh(mesh).usable());
+  EXPECT_NE(describe_mesh(mesh).find("-8 m^3: the surface is inside out"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,324 @@
+// Shows one screen of the stage at a time, so that it can be looked at and driven by xdotool.
+//
+//   stage_gallery <screen> [width height]     answers are printed when the screen is left
+//
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/stage/replay_viewer.hpp"
+#include "experiments/stage/screen_setup.hpp"
+#include "experiments/stage/steady_clock.hpp"
+#include "experiments/stage/window.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr double kDistanceM = 0.57;
+constexpr double kPi = 3.14159265358979323846;
+const double kRadiusM = kDistanceM * std::tan(kPi / 180.0);  // 1° at the screen
+const Progress kSome{11, 81, "Trial 12 of 81"};
+
+ScreenGeometry lab_screen(const Window& window) {
+  const double width_m = 0.376;
+  return {width_m, width_m * window.height_px() / window.width_px(), window.width_px(),
+          window.height_px(), kDistanceM};
+}
+
+Page text(std::string title, std::vector<std::string> paragraphs, std::vector<Choice> choices) {
+  Page page;
+  page.title = std::move(title);
+  page.paragraphs = std::move(paragraphs);
+  page.choices = std::move(choices);
+  page.progress = kSome;
+  return page;
+}
+
+Page consent() {
+  return text("Taking part",
+              {"You are invited to take part in a study on how people see moving objects collide. "
+               "You will watch short scenes with two balls and judge each one. There are no right "
+               "or wrong answers.",
+               "It takes about 20 minutes. We keep your answers and their times, your age and "
+               "gender if you choose to give them, and nothing that names you. The data may be "
+               "published without your name.",
+               "Taking part is voluntary. You may pause or stop at any time with the Esc key, "
+               "without giving a reason, and ask for your data to be deleted.",
+               "Do you agree to take part?"},
+              {{"Yes, I agree", "y"}, {"No, I do not", "n"}});
+}
+
+Page long_text() {
+  Page page = consent();
+  const auto paragraphs = page.paragraphs;
+  for (int copy = 0; copy < 4; ++copy) {
+    page.paragraphs.insert(page.paragraphs.end(), paragraphs.begin(), paragraphs.end());
+  }
+  return page;
+}
+
+Page form() {
+  Page page =
+      text("About you", {"Leave empty what you would rather not say."}, {{"Continue", "enter"}});
+  page.layout = Page::Layout::kForm;
+  page.fields = {{"age", "Age in years", Field::Kind::kNumber, {}, 16, 99},
+                 {"gender", "Gender", Field::Kind::kChoice, {"female", "male", "another"}, 0, 0},
+                 {"sight", "Normal or corrected sight?", Field::Kind::kChoice, {"yes", "no"}, 0, 0},
+                 {"games", "Hours of computer games in a week", Field::Kind::kNumber, {}, 0, 100}};
+  return page;
+}
+
+Page question() {
+  Page page = text("One question", {}, {{"Continue", "enter"}});
+  page.layout = Page::Layout::kForm;
+  page.fields = {{"strategy",
+                  "How did you decide whether a collision was believable? Write as much as you "
+                  "like.",
+                  Field::Kind::kText,
+                  {},
+                  0,
+                  0}};
+  return page;
+}
+
+Page instructions() {
+  return text("What you will see",
+              {"In each trial a cross appears first: keep your eyes on it. Then two balls move "
+               "towards each other, meet, and part.",
+               "Afterwards you say how believable the collision looked, from 1 to 5. Answer by "
+               "your first impression; times are not compared between people.",
+               "A few practice trials come first. Greek and signs: α β Δ ≤ ½ × – “quoted”."},
+              {{"Continue", "space"}});
+}
+
+Page rating() {
+  Page page;
+  page.layout = Page::Layout::kScale;
+  page.title = "How believable was the collision?";
+  page.choices = {{"1", "1"}, {"2", "2"}, {"3", "3"}, {"4", "4"}, {"5", "5"}};
+  page.low_anchor = "Not believable at all";
+  page.high_anchor = "Very believable";
+  page.progress = kSome;
+  return page;
+}
+
+Page rest() {
+  return text("Time for a break",
+              {"Look away from the screen for a moment.", "27 of 81 trials are done and saved."},
+              {{"Continue", "space"}});
+}
+
+Page pause() {
+  Page page = text("Pause",
+                   {"Everything you have answered is saved.",
+                    "If you pause within a trial, it is shown again from its start."},
+                   {{"Continue", "space"}, {"Quit", "q"}});
+  page.can_pause = false;
+  return page;
+}
+
+Page thanks() {
+  Page page = text("Thank you",
+                   {"That was the last trial, and everything is saved. Please call "
+                    "the experimenter."},
+                   {{"Close", "space"}});
+  page.progress = {81, 81, "Done"};
+  page.can_pause = false;
+  return page;
+}
+
+void print(const Answer& answer) {
+  std::printf("interruption %d choice %zu device '%s' after %.3f ms ± %.3f ms, %lld late; fields:",
+              static_cast<int>(answer.interruption), answer.choice, answer.device.c_str(),
+              static_cast<double>(answer.arrived_ns - answer.shown_ns) / 1e6,
+              static_cast<double>(answer.arrival_uncertainty_ns) / 1e6,
+              static_cast<long long>(answer.late_frames));
+  for (const std::string& field : answer.fields) {
+    std::printf(" [%s]", field.c_str());
+  }
+  std::printf("\n");
+}
+
+/// Two balls of 1° on a line, `apart` radii between their centres.
+Picture two_balls(const Window& window, double apart, double azimuth_deg) {
+  Picture picture;
+  picture.viewer = viewer_at(lab_screen(window), azimuth_deg);
+  picture.progress = kSome;
+  const double half_m = 0.5 * apart * kRadiusM;
+  picture.bodies = {
+      {{Vector3(-half_m, 0, 0), Quaternion::Identity()}, {"left", kRadiusM, {0.75F, 0.36F, 0.28F}}},
+      {{Vector3(half_m, 0, 0), Quaternion::Identity()}, {"right", kRadiusM, {0.34F, 0.5F, 0.72F}}}};
+  return picture;
+}
+
+/// Shows a picture that `at` gives for each frame until Esc or `seconds` have gone by.
+void show_until_escape(Window& window, double seconds, const std::function<Picture(double)>& at) {
+  window.restart_grid();
+  std::int64_t late = 0;
+  double worst_ms = 0.0;
+  Interruption interruption = Interruption::kNone;
+  const auto frames = static_cast<int>(seconds * window.refresh_hz());
+  for (int frame = 0; frame < frames && interruption == Interruption::kNone; ++frame) {
+    const Flip flip = window.show(at(frame / window.refresh_hz()));
+    late += flip.missed_slots;
+    worst_ms = std::max(worst_ms, static_cast<double>(flip.lateness_ns()) / 1e6);
+    interruption = window.interruption();
+  }
+  std::printf("left with interruption %d; %lld slots missed, worst lateness %.2f ms\n",
+              static_cast<int>(interruption), static_cast<long long>(late), worst_ms);
+}
+
+/// Many bodies in depth, some behind others.
+Picture crowd(const Window& window, double time_s) {
+  Picture picture = two_balls(window, 2.0, 20.0);
+  for (int i = 0; i < 60; ++i) {
+    const double angle = 2.399963 * i + time_s;
+    const double ring_m = 0.012 * std::sqrt(i);
+    const Vector3 centre(ring_m * std::cos(angle), 0.6 * ring_m * std::sin(angle), -0.004 * i);
+    const auto shade = static_cast<float>(0.3 + 0.01 * i);
+    picture.bodies.push_back(
+        {{centre, Quaternion::Identity()}, {"", 0.008, {shade, 0.5F, 0.8F - 0.5F * shade}}});
+  }
+  return picture;
+}
+
+/// Two balls that meet after a second, hold for 100 ms and part.
+ReplayView made_up_replay(const Window& window) {
+  ReplayView replay;
+  replay.title = "P01 · trial 37 of 87 · main";
+  replay.facts = {"delay_ms 100",    "azimuth_deg 30",
+                  "restitution 0.8", "rated 2 of 5 (1 is best)",
+                  "attempt 1",       "answered by key, 812 ms"};
+  replay.viewer = viewer_at(lab_screen(window), 0.0);
+  replay.looks = {{"left", kRadiusM, {0.75F, 0.36F, 0.28F}},
+                  {"right", kRadiusM, {0.34F, 0.5F, 0.72F}}};
+  replay.duration_s = 2.0;
+  for (int step = 0; step <= 480; ++step) {
+    const double time_s = step / replay.step_hz;
+    const double apart_s = time_s < 1.0 ? 1.0 - time_s : std::max(0.0, time_s - 1.1);
+    std::vector<BodyState> bodies(2);
+    bodies[0].pose.position = Vector3(-kRadiusM - 0.08 * apart_s, 0.0, 0.0);
+    bodies[1].pose.position = Vector3(kRadiusM + 0.08 * apart_s, 0.0, 0.0);
+    replay.states.push_back(bodies);
+  }
+  using Kind = TimelineMark::Kind;
+  replay.marks = {{Kind::kContact, 1.0, 1.0, "contact 1000 ms"},
+                  {Kind::kHold, 1.0, 1.1, "hold 100 ms"},
+                  {Kind::kLateFrame, 0.35, 0.35, ""},
+                  {Kind::kLateFrame, 1.55, 1.55, ""},
+                  {Kind::kResponse, 2.8, 2.8, "rated 2"}};
+  return replay;
+}
+
+void show_replay(Window& window) {
+  const ReplayView replay = made_up_replay(window);
+  std::printf("left by %d\n", static_cast<int>(view_replay(window, replay)));
+}
+
+void show_setup(Window& window) {
+  const auto geometry = ask_screen_geometry(window, lab_screen(window));
+  if (geometry) {
+    std::printf("%.4f × %.4f m, %d × %d px, %.3f m away\n", geometry->width_m, geometry->height_m,
+                geometry->width_px, geometry->height_px, geometry->viewing_distance_m);
+  } else {
+    std::printf("cancelled\n");
+  }
+}
+
+/// A trial's order of events: pictures during which keys are pressed, then its question.
+void show_trial(Window& window) {
+  show_until_escape(window, 1.5, [&](double time_s) {
+    return two_balls(window, 2.0 + 3.0 * std::abs(1.0 - time_s), 0.0);
+  });
+  print(window.ask(rating()));
+}
+
+void check_sync(Window& window) {
+  const SyncTest test = window.sync_test();
+  std::printf("%s after %lld tries: %s\n", test.passed ? "passed" : "failed",
+              static_cast<long long>(test.tries), test.verdict.c_str());
+}
+
+using Screen = std::function<void(Window&)>;
+
+Screen asking(Page (*page)()) {
+  return [page](Window& window) { print(window.ask(page())); };
+}
+
+Screen showing(double seconds, const std::function<Picture(const Window&, double)>& at) {
+  return [seconds, at](Window& window) {
+    show_until_escape(window, seconds, [&](double time_s) { return at(window, time_s); });
+  };
+}
+
+const std::map<std::string, Screen>& screens() {
+  static const std::map<std::string, Screen> all{
+      {"consent", asking(consent)},
+      {"long", asking(long_text)},
+      {"form", asking(form)},
+      {"question", asking(question)},
+      {"instructions", asking(instructions)},
+      {"rating", asking(rating)},
+      {"break", asking(rest)},
+      {"pause", asking(pause)},
+      {"thanks", asking(thanks)},
+      {"touching", showing(60, [](const Window& w, double) { return two_balls(w, 2.0, 0.0); })},
+      {"apart", showing(60, [](const Window& w, double) { return two_balls(w, 6.0, 0.0); })},
+      {"aside", showing(60, [](const Window& w, double) { return two_balls(w, 2.0, 60.0); })},
+      {"moving", showing(5, [](const Window& w, double t) { return two_balls(w, 2.0 + t, 0.0); })},
+      {"crowd", showing(60, [](const Window& w, double t) { return crowd(w, t); })},
+      {"fixation", showing(60,
+                           [](const Window& w, double) {
+                             Picture picture = two_balls(w, 2.0, 0.0);
+                             picture.bodies.clear();
+                             picture.fixation_cross = true;
+                             return picture;
+                           })},
+      {"watched", [](Window& window) { window.show_page_for(rating(), 3.0, 3); }},
+      {"trial", show_trial},
+      {"replay", show_replay},
+      {"setup", show_setup},
+      {"sync", check_sync}};
+  return all;
+}
+
+int run(int count, char** arguments) {
+  const auto screen = count > 1 ? screens().find(arguments[1]) : screens().end();
+  if (screen == screens().end()) {
+    std::printf("which screen?");
+    for (const auto& [name, unused] : screens()) {
+      std::printf(" %s", name.c_str());
+    }
+    std::printf("\n");
+    return 2;
+  }
+  WindowOptions options;
+  options.fullscreen = count < 4;
+  if (count >= 4) {
+    options.width_px = std::atoi(arguments[2]);
+    options.height_px = std::atoi(arguments[3]);
+  }
+  const SteadyClock clock;
+  Window window(options, clock);
+  window.set_geometry(lab_screen(window));
+  screen->second(window);
+  std::printf("%s\n", window.description().c_str());
+  return 0;
+}
+
+}  // namespace
+}  // namespace impetus
+
+int main(int count, char** arguments) {
+  try {
+    return impetus::run(count, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}
