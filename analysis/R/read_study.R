@@ -23,7 +23,7 @@ read_studies <- function(paths, protocol, factors) {
   levels <- do.call(rbind, lapply(parts, `[[`, "levels"))
   enrolments <- do.call(rbind, lapply(parts, `[[`, "enrolments"))
   names_of_files <- paste(basename(paths), collapse = ", ")
-  if (nrow(trials) == 0) {
+  if (is.null(trials)) {
     refuse(names_of_files, ": expected rated main trials of '", protocol, "', got none yet")
   }
   refuse_shared_pseudonyms(enrolments)
@@ -58,7 +58,7 @@ open_study <- function(path) {
   if (!file.exists(path)) refuse(path, ": expected a study file, found no such file")
   if (dir.exists(path)) refuse(path, ": expected a study file, got a folder")
   study <- tryCatch(
-    DBI::dbConnect(RSQLite::SQLite(), path, flags = RSQLite::SQLITE_RO),
+    DBI::dbConnect(RSQLite::SQLite(), path, flags = RSQLite::SQLITE_RO, synchronous = NULL),
     error = function(condition) refuse(path, ": expected a study file, could not open it")
   )
   present <- tryCatch(

@@ -34,8 +34,9 @@ participants_sentence <- function(study) {
   incomplete <- length(unique(enrolled$participant[unfinished & started]))
   if (incomplete > 0) {
     sentence <- paste(sentence, sprintf(
-      "The study is in progress: %s not finished and included with the ratings given so far.",
-      if (incomplete == 1) "1 participant has" else paste(incomplete, "participants have")
+      "The study is in progress: %s included with the ratings given so far.",
+      if (incomplete == 1) "1 participant has not finished and is" else
+        paste(incomplete, "participants have not finished and are")
     ))
   }
   waiting <- length(setdiff(enrolled$participant, names(per)))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_file.hpp"
 
+#include <cmath>
 #include <utility>
 
 #define XXH_INLINE_ALL
@@ -29,6 +30,15 @@ LevelValue level_value(const json& value) {
     return value.get<bool>();
   }
   return value.get<double>();
+}
+
+/// A whole number stays one, so that 100 is stored as 100 and not as 100.0.
+json to_json(const LevelValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    const bool whole = std::floor(*number) == *number && std::abs(*number) < 1e15;
+    return whole ? json(static_cast<std::int64_t>(*number)) : json(*number);
+  }
+  return std::visit([](const auto& any) { return json(any); }, value);
 }
 
 Text text_from(const json& object) {
@@ -121,7 +131,7 @@ std::string hash_of(const json& protocol, const json& scene) {
 json to_json(const Condition& condition) {
   json object = json::object();
   for (const FactorLevel& level : condition) {
-    std::visit([&](const auto& value) { object[level.factor] = value; }, level.value);
+    object[level.factor] = to_json(level.value);
   }
   return object;
 }
@@ -137,8 +147,7 @@ Condition condition_from_json(const json& object, const Design& design) {
 json scene_under(const Protocol& protocol, const Condition& condition) {
   json scene = protocol.scene.value;
   for (const FactorLevel& level : condition) {
-    const json::json_pointer pointer(protocol.pointers.at(level.factor));
-    std::visit([&](const auto& value) { scene[pointer] = value; }, level.value);
+    scene[json::json_pointer(protocol.pointers.at(level.factor))] = to_json(level.value);
   }
   return scene;
 }

@@ -8,7 +8,7 @@ run_slow <- "--slow" %in% words
 schema_path <- file.path(root, "experiments/store/schema.sql")
 script_path <- file.path(root, "analysis/causality.R")
 
-Sys.setlocale("LC_ALL", "C.UTF-8")
+invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
 source(file.path(root, "tests/analysis/synthetic_study.R"))
 

@@ -1,0 +1,135 @@
+# The script as it is called: exit status, files, words.
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+# Runs causality.R from another folder; list(status, stdout, stderr).
+run_script <- function(..., environment = character()) {
+  error_file <- tempfile()
+  from <- setwd(tempdir())
+  on.exit(setwd(from))
+  output <- suppressWarnings(system2(file.path(R.home("bin"), "Rscript"),
+    c(shQuote(script_path), shQuote(c(...))), stdout = TRUE, stderr = error_file,
+    env = environment))
+  status <- attr(output, "status")
+  list(status = if (is.null(status)) 0L else status, stdout = as.vector(output),
+    stderr = readLines(error_file))
+}
+
+# A new folder for output; its name has a space on purpose.
+new_folder <- function() tempfile("figures of ")
+
+png_size <- function(path) {
+  header <- readBin(path, "raw", 24)
+  c(readBin(header[17:20], "integer", endian = "big"),
+    readBin(header[21:24], "integer", endian = "big"))
+}
+
+test_that("a refusal is one sentence on stderr and exit status 2", {
+  run <- run_script("/nowhere/study.sqlite", "--out", new_folder())
+  expect_equal(run$status, 2)
+  expect_equal(run$stderr,
+    "causality.R: /nowhere/study.sqlite: expected a study file, found no such file")
+  expect_length(run$stdout, 0)
+})
+
+test_that("a call without --out shows the usage", {
+  run <- run_script("study.sqlite")
+  expect_equal(run$status, 2)
+  expect_equal(run$stderr, paste("causality.R: expected one --out and a folder; usage: Rscript",
+    "analysis/causality.R study.sqlite [more.sqlite ...] --out figures/"))
+})
+
+test_that("missing packages are named, with what to install", {
+  run <- run_script("study.sqlite", "--out", new_folder(),
+    environment = c("R_LIBS_SITE=/nowhere", "R_LIBS_USER=/nowhere", "R_LIBS=/nowhere"))
+  expect_equal(run$status, 2)
+  expect_equal(run$stderr, paste("causality.R: expected these R packages to be installed: RSQLite,",
+    "ordinal, lme4, afex, ggplot2 (on Debian: apt-get install r-cran-rsqlite r-cran-ordinal",
+    "r-cran-lme4 r-cran-afex r-cran-ggplot2)"))
+})
+
+test_that("one participant gives a figure and words, no test, even in a C locale", {
+  path <- write_study(tempfile(fileext = ".sqlite"), causality_trials(81, participants = 1))
+  out <- new_folder()
+  run <- run_script(path, "--out", out, environment = "LC_ALL=C")
+  expect_equal(run$status, 0)
+  files <- file.path(out, paste0("causality", c(".png", ".pdf", ".csv", ".md")))
+  expect_equal(run$stdout[1:4], files)
+  expect_true(all(file.size(files) > 0))
+  expect_equal(nrow(read.csv(files[3])), 0)
+  expect_true(paste("One participant: the figure and the means describe; no inferential test",
+    "was made.") %in% run$stdout)
+  # 183 × 74 mm at 600 dots per inch
+  expect_equal(png_size(files[1]), floor(c(183, 74) / 25.4 * 600))
+})
+
+test_that("levels that separate completely leave the other tests, without a warning", {
+  trials <- causality_trials(82, participants = 6)
+  trials$rating <- ifelse(trials$delay_ms == 0, 1, pmax(2, trials$rating))
+  out <- new_folder()
+  run <- run_script(write_study(tempfile(fileext = ".sqlite"), trials), "--out", out)
+  expect_equal(run$status, 0)
+  expect_equal(run$stderr, c("fitting the mixed models (about 30 s for 20 participants) ...",
+    "testing the participants' means (about 5 s) ...", "drawing the figure (about 5 s) ..."))
+  table <- read.csv(file.path(out, "causality.csv"))
+  expect_setequal(unique(table$family), c("repeated-measures ANOVA", "Friedman", "equivalence",
+    "pooled ANOVA, as in the thesis"))
+  expect_lt(table$p_holm[table$family == "Friedman" & table$effect == "delay_ms"], 0.05)
+  expect_match(paste(run$stdout, collapse = " "), "separate the ratings completely")
+})
+
+test_that("ratings that are all equal make no test and say so", {
+  trials <- causality_trials(83, participants = 3, repetitions = 1)
+  trials$delay_ms <- factor(trials$delay_ms)
+  trials$rating <- 2
+  tests <- rating_tests(trials, "delay_ms", character())
+  expect_equal(nrow(tests$rows), 0)
+  expect_equal(tests$remarks, "Every rating was 2: nothing varies, so no test was made.")
+})
+
+test_that("a large p is never called no difference", {
+  row <- function(family, effect, ...) test_row(family, "m, logit, (1 | participant)", effect, ...)
+  tests <- combine_outcomes(outcome(rbind(
+    row(kEffectsFamily, "delay_ms", "chi-squared", 1.2, 2, p = 0.55),
+    row(kEquivalenceFamily, "speed_deg_s: 10 against 5", "t", 0.5, 19, p = 0.3, size = 0.2,
+      interval = c(-0.1, 0.5))
+  )))
+  expect_equal(model_words(tests, "delay_ms"), paste(
+    "In the cumulative-link mixed model (random intercept for each participant), an effect of",
+    "delay was not detected, which is not evidence of its absence: χ²(2) = 1.2, p = .550."))
+  expect_equal(other_factor_words(tests, "speed_deg_s"), paste(
+    "For speed (°/s), equivalence within ±0.15 points was not shown between 10 and 5",
+    "(largest difference +0.20, 90 % CI [-0.10, 0.50])."))
+})
+
+test_that("factors are labelled with their units", {
+  expect_equal(label_of("speed_deg_s"), "Speed (°/s)")
+  expect_equal(label_of("delay_ms"), "Delay (ms)")
+  expect_equal(label_of("sphere_tree_level"), "Sphere tree level")
+})
+
+test_that("the figure's axis is the whole scale, its ends in the participants' words", {
+  trials <- causality_trials(84, participants = 4, repetitions = 1)
+  trials$delay_ms <- factor(trials$delay_ms)
+  scale <- data.frame(rating_minimum = 1L, rating_maximum = 3L, rating_best = 1L,
+    low_anchor = "very believable", high_anchor = "very unbelievable")
+  axis <- ggplot2::ggplot_build(rating_panel(trials, scale, "delay_ms", FALSE))$layout
+  y <- axis$panel_params[[1]]$y
+  expect_equal(y$get_labels(), c("very believable  1", "2", "very unbelievable  3"))
+  expect_equal(y$continuous_range, c(1 - 0.06, 3 + 0.06))  # 3 % of the scale on either side
+})
+
+test_that("the whole script recovers the planted study of 20 participants (slow)", {
+  skip_if_not(run_slow, "--slow not given")
+  out <- new_folder()
+  run <- run_script(write_study(tempfile(fileext = ".sqlite"), causality_trials(1), practice = 6),
+    "--out", out)
+  expect_equal(run$status, 0)
+  table <- read.csv(file.path(out, "causality.csv"))
+  delay <- table[table$effect == "delay_ms", ]
+  expect_equal(nrow(delay), 4)
+  expect_true(all(delay$p_holm < 0.01))  # the thesis: "highly significant: > 99%"
+  odds <- table$effect_size[grepl("^delay_ms: ", table$effect)]
+  expect_true(odds[1] > 1 && odds[2] > odds[1])
+  expect_match(table$method[1], "(1 + slope | participant)", fixed = TRUE)
+})

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+kFactors <- c(delay = "delay", speed = "speed", viewpoint = "viewpoint")
+
+read_causality <- function(...) read_studies(c(...), "causality", kFactors)
+
+# The one sentence with which a study is refused, without the folder of temporary files.
+refusal <- function(expression) {
+  condition <- tryCatch(expression, refusal = identity)
+  expect_s3_class(condition, "refusal")
+  gsub(paste0(tempdir(), "/"), "", conditionMessage(condition), fixed = TRUE)
+}
+
+at <- function(name) file.path(tempdir(), name)
+
+test_that("ratings come back with their factors, and practice is never among them", {
+  trials <- causality_trials(seed = 61, participants = 2, repetitions = 1)
+  study <- read_causality(write_study(at("a.sqlite"), trials, practice = 6))
+  expect_equal(nrow(study$trials), 54)
+  expect_equal(unique(study$trials$phase), "main")
+  expect_equal(study$factors[["speed"]], "speed_deg_s")
+  key <- function(rows) paste(rows$participant, rows$delay_ms, rows$speed_deg_s, rows$viewpoint_deg)
+  expect_equal(study$trials$rating[match(key(trials), key(study$trials))], trials$rating)
+  expect_equal(levels(study$trials$delay_ms), c("0", "100", "300"))
+})
+
+test_that("several files are one study", {
+  trials <- causality_trials(seed = 62, participants = 2, repetitions = 1)
+  first <- write_study(at("a.sqlite"), trials[trials$participant == "P01", ])
+  second <- write_study(at("b.sqlite"), trials[trials$participant == "P02", ])
+  together <- read_causality(first, second)$trials
+  expect_equal(participant_count(together), 2)
+  # Trials are numbered from 1 in each file: levels must not leak from one to the other.
+  means <- participant_means(together, "delay_ms")
+  trials$delay_ms <- factor(trials$delay_ms)
+  expect_equal(means, participant_means(trials, "delay_ms"))
+})
+
+test_that("every file that is no study is refused in one sentence", {
+  expect_equal(refusal(read_causality(at("none.sqlite"))),
+    "none.sqlite: expected a study file, found no such file")
+  expect_equal(refusal(read_causality(tempdir())),
+    paste0(tempdir(), ": expected a study file, got a folder"))
+  writeLines(rep("no database", 100), at("words.sqlite"))
+  expect_equal(refusal(read_causality(at("words.sqlite"))),
+    "words.sqlite: expected a study file, got a file that SQLite cannot read")
+  file.create(at("empty.sqlite"))
+  expect_equal(refusal(read_causality(at("empty.sqlite"))),
+    "empty.sqlite: expected a study file, got a database without the view rated_trial")
+})
+
+test_that("a study without the protocol, or without ratings yet, is refused", {
+  trials <- causality_trials(seed = 63, participants = 1, repetitions = 1)
+  expect_equal(refusal(read_causality(write_study(at("a.sqlite"), trials, protocol = "gap"))),
+    "a.sqlite: expected protocol 'causality', got 'gap'")
+  DBI::dbDisconnect(new_study(at("a.sqlite")))
+  expect_equal(refusal(read_causality(at("a.sqlite"))),
+    "a.sqlite: expected protocol 'causality', got no protocol at all")
+  trials$rating <- NA_integer_
+  expect_equal(refusal(read_causality(write_study(at("a.sqlite"), trials))),
+    "a.sqlite: expected rated main trials of 'causality', got none yet")
+})
+
+test_that("scales that differ are not pooled", {
+  trials <- causality_trials(seed = 64, participants = 2, repetitions = 1)
+  trials$best <- ifelse(trials$participant == "P01", 1, 3)
+  expect_equal(refusal(read_causality(write_study(at("a.sqlite"), trials))), paste0(
+    "expected ratings on one scale, got 1 (very believable) to 3 (very unbelievable), 1 best; ",
+    "and 1 (very believable) to 3 (very unbelievable), 3 best: scales that differ are never pooled"
+  ))
+})
+
+test_that("one pseudonym in two files, or one file twice, is refused", {
+  trials <- causality_trials(seed = 65, participants = 1, repetitions = 1)
+  write_study(at("a.sqlite"), trials)
+  write_study(at("b.sqlite"), trials)
+  expect_equal(refusal(read_causality(at("a.sqlite"), at("b.sqlite"))), paste(
+    "participant P01 is in a.sqlite and in b.sqlite: expected every pseudonym in one file only"))
+  expect_equal(refusal(read_causality(at("a.sqlite"), at("a.sqlite"))),
+    "a.sqlite: was given twice")
+})
+
+test_that("a missing factor is named, with those that are there", {
+  trials <- causality_trials(seed = 66, participants = 1, repetitions = 1)
+  names(trials)[names(trials) == "viewpoint_deg"] <- "level"
+  expect_equal(refusal(read_causality(write_study(at("a.sqlite"), trials))), paste(
+    "a.sqlite: expected one factor 'viewpoint' or 'viewpoint_<unit>' in every main trial, got",
+    "delay_ms, speed_deg_s, level"))
+})
+
+test_that("what the analysis rests on is said in words", {
+  trials <- causality_trials(seed = 67, participants = 3, repetitions = 1)
+  trials$rating[trials$participant == "P02"][20:27] <- NA
+  trials$rating[trials$participant == "P03"] <- NA
+  trials$simulated <- 0
+  trials$late_timed_frames <- ifelse(seq_len(nrow(trials)) == 5, 2, 0)
+  trials$sync_overridden <- as.integer(trials$participant == "P01")
+  trials$realised_hold_ms <- ifelse(trials$delay_ms == 100, 105.9, trials$delay_ms)
+  trials$protocol_hash <- ifelse(trials$participant == "P01", "old", "new")
+  study <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
+  at_100 <- sum(trials$delay_ms == 100 & !is.na(trials$rating))
+  expect_equal(study_sentences(study), c(
+    paste("2 participants, 46 ratings in the main phase (19 to 27 each). The study is in",
+      "progress: 1 participant has not finished and is included with the ratings given so far.",
+      "1 more participant enrolled, without ratings."),
+    "No rating was excluded.",
+    "2 versions of protocol 'causality' (different hashes) are pooled here.",
+    "Late timed frames: 2 of 6,900, in 1 trial.",
+    paste("The sync test was overridden for 1 participant (27 ratings), which are included."),
+    sprintf(paste("The analysis uses the intended delay; the freeze realised on the display's",
+      "frames differs from it in %d trials, by up to 5.9 ms."), at_100)
+  ))
+})
+
+test_that("simulated participants are named, and never pooled with people", {
+  trials <- causality_trials(seed = 68, participants = 3, repetitions = 1)
+  all_made_up <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
+  expect_equal(study_sentences(all_made_up)[1], paste("SIMULATED: every participant is simulated;",
+    "these results describe an observer model, not people."))
+  trials$simulated <- as.integer(trials$participant == "P03")
+  mixed <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
+  expect_equal(sort(unique(mixed$trials$participant)), c("P01", "P02"))
+  expect_equal(exclusions_sentence(mixed),
+    "Left out: 1 participant (27 ratings): simulated, in a study that has people.")
+})
+
+test_that("the planted observer's means by delay come out, in order and size", {
+  expected <- causality_trials(seed = 1, participants = 1000, repetitions = 1)
+  expected <- tapply(expected$rating, expected$delay_ms, mean)
+  study <- read_causality(write_study(at("a.sqlite"), causality_trials(seed = 70)))
+  means <- participant_means(study$trials, "delay_ms")
+  error <- apply(means, 2, sd) / sqrt(nrow(means))
+  expect_true(all(diff(colMeans(means)) > 0))
+  # Three standard errors over participants; the expectation's own error is a seventh of one.
+  expect_true(all(abs(colMeans(means) - expected) < 3 * error))
+})
