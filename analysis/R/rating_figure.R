@@ -57,6 +57,8 @@ rating_panel <- function(trials, scale, main, simulated) {
   mean <- means_with_intervals(trials, main)
   who <- c(mean = "mean, 95 % CI", each = if (simulated) "simulated participant" else "participant")
   if (all(is.na(mean$low))) who[["mean"]] <- "mean"
+  if (participant_count(trials) == 1) who[["mean"]] <- paste("mean of one", who[["each"]])
+  shown <- if (participant_count(trials) == 1) "mean" else c("mean", "each")
   ggplot2::ggplot(mean, ggplot2::aes(x, mean)) +
     ggplot2::geom_line(ggplot2::aes(group = participant, colour = who[["each"]]), each,
       linewidth = 0.25) +
@@ -65,9 +67,10 @@ rating_panel <- function(trials, scale, main, simulated) {
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high, colour = who[["mean"]]),
       linewidth = 0.8, na.rm = TRUE, show.legend = FALSE) +
     ggplot2::geom_point(ggplot2::aes(colour = who[["mean"]]), size = 1.6) +
-    ggplot2::scale_colour_manual(NULL, breaks = unname(who), values = c("black", "grey72"),
-      guide = ggplot2::guide_legend(override.aes = list(size = c(1.6, 0.7),
-        linewidth = c(0.5, 0.25)))) +
+    ggplot2::scale_colour_manual(NULL, breaks = unname(who[shown]),
+      values = stats::setNames(c("black", "grey72"), who),
+      guide = ggplot2::guide_legend(override.aes = list(size = c(1.6, 0.7)[seq_along(shown)],
+        linewidth = c(0.5, 0.25)[seq_along(shown)]))) +
     axis_of_factor(trials, main) + axis_of_rating(scale, words = TRUE) + rating_theme()
 }
 
@@ -79,7 +82,8 @@ split_panel <- function(trials, scale, main, by) {
   mean$x <- mean$x + (as.integer(mean$level) - (count + 1) / 2) * 0.09 * smallest_step(mean$x)
   ggplot2::ggplot(mean, ggplot2::aes(x, mean, colour = level, shape = level)) +
     ggplot2::geom_line(linewidth = 0.4) +
-    ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.5, na.rm = TRUE) +
+    ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.5, na.rm = TRUE,
+      show.legend = FALSE) +
     ggplot2::geom_point(size = 1.4) +
     ggplot2::scale_colour_manual(label_of(by), values = rep_len(kLevelColours, count)) +
     ggplot2::scale_shape_manual(label_of(by), values = rep_len(kLevelShapes, count)) +
@@ -116,7 +120,7 @@ axis_of_rating <- function(scale, words) {
   list(
     ggplot2::scale_y_continuous(if (words) "Mean rating" else NULL, breaks = breaks,
       labels = labels, expand = ggplot2::expansion(mult = 0.03)),
-    ggplot2::coord_cartesian(ylim = ends, clip = "off")
+    ggplot2::coord_cartesian(ylim = ends, clip = "on")
   )
 }
 

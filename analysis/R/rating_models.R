@@ -15,7 +15,8 @@ kOddsFamily <- "mixed model, odds ratios"
 # between participants, or none.
 mixed_model_tests <- function(trials, factors, slope_of = character()) {
   if (participant_count(trials) < 3) {
-    return(outcome(remarks = "The mixed model needs three participants or more and was not fitted."))
+    remark <- "The mixed model needs three participants or more and was not fitted."
+    return(outcome(remarks = remark))
   }
   separated <- factors[vapply(factors, function(f) separates(trials, f), logical(1))]
   if (length(separated) > 0) {

@@ -31,8 +31,8 @@ repeated_measures_tests <- function(trials, factors) {
   fit$corrected <- nrow(complete) > fit$whole_df
   if (!all(fit$corrected)) {
     remarks <- c(remarks, sprintf(
-      "With %d participants the Greenhouse–Geisser correction cannot be computed for %s: its p is %s.",
-      nrow(complete), paste(fit$effect[!fit$corrected], collapse = ", "), "uncorrected"))
+      "Greenhouse–Geisser's correction needs more than %d participants for %s: p is uncorrected.",
+      nrow(complete), paste(fit$effect[!fit$corrected], collapse = ", ")))
   }
   rows <- do.call(rbind, lapply(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)))
   outcome(rows, remarks)
@@ -64,7 +64,8 @@ anova_row <- function(effect, trials) {
   method <- paste("ANOVA of participants' cell means,",
     if (effect$corrected) "Greenhouse–Geisser" else "uncorrected")
   test_row(kAnovaFamily, method, effect$effect, "F", effect$F, effect$df1, effect$df2,
-    effect$p, "generalised eta squared", effect$ges, limits / (limits + error), 0.90, participant_count(trials), nrow(trials))
+    effect$p, "generalised eta squared", effect$ges, limits / (limits + error), 0.90,
+    participant_count(trials), nrow(trials))
 }
 
 # Single-factor ANOVA over all trials as if they were independent, which they are not: the thesis's

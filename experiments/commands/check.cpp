@@ -73,7 +73,7 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
 
 void print_design(const Protocol& protocol) {
   const Design& design = protocol.design;
-  const Plan plan = make_plan(design, {protocol.name, "check", 1});
+  const Plan plan = plan_for(protocol, "check", 1);
   const std::size_t cell_count = cells(design).size();
   const std::size_t practice = design.practice.size();
   std::printf("%s: valid\n", protocol.document.name.c_str());

@@ -18,6 +18,15 @@ namespace {
 
 constexpr double kHeadlessHz = 60.0;
 
+#ifdef IMPETUS_WINDOW
+std::filesystem::path screen_file_of(const LaboratoryOptions& options) {
+  return options.screen_file.empty() ? default_screen_file() : options.screen_file;
+}
+#else
+constexpr const char* kNoWindow =
+    "this build has no window; run with --observer NAME, without --show";
+#endif
+
 class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
@@ -63,8 +72,7 @@ class WindowLaboratory final : public Laboratory {
   /// From the file; asked for once and kept when there is none yet. What a simulated participant
   /// looks at needs no ruler.
   ScreenGeometry lab_screen(const LaboratoryOptions& options) {
-    const auto file =
-        options.screen_file.empty() ? default_screen_file() : options.screen_file;
+    const auto file = screen_file_of(options);
     if (std::filesystem::exists(file) || !options.screen_file.empty()) {
       measured_ = true;
       return load_screen(file);
@@ -73,8 +81,9 @@ class WindowLaboratory final : public Laboratory {
     if (!options.observer) {
       const auto entered = ask_screen_geometry(window_, screen);
       if (!entered) {
-        throw InputError("the screen's size and distance were not entered; `impetus screen` asks "
-                         "again");
+        throw InputError(
+            "the screen's size and distance were not entered; `impetus screen` asks "
+            "again");
       }
       save_screen(*entered, file);
       measured_ = true;
@@ -95,13 +104,19 @@ class WindowLaboratory final : public Laboratory {
 }  // namespace
 
 double refresh_hz_of(const LaboratoryOptions& options) {
-#ifdef IMPETUS_WINDOW
-  if (!options.observer || options.show) {
-    return display_refresh_hz();
+  if (options.observer && !options.show) {
+    return kHeadlessHz;
   }
+#ifdef IMPETUS_WINDOW
+  window_options(options.window_size);
+  const auto file = screen_file_of(options);
+  if (std::filesystem::exists(file) || !options.screen_file.empty()) {
+    load_screen(file);
+  }
+  return display_refresh_hz();
+#else
+  throw InputError(kNoWindow);
 #endif
-  static_cast<void>(options);
-  return kHeadlessHz;
 }
 
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
@@ -111,7 +126,7 @@ std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
 #ifdef IMPETUS_WINDOW
   return std::make_unique<WindowLaboratory>(options);
 #else
-  throw InputError("this build has no window; run with --observer NAME, without --show");
+  throw InputError(kNoWindow);
 #endif
 }
 

@@ -16,11 +16,11 @@ namespace impetus {
 
 struct LaboratoryOptions {
   std::optional<ObserverFile> observer;
-  bool show{false};                    ///< a simulated participant in a real window
+  bool show{false};  ///< a simulated participant in a real window
   std::string participant;
   std::uint64_t seed{0};
-  std::filesystem::path screen_file;   ///< "" for the lab's default
-  std::string window_size;             ///< "1280x1024"; "" for fullscreen
+  std::filesystem::path screen_file;  ///< "" for the lab's default
+  std::string window_size;            ///< "1280x1024"; "" for fullscreen
 };
 
 class Laboratory {
@@ -33,10 +33,12 @@ class Laboratory {
   [[nodiscard]] virtual bool screen_measured() const = 0;
 };
 
-/// Frames per second that the laboratory will have, found without opening it.
+/// Frames per second that the laboratory will have, found without opening it. Throws InputError
+/// when it could not be opened: no window in this build, an impossible window size or screen file;
+/// std::runtime_error when there is no display.
 double refresh_hz_of(const LaboratoryOptions& options);
 
-/// Throws InputError when there is no display, no window in this build, or no usable screen file.
+/// Precondition: refresh_hz_of() accepted the options.
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);
 
 }  // namespace impetus

@@ -2,9 +2,22 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
+
+namespace {
+
+std::string unknown_command(const CLI::App& app, const std::string& given) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return "expected one of the commands " + names + ", got " + (given.empty() ? "none" : given);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Impetus: experiments on how believable an approximated collision looks."};
@@ -19,7 +32,14 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? impetus::kDone : impetus::kCouldNotRun;
+    if (error.get_exit_code() == 0) {  // --help or --version
+      return app.exit(error);
+    }
+    const std::string reason = app.get_subcommands().empty()
+                                   ? unknown_command(app, argc > 1 ? argv[1] : "")
+                                   : error.what();
+    std::fprintf(stderr, "impetus: %s\n", reason.c_str());
+    return impetus::kCouldNotRun;
   }
   try {
     return chosen();

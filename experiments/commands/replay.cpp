@@ -78,16 +78,23 @@ int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
 }
 
 int replay_study(const ReplayOptions& options) {
-  StudyFile study = StudyFile::open_for_reading(options.study);
-  const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);
-  if (!options.view) {
-    return compare_all(study, attempts);
+#ifndef IMPETUS_WINDOW
+  if (options.view) {
+    throw InputError("--view: this build has no window");
   }
-#ifdef IMPETUS_WINDOW
-  return view_attempts(study, attempts, options.window_size);
-#else
-  throw InputError("--view: this build has no window");
 #endif
+  StudyFile study = StudyFile::open_for_reading(options.study);
+  try {
+    const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);
+#ifdef IMPETUS_WINDOW
+    if (options.view) {
+      return view_attempts(study, attempts, options.window_size);
+    }
+#endif
+    return compare_all(study, attempts);
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ ProtocolTexts texts_of(const Protocol& protocol) {
 std::vector<StoredTrial> stored(const Plan& plan) {
   std::vector<StoredTrial> trials;
   for (const PlannedTrial& trial : plan) {
-    trials.push_back({0, trial.slot, trial.phase, trial.repetition,
-                      to_json(trial.condition).dump(), trial.seed});
+    trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
+                      trial.seed});
   }
   return trials;
 }
@@ -62,25 +62,29 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
   return plan;
 }
 
-/// The stored enrolment, to be resumed, or a new one with its whole plan.
-Enrolment enrol_or_resume(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
+/// The stored enrolment, to be resumed, if there is one.
+std::optional<Enrolment> find_to_resume(StudyFile& study, const Protocol& protocol,
+                                        const RunOptions& options) {
   const bool simulated = !options.observer.empty();
-  const ProtocolTexts texts = texts_of(protocol);
-  if (auto found = find_enrolment(study, options.participant, simulated, texts)) {
-    if (options.seed && *options.seed != found->seed) {
-      throw InputError("--seed " + std::to_string(*options.seed) + ": expected " +
-                       std::to_string(found->seed) + ", with which " + options.participant +
-                       "'s trials were planned");
-    }
-    return std::move(*found);
+  auto found = find_enrolment(study, options.participant, simulated, texts_of(protocol));
+  if (found && options.seed && *options.seed != found->seed) {
+    throw InputError("--seed " + std::to_string(*options.seed) + ": expected " +
+                     std::to_string(found->seed) + ", with which " + options.participant +
+                     "'s trials were planned");
   }
+  return found;
+}
+
+/// A new enrolment with its whole plan.
+Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
+  const ProtocolTexts texts = texts_of(protocol);
   for (const std::string& hash : other_versions(study, texts)) {
     std::fprintf(stderr, "note: %s also holds another version of %s (%s)\n", study.name().c_str(),
                  protocol.name.c_str(), hash.c_str());
   }
   const std::uint64_t seed = options.seed.value_or(1);
-  const Plan plan = make_plan(protocol.design, {protocol.name, options.participant, seed});
-  return enrol(study, options.participant, simulated, texts, seed, stored(plan));
+  const Plan plan = plan_for(protocol, options.participant, seed);
+  return enrol(study, options.participant, !options.observer.empty(), texts, seed, stored(plan));
 }
 
 SessionFacts facts_of(Laboratory& laboratory, const RunOptions& options,
@@ -114,8 +118,9 @@ int conclude(const SessionResult& result, std::size_t planned_trials, StudyWrite
       return kDone;
     case SessionEnding::kQuit:
       writer.end("quit");
-      std::printf("Stopped with %lld of %lld trials saved; the same command goes on with the next.\n",
-                  done, total);
+      std::printf(
+          "Stopped with %lld of %lld trials saved; the same command goes on with the next.\n", done,
+          total);
       return kDone;
     default:
       writer.end("display closed");
@@ -125,12 +130,14 @@ int conclude(const SessionResult& result, std::size_t planned_trials, StudyWrite
   }
 }
 
-int run_participant(const Protocol& protocol, const RunOptions& options,
-                    const LaboratoryOptions& lab, StudyFile& study) {
-  const Enrolment enrolment = enrol_or_resume(study, protocol, options);
-  const Plan plan = planned(enrolment.trials, protocol.design);
+int run_participant(const Protocol& protocol, const RunOptions& options, LaboratoryOptions lab,
+                    StudyFile& study) {
+  const std::optional<Enrolment> resumed = find_to_resume(study, protocol, options);
+  lab.seed = resumed ? resumed->seed : options.seed.value_or(1);
   const std::unique_ptr<Laboratory> laboratory = open_laboratory(lab);
   const SyncTest sync = laboratory->sync_test();
+  const Enrolment enrolment = resumed ? *resumed : enrol_anew(study, protocol, options);
+  const Plan plan = planned(enrolment.trials, protocol.design);
 
   StudyWriter writer(study, enrolment, facts_of(*laboratory, options, lab, sync));
   if (!sync.passed && !options.override_sync_test) {
@@ -190,22 +197,26 @@ int run(const RunOptions& options) {
   LaboratoryOptions lab;
   if (!options.observer.empty()) {
     lab.observer = load_observer(options.observer, options.protocol);
+    check_scale_for_observer(protocol);
   }
   lab.show = options.show;
   lab.participant = options.participant;
-  lab.seed = options.seed.value_or(1);
   lab.screen_file = options.screen_file;
   lab.window_size = options.window_size;
   check_frames(protocol, refresh_hz_of(lab), options.allow_rounding);
-  make_plan(protocol.design, {protocol.name, options.participant, lab.seed});
+  plan_for(protocol, options.participant, options.seed.value_or(1));
 
   StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
-  if (options.participants > 0) {
-    return run_simulated_group(protocol, options, lab, study);
+  try {
+    if (options.participants > 0) {
+      return run_simulated_group(protocol, options, lab, study);
+    }
+    const int status = run_participant(protocol, options, lab, study);
+    std::printf("Saved in %s\n", options.database.c_str());
+    return status;
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
   }
-  const int status = run_participant(protocol, options, lab, study);
-  std::printf("Saved in %s\n", options.database.c_str());
-  return status;
 }
 
 }  // namespace
@@ -213,17 +224,20 @@ int run(const RunOptions& options) {
 void add_run(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run a session of a protocol");
-  command->add_option("protocol", options->protocol, "Protocol file, such as protocols/causality.json")
+  command
+      ->add_option("protocol", options->protocol, "Protocol file, such as protocols/causality.json")
       ->required();
   command->add_option("--db", options->database, "Study file; made when it does not exist")
       ->capture_default_str();
   command->add_option("--participant", options->participant,
                       "Code of the participant; the same code resumes");
-  command->add_option("--seed", options->seed, "Seed of the order (default 1)");
+  command->add_option("--seed", options->seed, "Seed of the order (default 1)")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--observer", options->observer,
                       "A simulated participant: its name or file; headless unless --show");
-  command->add_option("--participants", options->participants,
-                      "Run so many simulated participants, S01, S02, ...")
+  command
+      ->add_option("--participants", options->participants,
+                   "Run so many simulated participants, S01, S02, ...")
       ->check(CLI::Range(1, 100000));
   command->add_flag("--show", options->show, "Show the simulated participant's session");
   command->add_flag("--allow-rounding", options->allow_rounding,

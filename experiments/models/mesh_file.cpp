@@ -9,6 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -53,10 +54,50 @@ class ErrorLog {
   std::string first_;
 };
 
+/// assimp's PLY reader never returns from a header that does not end.
+void refuse_endless_header(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  if (!std::getline(stream, line) || line.compare(0, 3, "ply") != 0) {
+    return;
+  }
+  while (std::getline(stream, line)) {
+    if (line.compare(0, 10, "end_header") == 0) {
+      return;
+    }
+  }
+  refuse(file, "cannot be read as a mesh: its PLY header has no end");
+}
+
+/// Checks what assimp's own steps take for granted; returns whether a face has over three corners.
+bool check(const aiMesh& part, const std::filesystem::path& file) {
+  for (unsigned int i = 0; i < part.mNumVertices; ++i) {
+    const aiVector3D& place = part.mVertices[i];
+    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
+      refuse(file, "a vertex has a coordinate that is not a finite number");
+    }
+  }
+  bool has_polygons = false;
+  for (unsigned int i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    if (face.mNumIndices == 0) {
+      refuse(file, "a face has no vertices: the file may be cut short");
+    }
+    for (unsigned int corner = 0; corner < face.mNumIndices; ++corner) {
+      if (face.mIndices[corner] >= part.mNumVertices) {
+        refuse(file, "a face names vertex " + std::to_string(face.mIndices[corner]) + " of " +
+                         std::to_string(part.mNumVertices));
+      }
+    }
+    has_polygons = has_polygons || face.mNumIndices > 3;
+  }
+  return has_polygons;
+}
+
 /// Collects placed triangles; equal positions share a vertex.
 class Welder {
  public:
-  void add(const aiMesh& part, const aiMatrix4x4& placement, const std::filesystem::path& file) {
+  void add(const aiMesh& part, const aiMatrix4x4& placement) {
     const bool mirrored = placement.Determinant() < 0.0F;
     for (unsigned int i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
@@ -65,12 +106,7 @@ class Welder {
       }
       std::array<std::uint32_t, 3> triangle{};
       for (unsigned int corner = 0; corner < 3; ++corner) {
-        const unsigned int index = face.mIndices[corner];
-        if (index >= part.mNumVertices) {
-          refuse(file, "a face names vertex " + std::to_string(index) + " of " +
-                           std::to_string(part.mNumVertices));
-        }
-        triangle[corner] = vertex(placement * part.mVertices[index], file);
+        triangle[corner] = vertex(placement * part.mVertices[face.mIndices[corner]]);
       }
       if (mirrored) {
         std::swap(triangle[1], triangle[2]);
@@ -82,10 +118,7 @@ class Welder {
   TriangleMesh take() { return std::move(mesh_); }
 
  private:
-  std::uint32_t vertex(const aiVector3D& place, const std::filesystem::path& file) {
-    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
-      refuse(file, "a vertex has a coordinate that is not a finite number");
-    }
+  std::uint32_t vertex(const aiVector3D& place) {
     // Adding +0 makes both zeros the same place.
     const std::array<double, 3> key{place.x + 0.0, place.y + 0.0, place.z + 0.0};
     const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
@@ -100,14 +133,13 @@ class Welder {
   std::map<std::array<double, 3>, std::uint32_t> index_of_;
 };
 
-void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Welder& welder,
-              const std::filesystem::path& file) {
+void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, Welder& welder) {
   const aiMatrix4x4 placement = above * node.mTransformation;
   for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
-    welder.add(*scene.mMeshes[node.mMeshes[i]], placement, file);
+    welder.add(*scene.mMeshes[node.mMeshes[i]], placement);
   }
   for (unsigned int i = 0; i < node.mNumChildren; ++i) {
-    add_node(scene, *node.mChildren[i], placement, welder, file);
+    add_node(scene, *node.mChildren[i], placement, welder);
   }
 }
 
@@ -117,17 +149,25 @@ TriangleMesh load_mesh(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     refuse(file, std::filesystem::exists(file) ? "is not a file" : "there is no such file");
   }
+  refuse_endless_header(file);
   const ErrorLog errors;
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (scene == nullptr) {
     refuse(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
   }
   if (!errors.first().empty()) {
     refuse(file, "cannot be read as a mesh: " + errors.first());
   }
+  bool has_polygons = false;
+  for (unsigned int i = 0; i < scene->mNumMeshes; ++i) {
+    has_polygons = check(*scene->mMeshes[i], file) || has_polygons;
+  }
+  if (has_polygons) {
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  }
   Welder welder;
-  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), welder, file);
+  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), welder);
   TriangleMesh mesh = welder.take();
   if (mesh.triangles.empty()) {
     refuse(file, "has no triangles");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,55 +15,134 @@ namespace {
 
 using nlohmann::json;
 
-/// "name:3:14: expected ..." for a byte offset, both counted from 1.
+/// "3:14": line and column of a byte, both counted from 1; a column is a character.
 std::string place_of(const std::string& text, std::size_t byte) {
   std::size_t line = 1;
-  std::size_t column = 0;
+  std::size_t column = 1;
   for (std::size_t i = 0; i < byte && i < text.size(); ++i) {
     const bool new_line = text[i] == '\n';
+    const bool inside_character = (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80U;
     line += new_line ? 1 : 0;
-    column = new_line ? 0 : column + 1;
+    column = new_line ? 1 : column + (inside_character ? 0 : 1);
   }
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// Notices a key that stands twice in one object, which the parser would silently let win.
-class DuplicateKeys {
+/// What stands at a byte, in words.
+std::string found_at(const std::string& text, std::size_t byte) {
+  if (byte >= text.size()) {
+    return "the end of the file";
+  }
+  const auto first = static_cast<unsigned char>(text[byte]);
+  if (first == '\n' || first == '\r') {
+    return "the end of the line";
+  }
+  if (first < ' ') {
+    return "a control character";
+  }
+  const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  return "'" + text.substr(byte, length) + "'";
+}
+
+std::string malformed(const std::string& text, const json::parse_error& error) {
+  // The parser counts from 1 and stops after the character it could not take.
+  const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+  const bool encoding = std::string_view(error.what()).find("UTF-8") != std::string_view::npos;
+  return place_of(text, byte) + ": expected " +
+         (encoding ? "text in UTF-8, got a byte that is not"
+                   : "valid JSON, got " + found_at(text, byte));
+}
+
+/// Follows the parser through the file: knows where it is, and notices what the grammar lets pass
+/// (of a key that stands twice the parser would silently take the last).
+class Surveyor {
  public:
   void see(json::parse_event_t event, const json& parsed) {
-    if (event == json::parse_event_t::object_start) {
-      open_.emplace_back();
-    } else if (event == json::parse_event_t::object_end) {
-      open_.pop_back();
-    } else if (event == json::parse_event_t::key && !open_.back().insert(parsed).second &&
-               first_.empty()) {
-      first_ = parsed.dump();
+    using Event = json::parse_event_t;
+    if (event == Event::object_start || event == Event::array_start) {
+      enter(event == Event::array_start);
+    } else if (event == Event::key) {
+      see_key(parsed.get<std::string>());
+    } else {
+      if (event != Event::value) {
+        open_.pop_back();
+      }
+      if (!open_.empty()) {
+        ++open_.back().index;
+      }
     }
   }
-  [[nodiscard]] const std::string& first() const { return first_; }
+
+  /// JSON Pointer to the value that comes next.
+  [[nodiscard]] std::string place() const {
+    json::json_pointer pointer;
+    for (const Level& level : open_) {
+      level.list ? pointer.push_back(std::to_string(level.index)) : pointer.push_back(level.key);
+    }
+    return pointer.to_string();
+  }
+
+  /// "/pointer: expected ..., got ..."; "" when there is nothing to complain of.
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
  private:
-  std::vector<std::set<json>> open_;
-  std::string first_;
+  struct Level {
+    bool list{false};
+    std::size_t index{0};
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  void enter(bool list) {
+    // What reads the value afterwards calls itself once per level.
+    constexpr std::size_t kMostLevels = 64;
+    if (open_.size() == kMostLevels) {
+      complain("expected at most " + std::to_string(kMostLevels) + " levels of nesting, got more");
+    }
+    open_.push_back({list, 0, "", {}});
+  }
+
+  void see_key(std::string key) {
+    open_.back().key = key;
+    if (!open_.back().keys.insert(std::move(key)).second) {
+      complain("expected each key once, got it twice");
+    }
+  }
+
+  void complain(const std::string& message) {
+    if (complaint_.empty()) {
+      complaint_ = place() + ": " + message;
+    }
+  }
+
+  std::vector<Level> open_;
+  std::string complaint_;
 };
+
+/// "1e400" from the parser's "... overflow parsing '1e400'".
+std::string between_quotes(const std::string& message) {
+  const std::size_t first = message.find('\'') + 1;
+  return message.substr(first, message.rfind('\'') - first);
+}
 
 }  // namespace
 
 JsonDocument parse_json(std::string name, std::string text) {
-  DuplicateKeys keys;
+  Surveyor surveyor;
   json value;
   try {
-    value = json::parse(text, [&keys](int, json::parse_event_t event, json& parsed) {
-      keys.see(event, parsed);
+    value = json::parse(text, [&surveyor](int, json::parse_event_t event, json& parsed) {
+      surveyor.see(event, parsed);
       return true;
     });
   } catch (const json::parse_error& error) {
-    throw InputError(name + ":" + place_of(text, error.byte) +
-                     ": expected valid JSON, got something else here");
+    throw InputError(name + ":" + malformed(text, error));
+  } catch (const json::out_of_range& error) {
+    throw InputError(name + ":" + surveyor.place() +
+                     ": expected a number of at most 1.8e308, got " + between_quotes(error.what()));
   }
-  if (!keys.first().empty()) {
-    throw InputError(name + ": expected each key once in an object, got " + keys.first() +
-                     " twice");
+  if (!surveyor.complaint().empty()) {
+    throw InputError(name + ":" + surveyor.complaint());
   }
   return {std::move(name), std::move(text), std::move(value)};
 }

@@ -22,6 +22,29 @@ bool has_level(const json& factor, const json& level) {
   return std::find(levels.begin(), levels.end(), level) != levels.end();
 }
 
+bool has_factor(const json& design, const std::string& name) {
+  const json& factors = design["factors"];
+  return std::any_of(factors.begin(), factors.end(),
+                     [&](const json& factor) { return factor["name"] == name; });
+}
+
+/// Refuses a design that nobody could sit through before its cells fill the memory.
+void check_size(const JsonDocument& protocol) {
+  constexpr double kMostTrials = 10'000;
+  const json& design = protocol.value["design"];
+  auto trials = design["repetitions"].get<double>();
+  for (const json& factor : design["factors"]) {
+    trials *= static_cast<double>(factor["levels"].size());
+  }
+  if (trials > kMostTrials) {
+    char count[32];
+    std::snprintf(count, sizeof count, "%.15g", trials);
+    refuse(protocol, "/design",
+           "expected at most 10000 trials, got " + std::string(count) +
+               " (levels of all factors × repetitions)");
+  }
+}
+
 void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
   const json& factors = protocol.value["design"]["factors"];
   std::set<std::string> names;
@@ -46,31 +69,7 @@ void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
     }
     if (!found) {
       refuse(protocol, place + "/pointer",
-             "expected a pointer to a single value of " + scene.name + ", got \"" + pointer +
-                 "\"");
-    }
-  }
-}
-
-void check_practice(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  const json practice = design.value("practice", json::array());
-  for (std::size_t i = 0; i < practice.size(); ++i) {
-    const std::string place = item("/design/practice", i);
-    for (const json& factor : design["factors"]) {
-      const auto name = factor["name"].get<std::string>();
-      if (!practice[i].contains(name)) {
-        refuse(protocol, place, "expected a level for every factor, but \"" + name +
-                                    "\" has none");
-      }
-      if (!has_level(factor, practice[i][name])) {
-        refuse(protocol, place + "/" + name,
-               "expected one of the factor's levels " + factor["levels"].dump() + ", got " +
-                   practice[i][name].dump());
-      }
-    }
-    if (practice[i].size() != design["factors"].size()) {
-      refuse(protocol, place, "expected only factors of the design, got a name that is none");
+             "expected a pointer to a single value of " + scene.name + ", got \"" + pointer + "\"");
     }
   }
 }
@@ -79,11 +78,7 @@ void check_runs(const JsonDocument& protocol) {
   const json& design = protocol.value["design"];
   const json rules = design.value("longest_runs", json::array());
   for (std::size_t i = 0; i < rules.size(); ++i) {
-    const json& factors = design["factors"];
-    const bool known = std::any_of(factors.begin(), factors.end(), [&](const json& factor) {
-      return factor["name"] == rules[i]["factor"];
-    });
-    if (!known) {
+    if (!has_factor(design, rules[i]["factor"].get<std::string>())) {
       refuse(protocol, item("/design/longest_runs", i) + "/factor",
              "expected the name of a factor, got " + rules[i]["factor"].dump());
     }
@@ -117,6 +112,12 @@ void check_questions(const JsonDocument& protocol) {
       }
       if (entries[i].value("kind", "") == "choice" && !entries[i].contains("options")) {
         refuse(protocol, place, "expected the key \"options\" for a choice, which is missing");
+      }
+      if (entries[i].contains("minimum") && entries[i].contains("maximum") &&
+          entries[i]["minimum"] >= entries[i]["maximum"]) {
+        refuse(protocol, place + "/maximum",
+               "expected more than the minimum " + entries[i]["minimum"].dump() + ", got " +
+                   entries[i]["maximum"].dump());
       }
     }
   }
@@ -173,8 +174,8 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
 }  // namespace
 
 void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
+  check_size(protocol);
   check_factors(protocol, scene);
-  check_practice(protocol);
   check_runs(protocol);
   check_scale(protocol);
   check_questions(protocol);
@@ -190,6 +191,58 @@ void check_levels(const Protocol& protocol) {
         refuse(protocol.document, item(item("/design/factors", i) + "/levels", j), message);
       }
     }
+  }
+  for (const Condition& cell : cells(protocol.design)) {
+    const auto problems = scene_problems(scene_under(protocol, cell));
+    if (!problems.empty()) {
+      refuse(protocol.document, "/design/factors",
+             problems.front().pointer + " of the scene under " + to_json(cell).dump() + ": " +
+                 problems.front().message);
+    }
+  }
+}
+
+void check_practice(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  const json practice = design.value("practice", json::array());
+  for (std::size_t i = 0; i < practice.size(); ++i) {
+    const std::string place = item("/design/practice", i);
+    for (const json& factor : design["factors"]) {
+      const auto name = factor["name"].get<std::string>();
+      if (!practice[i].contains(name)) {
+        refuse(protocol, place, "expected a level for every factor, but \"" + name + "\" has none");
+      }
+      if (!has_level(factor, practice[i][name])) {
+        refuse(protocol, place + "/" + name,
+               "expected one of the factor's levels " + factor["levels"].dump() + ", got " +
+                   practice[i][name].dump());
+      }
+    }
+    for (const auto& [name, unused] : practice[i].items()) {
+      if (!has_factor(design, name)) {
+        refuse(protocol, place, "expected only factors of the design, got " + json(name).dump());
+      }
+    }
+  }
+}
+
+Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed) {
+  try {
+    return make_plan(protocol.design, {protocol.name, participant, seed});
+  } catch (const std::runtime_error&) {
+    refuse(protocol.document, "/design/longest_runs",
+           "expected rules that some order of the trials keeps to, but none was found");
+  }
+}
+
+void check_scale_for_observer(const Protocol& protocol) {
+  const RatingScale& scale = protocol.script.scale;
+  if (scale.maximum - scale.minimum != 2 || scale.best != scale.minimum) {
+    refuse(protocol.document, "/rating",
+           "expected three points of which the lowest is the best, as the observer causality "
+           "rates, got " +
+               std::to_string(scale.minimum) + " to " + std::to_string(scale.maximum) + ", best " +
+               std::to_string(scale.best));
   }
 }
 

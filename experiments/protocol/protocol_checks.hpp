@@ -2,16 +2,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/plan.hpp"
 
 namespace impetus {
 
-/// Names, pointers, practice conditions, runs and the scale agree with each other and the scene.
+/// Size, names, pointers, runs and the scale agree with each other and the scene.
 /// Throws InputError.
 void check_design(const JsonDocument& protocol, const JsonDocument& scene);
 
-/// Every level, put into the scene, leaves a scene that can be shown. Throws InputError.
+/// Every level and every cell, put into the scene, leaves a scene that can be shown. Throws
+/// InputError.
 void check_levels(const Protocol& protocol);
+
+/// Every practice condition is a cell of the design. Throws InputError.
+void check_practice(const JsonDocument& protocol);
+
+/// A participant's plan. Throws InputError when no order was found that keeps to the longest runs.
+Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
+
+/// The simulated participant can answer on the protocol's scale. Throws InputError.
+void check_scale_for_observer(const Protocol& protocol);
 
 /// Every duration that must fall on the display's frames does. `allow_rounding` lets an imposed
 /// hold be rounded; what was realised is stored. Throws InputError.

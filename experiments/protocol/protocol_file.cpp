@@ -42,8 +42,7 @@ json to_json(const LevelValue& value) {
 }
 
 Text text_from(const json& object) {
-  return {object["title"].get<std::string>(),
-          object["paragraphs"].get<std::vector<std::string>>()};
+  return {object["title"].get<std::string>(), object["paragraphs"].get<std::vector<std::string>>()};
 }
 
 Field field_from(const json& object) {
@@ -173,19 +172,26 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
     protocol.pointers[name] = factor["pointer"].get<std::string>();
     protocol.labels[name] = factor.value("label", name);
   }
+  check_levels(protocol);
+  check_practice(protocol.document);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
   protocol.script = script_from(protocol.document.value);
-  check_levels(protocol);
   return protocol;
 }
 
 Protocol load_protocol(const std::filesystem::path& path) {
   JsonDocument document = read_json(path);
   require_schema(document, protocol_schema());
-  const auto scene = path.parent_path() / document.value["scene"].get<std::string>();
-  return make_protocol(std::move(document), read_json(scene.lexically_normal()));
+  const auto beside = path.parent_path() / document.value["scene"].get<std::string>();
+  const std::filesystem::path scene = beside.lexically_normal();
+  if (!std::filesystem::exists(scene)) {
+    refuse(document, "/scene",
+           "expected a file, seen from this one, got " + document.value["scene"].dump() +
+               ", but there is no " + scene.string());
+  }
+  return make_protocol(std::move(document), read_json(scene));
 }
 
 }  // namespace impetus

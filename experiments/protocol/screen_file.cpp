@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/screen_file.hpp"
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 
 #include "experiments/protocol/json_document.hpp"
@@ -32,10 +34,10 @@ const json& screen_schema() {
 std::filesystem::path default_screen_file() {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");
-  const std::filesystem::path base = config != nullptr && *config != '\0'
-                                         ? std::filesystem::path(config)
-                                         : std::filesystem::path(home != nullptr ? home : ".") /
-                                               ".config";
+  const std::filesystem::path base =
+      config != nullptr && *config != '\0'
+          ? std::filesystem::path(config)
+          : std::filesystem::path(home != nullptr ? home : ".") / ".config";
   return base / "impetus" / "screen.json";
 }
 
@@ -62,11 +64,14 @@ void save_screen(const ScreenGeometry& screen, const std::filesystem::path& path
   std::ofstream file(fresh);
   file << document.dump(2) << "\n";
   file.close();
+  std::string reason = file ? "" : std::strerror(errno);
   if (file) {
     std::filesystem::rename(fresh, path, failed);
+    reason = failed ? failed.message() : "";
   }
-  if (!file || failed) {
-    throw InputError(path.string() + ": expected a file that can be written, but it cannot be");
+  if (!reason.empty()) {
+    throw InputError(path.string() +
+                     ": expected a file that can be written, but it cannot be: " + reason);
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/validation.hpp"
 
-#include <set>
+#include <cmath>
+#include <map>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -40,7 +41,59 @@ const json* governing(const json& root, const json& schema, const std::string& t
 std::string shortened(const json& value) {
   constexpr std::size_t kLongest = 60;
   const std::string text = value.dump();
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "…";
+  std::size_t end = kLongest;
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) {
+    --end;  // Never half a character.
+  }
+  return text.size() <= kLongest ? text : text.substr(0, end) + "…";
+}
+
+/// 1000000 for 1e6, where JSON would say 1000000.0.
+std::string number_text(const json& number) {
+  const auto value = number.get<double>();
+  const bool whole = std::floor(value) == value && std::abs(value) < 1e15;
+  return whole ? std::to_string(static_cast<std::int64_t>(value)) : number.dump();
+}
+
+/// What a regular expression of the schemas asks for, for people who read none.
+std::string pattern_words(const std::string& pattern) {
+  static const std::map<std::string, std::string> words{
+      {"^[a-z][a-z0-9-]*$", " of lower-case letters, digits and hyphens that begins with a letter"},
+      {"^[a-z][a-z0-9_]*$",
+       " of lower-case letters, digits and underscores that begins with a letter"},
+      {"^/", " that begins with /"},
+      {"^#[0-9a-fA-F]{6}$", " such as \"#d9813b\""}};
+  const auto known = words.find(pattern);
+  return known != words.end() ? known->second : " that matches " + json(pattern).dump();
+}
+
+/// " ≥ 0 and ≤ 1", " of 2 values", "...": what a schema asks for beyond the type.
+std::string range_words(const json& schema) {
+  const bool from = schema.contains("minimum") || schema.contains("exclusiveMinimum");
+  std::string words;
+  if (schema.contains("minimum")) {
+    words += " ≥ " + number_text(schema["minimum"]);
+  }
+  if (schema.contains("exclusiveMinimum")) {
+    words += " > " + number_text(schema["exclusiveMinimum"]);
+  }
+  if (schema.contains("maximum")) {
+    words += (from ? " and ≤ " : " ≤ ") + number_text(schema["maximum"]);
+  }
+  return words;
+}
+
+std::string size_words(const json& schema) {
+  const std::int64_t least = schema.value("minItems", std::int64_t{0});
+  const std::int64_t most = schema.value("maxItems", std::int64_t{-1});
+  const auto values = [](std::int64_t count) {
+    return std::to_string(count) + (count == 1 ? " value" : " values");
+  };
+  if (least == most) {
+    return " of " + values(least);
+  }
+  return (least > 0 ? " of at least " + values(least) : "") +
+         (most >= 0 ? " of at most " + values(most) : "");
 }
 
 std::string joined(const std::vector<std::string>& items, const std::string& last) {
@@ -84,20 +137,13 @@ std::string expectation(const json& schema) {
     }
     return (options.size() > 1 ? "one of " : "") + joined(options, ", ");
   }
-  std::string words = type_words(schema);
-  const auto add = [&](const char* keyword, const char* before, const char* after) {
-    if (schema.contains(keyword)) {
-      words += std::string(before) + schema[keyword].dump() + after;
-    }
-  };
-  add("minimum", " ≥ ", "");
-  add("exclusiveMinimum", " > ", "");
-  add("maximum", schema.contains("minimum") || schema.contains("exclusiveMinimum") ? " and ≤ "
-                                                                                   : " ≤ ", "");
-  add("minItems", " of at least ", "");
-  add("maxItems", schema.contains("minItems") ? " and at most " : " of at most ", "");
-  add("minLength", " of at least ", " character");
-  add("pattern", " that matches ", "");
+  std::string words = type_words(schema) + range_words(schema) + size_words(schema);
+  if (schema.value("minLength", 0) > 0) {
+    words += " that is not empty";
+  }
+  if (schema.contains("pattern")) {
+    words += pattern_words(schema["pattern"].get<std::string>());
+  }
   if (schema.value("uniqueItems", false)) {
     words += " without repeats";
   }
@@ -131,6 +177,7 @@ std::string key_problem(const json& schema, const json& value) {
 
 SchemaProblem explain(const json& root, const json& value, const std::vector<std::string>& path) {
   SchemaProblem problem;
+  json::json_pointer place;
   const json* schema = &root;
   const json* here = &value;
   for (const std::string& token : path) {
@@ -138,10 +185,11 @@ SchemaProblem explain(const json& root, const json& value, const std::vector<std
     if (next == nullptr) {
       break;
     }
-    problem.pointer += "/" + token;
+    place.push_back(token);
     here = here->is_array() ? &(*here)[std::stoul(token)] : &(*here)[token];
     schema = next;
   }
+  problem.pointer = place.to_string();
   const std::string about_keys = key_problem(*schema, *here);
   problem.message = about_keys.empty()
                         ? "expected " + expectation(*schema) + ", got " + shortened(*here)

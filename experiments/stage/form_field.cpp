@@ -76,10 +76,20 @@ FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, fl
     draw_focus_ring(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
   if (!message_.empty()) {
-    draw_text(message_, gui.fonts().small, palette::kWarning, width_px, Align::kLeft);
+    draw_message(gui.fonts().small);
   }
   ImGui::PopID();
   return change;
+}
+
+/// Beside the entry, so that nothing else moves.
+void FormField::draw_message(ImFont* font) const {
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  const ImVec2 at(std::round(to.x + 0.6F * ImGui::GetFontSize()),
+                  std::round((from.y + to.y - font->FontSize) / 2.0F));
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, palette::kWarning,
+                                      message_.c_str());
 }
 
 FocusChange FormField::draw_number(float width_px, bool focused, bool take_keyboard) {

@@ -36,6 +36,7 @@ class FormField {
   void set_answer(const std::string& text) { text_ = text; }
 
  private:
+  void draw_message(ImFont* font) const;
   FocusChange draw_number(float width_px, bool focused, bool take_keyboard);
   FocusChange draw_text_box(float width_px, bool focused, bool take_keyboard);
   FocusChange draw_options(float width_px, bool focused);

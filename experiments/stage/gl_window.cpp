@@ -27,6 +27,22 @@ void ask_for_context() {
                            "; run with --observer to go on without a window");
 }
 
+/// Where there is no display SDL falls back on one that nobody sees; it must have been asked for.
+void refuse_unasked_offscreen() {
+  const std::string driver = SDL_GetCurrentVideoDriver();
+  if (driver == "offscreen" && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+    refuse("neither X11 nor Wayland answered");
+  }
+}
+
+// Of the display's own size from the start: where no window manager runs, nobody would enlarge it.
+SDL_Window* create_fullscreen(const WindowOptions& options) {
+  SDL_Rect all{0, 0, options.width_px, options.height_px};
+  SDL_GetDisplayBounds(0, &all);
+  return SDL_CreateWindow(options.title.c_str(), all.x, all.y, all.w, all.h,
+                          SDL_WINDOW_OPENGL | SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
 const char* text_of(GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); }
 
 }  // namespace
@@ -38,6 +54,7 @@ GlWindow::GlWindow(const WindowOptions& options) {
     refuse(SDL_GetError());
   }
   try {
+    refuse_unasked_offscreen();
     open(options);
   } catch (...) {
     close();
@@ -49,9 +66,10 @@ GlWindow::~GlWindow() { close(); }
 
 void GlWindow::open(const WindowOptions& options) {
   ask_for_context();
-  const Uint32 shape = options.fullscreen ? Uint32{SDL_WINDOW_FULLSCREEN_DESKTOP} : 0U;
-  window_ = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                             options.width_px, options.height_px, SDL_WINDOW_OPENGL | shape);
+  window_ = options.fullscreen ? create_fullscreen(options)
+                               : SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED,
+                                                  SDL_WINDOWPOS_CENTERED, options.width_px,
+                                                  options.height_px, SDL_WINDOW_OPENGL);
   if (window_ == nullptr) {
     refuse(SDL_GetError());
   }
@@ -65,18 +83,17 @@ void GlWindow::open(const WindowOptions& options) {
   survive_display_loss(window_);
   SDL_GL_GetDrawableSize(window_, &width_px_, &height_px_);
   decide_refresh(options.refresh_hz);
+  description_ = described();
 }
 
 void GlWindow::close() {
-  if (context_ != nullptr && !display_lost()) {
+  if (context_ != nullptr) {
     SDL_GL_DeleteContext(context_);
   }
-  if (window_ != nullptr && !display_lost()) {
+  if (window_ != nullptr) {
     SDL_DestroyWindow(window_);
   }
-  if (!display_lost()) {
-    SDL_Quit();
-  }
+  SDL_Quit();
 }
 
 void GlWindow::decide_refresh(double asked_hz) {
@@ -109,7 +126,7 @@ bool GlWindow::wait_for_refresh(bool wait) { return SDL_GL_SetSwapInterval(wait 
 
 void GlWindow::show_cursor(bool visible) { SDL_ShowCursor(visible ? SDL_ENABLE : SDL_DISABLE); }
 
-std::string GlWindow::description() const {
+std::string GlWindow::described() const {
   char text[400];
   std::snprintf(text, sizeof text, "%s, %s, OpenGL %s, %d × %d px, %.2f Hz (%s)",
                 SDL_GetCurrentVideoDriver(), text_of(GL_RENDERER), text_of(GL_VERSION), width_px_,

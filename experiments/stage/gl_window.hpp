@@ -33,12 +33,13 @@ class GlWindow {
   [[nodiscard]] double refresh_hz() const { return refresh_hz_; }
 
   /// "x11, llvmpipe ..., 1280 × 1024 px, 60.00 Hz (reported by the display)".
-  [[nodiscard]] std::string description() const;
+  [[nodiscard]] const std::string& description() const { return description_; }
 
  private:
   void open(const WindowOptions& options);
   void close();
   void decide_refresh(double asked_hz);
+  [[nodiscard]] std::string described() const;
 
   SDL_Window* window_{nullptr};
   SDL_GLContext context_{nullptr};
@@ -46,6 +47,7 @@ class GlWindow {
   int height_px_{0};
   double refresh_hz_{60.0};
   std::string refresh_source_;
+  std::string description_;
 };
 
 }  // namespace impetus

@@ -77,6 +77,15 @@ bool is_ours(const SDL_Event& event) {
   return key == SDLK_TAB || key == SDLK_ESCAPE || key == SDLK_RETURN || key == SDLK_KP_ENTER;
 }
 
+bool is_editing_key(const SDL_Event& event) {
+  if (event.type != SDL_KEYDOWN && event.type != SDL_KEYUP) {
+    return false;
+  }
+  const SDL_Keysym& key = event.key.keysym;
+  const bool writes_text = key.sym >= SDLK_SPACE && key.sym < SDLK_DELETE;
+  return !writes_text || (key.mod & KMOD_CTRL) != 0;
+}
+
 }  // namespace
 
 Gui::Gui(GlWindow& window) : window_(window) {
@@ -119,18 +128,18 @@ void Gui::feed(const SDL_Event& event) {
   }
 }
 
-// ImGui sees only whether a key is down in a frame: a key that was pressed and released since the
-// last one would be lost, so its release waits for the next.
+// ImGui sees only whether a key is down in a frame: one that edits (Backspace, arrows, Ctrl-V) and
+// was pressed and released since the last frame would be lost, so each moves once in a frame.
+// Letters come as text of their own.
 void Gui::pass_events() {
-  std::set<SDL_Scancode> pressed;
+  std::set<SDL_Scancode> moved;
   while (!waiting_.empty()) {
     const SDL_Event& event = waiting_.front();
-    const bool is_key = event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
-    if (is_key && pressed.contains(event.key.keysym.scancode)) {
+    if (is_editing_key(event) && moved.contains(event.key.keysym.scancode)) {
       break;
     }
-    if (event.type == SDL_KEYDOWN) {
-      pressed.insert(event.key.keysym.scancode);
+    if (is_editing_key(event)) {
+      moved.insert(event.key.keysym.scancode);
     }
     ImGui_ImplSDL2_ProcessEvent(&event);
     waiting_.pop_front();

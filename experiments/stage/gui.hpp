@@ -35,6 +35,9 @@ class Gui {
   /// Hands over an event that text fields or buttons may need.
   void feed(const SDL_Event& event);
 
+  /// Whether handed-over events still wait for the next frame.
+  [[nodiscard]] bool input_waits() const { return !waiting_.empty(); }
+
   /// Forgets keys and letters on their way, so that a new screen starts clean.
   void forget_input();
 

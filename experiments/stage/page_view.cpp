@@ -83,10 +83,10 @@ void PageView::draw_scroll_hint() const {
     return;
   }
   const float bottom = gui_.height() - progress_height(gui_);
-  const float height = 1.6F * gui_.fonts().small->FontSize;
+  const float height = 2.0F * gui_.fonts().small->FontSize;
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(0, bottom - height),
                                             ImVec2(gui_.width(), gui_.height()), palette::kPage);
-  ImGui::SetCursorScreenPos(ImVec2(0, bottom - height));
+  ImGui::SetCursorScreenPos(ImVec2(0, bottom - 0.7F * height));
   draw_text("Page Down, Page Up: read on, go back", gui_.fonts().small, palette::kQuietText,
             gui_.width(), Align::kCentre);
 }
@@ -160,7 +160,14 @@ std::optional<std::size_t> PageView::focused_choice() const {
                                              : std::nullopt;
 }
 
+void PageView::settle() {
+  do {
+    measure();
+  } while (gui_.input_waits());
+}
+
 bool PageView::may_leave_by(std::size_t choice) {
+  settle();
   if (page_.choices[choice].key == "escape") {
     return true;
   }

@@ -34,7 +34,8 @@ class PageView {
   /// Moves a page that is longer than the window; `pages` > 0 goes down.
   void scroll(float pages);
 
-  /// Whether the page may be left by this choice; otherwise the fields say what they expect.
+  /// Whether the page may be left by this choice; otherwise the fields say what they expect. What
+  /// was typed just before has reached the fields.
   bool may_leave_by(std::size_t choice);
 
   /// One answer per field.
@@ -45,6 +46,7 @@ class PageView {
 
  private:
   float measure();
+  void settle();
   void draw_fields();
   void draw_scroll_hint() const;
   void move_focus(bool back);

@@ -71,7 +71,7 @@ class TimelineDrawing {
   void label(const TimelineMark& mark) {
     const float width = width_of(mark.label.c_str());
     const float at = x(mark.begin_s);
-    const float wanted = mark.kind == TimelineMark::Kind::kHold ? at + 4.0F : at - width + 1.0F;
+    const float wanted = mark.kind == TimelineMark::Kind::kHold ? at + 4.0F : at - width - 4.0F;
     const float left = std::round(std::max(wanted, frame_.origin.x));
     const bool outside = left + width > frame_.origin.x + frame_.width_px + 2.0F;
     if (mark.label.empty() || left < labelled_until_ || outside) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "experiments/stage/canvas.hpp"
+#include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/replay_playback.hpp"
 #include "experiments/stage/replay_timeline.hpp"
@@ -173,7 +174,9 @@ class ReplayScreen {
 }  // namespace
 
 ViewerExit view_replay(Window& window, const ReplayView& replay) {
-  return ReplayScreen(window.canvas(), replay).run();
+  ViewerExit exit = ViewerExit::kClosed;
+  while_display_lasts([&] { exit = ReplayScreen(window.canvas(), replay).run(); });
+  return exit;
 }
 
 }  // namespace impetus

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/stage/canvas.hpp"
+#include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/form_field.hpp"
 #include "experiments/stage/key_names.hpp"
 #include "experiments/stage/page_layout.hpp"
@@ -184,7 +185,9 @@ class SetupScreen {
 }  // namespace
 
 std::optional<ScreenGeometry> ask_screen_geometry(Window& window, const ScreenGeometry& initial) {
-  return SetupScreen(window.canvas(), initial).run();
+  std::optional<ScreenGeometry> geometry;
+  while_display_lasts([&] { geometry = SetupScreen(window.canvas(), initial).run(); });
+  return geometry;
 }
 
 }  // namespace impetus

@@ -2,6 +2,7 @@
 #include "experiments/stage/window.hpp"
 
 #include "experiments/stage/canvas.hpp"
+#include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/page_turn.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/progress_bar.hpp"
@@ -11,9 +12,15 @@ namespace impetus {
 Window::Window(const WindowOptions& options, const Clock& clock)
     : canvas_(std::make_unique<Canvas>(options, clock)) {
   set_geometry({});
+  while_display_lasts([this] { warm_up(); });
 }
 
-Window::~Window() = default;
+Window::~Window() {
+  if (display_lost()) {
+    // Closing would call into libraries whose locks the loss left held.
+    static_cast<void>(canvas_.release());
+  }
+}
 
 double Window::refresh_hz() const { return canvas_->window.refresh_hz(); }
 const ScreenGeometry& Window::geometry() const { return geometry_; }
@@ -31,21 +38,50 @@ void Window::set_geometry(const ScreenGeometry& geometry) {
   }
 }
 
-Flip Window::show(const Picture& picture) {
+// Drivers finish compiling shaders when they are first used: not in front of a participant.
+void Window::warm_up() {
+  Picture picture;
+  picture.fixation_cross = true;
+  picture.viewer = viewer_at({0.4, 0.3, width_px(), height_px(), 0.6}, 0.0);
+  picture.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}}});
+  picture.progress = {1, 2, "0123456789"};
   canvas_->window.show_cursor(false);
-  canvas_->painter.paint(picture, canvas_->whole());
-  canvas_->gui.begin();
-  draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
-  canvas_->gui.end();
-  const Flip flip = canvas_->pacer.flip();
+  constexpr int kFrames = 3;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    canvas_->painter.paint(picture, canvas_->whole());
+    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
+    canvas_->gui.begin();
+    draw_progress(canvas_->gui, picture.progress, Ground::kPage);
+    canvas_->gui.end();
+    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
+    static_cast<void>(canvas_->pacer.flip());
+  }
   canvas_->events.discard();
+}
+
+Flip Window::show(const Picture& picture) {
+  Flip flip;
+  while_display_lasts([&] {
+    canvas_->window.show_cursor(false);
+    canvas_->painter.paint(picture, canvas_->whole());
+    canvas_->gui.begin();
+    draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
+    canvas_->gui.end();
+    flip = canvas_->pacer.flip();
+    canvas_->events.discard();
+  });
   return flip;
 }
 
-Answer Window::ask(const Page& page) { return PageTurn(*canvas_, page).ask(); }
+Answer Window::ask(const Page& page) {
+  Answer answer;
+  answer.interruption = Interruption::kDisplayClosed;
+  while_display_lasts([&] { answer = PageTurn(*canvas_, page).ask(); });
+  return answer;
+}
 
 void Window::show_page_for(const Page& page, double seconds, std::size_t highlighted_choice) {
-  PageTurn(*canvas_, page).show_for(seconds, highlighted_choice);
+  while_display_lasts([&] { PageTurn(*canvas_, page).show_for(seconds, highlighted_choice); });
 }
 
 Interruption Window::interruption() {
@@ -56,9 +92,13 @@ Interruption Window::interruption() {
 }
 
 SyncTest Window::sync_test() {
-  canvas_->window.show_cursor(false);
-  return canvas_->pacer.sync_test(
-      [this] { canvas_->painter.fill(canvas_->whole(), palette::kPictureGrey); });
+  SyncTest test;
+  while_display_lasts([&] {
+    canvas_->window.show_cursor(false);
+    test = canvas_->pacer.sync_test(
+        [this] { canvas_->painter.fill(canvas_->whole(), palette::kPictureGrey); });
+  });
+  return test;
 }
 
 std::string Window::description() const {

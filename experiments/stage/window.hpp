@@ -39,6 +39,7 @@ class Window final : public Display, public Input {
   [[nodiscard]] double refresh_hz() const override;
   [[nodiscard]] const ScreenGeometry& geometry() const override;
   void restart_grid() override;
+  /// All zero when the display is lost: nothing was flipped.
   Flip show(const Picture& picture) override;
 
   Answer ask(const Page& page) override;
@@ -64,6 +65,8 @@ class Window final : public Display, public Input {
   [[nodiscard]] Canvas& canvas() { return *canvas_; }
 
  private:
+  void warm_up();
+
   std::unique_ptr<Canvas> canvas_;
   ScreenGeometry geometry_;
 };

@@ -25,18 +25,26 @@ std::int64_t pragma(SQLite::Database& database, const std::string& name) {
   return database.execAndGet("PRAGMA " + name).getInt64();
 }
 
-/// Refuses what is not a study of this version. The first read also tells whether it is SQLite.
-void require_study(SQLite::Database& database, const std::string& name) {
-  std::int64_t application = 0;
+/// Nothing in it yet: new, or left by a process that was killed before the schema was committed.
+/// The first read also tells whether it is SQLite.
+bool is_empty(SQLite::Database& database, const std::string& name) {
   try {
-    application = pragma(database, "application_id");
+    return pragma(database, "application_id") == 0 &&
+           database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
   } catch (const SQLite::Exception& error) {
     if (error.getErrorCode() == SQLITE_NOTADB) {
       throw InputError(name + ": expected an Impetus study, got a file that is no SQLite database");
     }
     throw InputError(name + ": expected an Impetus study that can be read: " + error.what());
   }
-  if (application != kApplicationId) {
+}
+
+/// Refuses what is not a study of this version.
+void require_study(SQLite::Database& database, const std::string& name) {
+  if (is_empty(database, name)) {
+    throw InputError(name + ": expected an Impetus study, got an empty file");
+  }
+  if (pragma(database, "application_id") != kApplicationId) {
     throw InputError(name + ": expected an Impetus study, got a database of another program");
   }
   const std::int64_t version = pragma(database, "user_version");
@@ -61,8 +69,8 @@ void create_schema(SQLite::Database& database, const std::string& build) {
 int take_lock(const std::string& name) {
   const int file = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) {
-    throw InputError(name + ": expected a file that can be written, but it cannot be: " +
-                     std::strerror(errno));
+    throw InputError(
+        name + ": expected a file that can be written, but it cannot be: " + std::strerror(errno));
   }
   if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
     ::close(file);
@@ -71,16 +79,28 @@ int take_lock(const std::string& name) {
   return file;
 }
 
+/// While a session runs the log stands beside the study.
+void require_writable_folder(const std::filesystem::path& path, const std::string& name) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw InputError(name +
+                     ": expected a folder that can be written, for the study's log beside it, but "
+                     "it cannot be: " +
+                     std::strerror(errno));
+  }
+}
+
 }  // namespace
 
 StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const std::string& build) {
   StudyFile study;
   study.name_ = path.string();
   study.lock_ = take_lock(study.name_);
+  require_writable_folder(path, study.name_);
   try {
-    const bool fresh = std::filesystem::file_size(path) == 0;
     study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READWRITE);
     study.database_->setBusyTimeout(2000);
+    const bool fresh = is_empty(*study.database_, study.name_);
     if (!fresh) {
       require_study(*study.database_, study.name_);
     }
@@ -107,8 +127,7 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
     study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READONLY);
     study.database_->setBusyTimeout(2000);
   } catch (const SQLite::Exception& error) {
-    throw InputError(study.name_ + ": expected an Impetus study that can be read: " +
-                     error.what());
+    throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }
   require_study(*study.database_, study.name_);
   return study;
@@ -122,7 +141,8 @@ StudyFile::StudyFile(StudyFile&& other) noexcept
 
 StudyFile::~StudyFile() {
   if (database_ && writing_) {
-    // Back to one file. A failure here loses nothing: the log stays beside it and is read next time.
+    // Back to one file. A failure here loses nothing: the log stays beside it and is read next
+    // time.
     database_->tryExec("PRAGMA journal_mode = DELETE");
   }
   database_.reset();

@@ -15,7 +15,7 @@ test_that("a single value has a mean and no limits", {
   expect_equal(t_interval(2), c(mean = 2, low = NA, high = NA))
 })
 
-test_that("a Cousineau–Morey interval removes participants' levels and is widened by sqrt(J/(J-1))", {
+test_that("a Cousineau–Morey interval takes out participants' means and widens by sqrt(J/(J-1))", {
   # Participants (1, 2), (2, 4), (3, 3): own means out, grand mean 2.5 in: columns (2, 1.5, 2.5)
   # and (3, 3.5, 2.5), s = .5 each; half = 4.302653 * sqrt(2) * .5 / sqrt(3) = 1.756552
   means <- matrix(c(1, 2, 3, 2, 4, 3), 3, dimnames = list(NULL, c("0", "100")))

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/observers/causality_observer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "experiments/protocol/observer_file.hpp"
+#include "tests/experiments/fakes.hpp"
+
+namespace impetus {
+namespace {
+
+CausalityParameters shipped() {
+  return load_observer(source_file("experiments/observers/causality.json").string(), "x").parameters;
+}
+
+double mean_rating(const CausalityObserver& observer, double delay_ms) {
+  const auto p = observer.rating_probabilities(delay_ms);
+  return p[0] + 2.0 * p[1] + 3.0 * p[2];
+}
+
+TEST(CausalityObserver, ProbabilitiesAddUpToOne) {
+  VirtualClock clock;
+  const CausalityObserver observer(shipped(), 1, "S01", clock);
+  for (double delay_ms = 0.0; delay_ms <= 1000.0; delay_ms += 50.0) {
+    const auto p = observer.rating_probabilities(delay_ms);
+    EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1.0, 1e-12);
+  }
+}
+
+// Without spread between participants the model is a closed formula, here written out again.
+TEST(CausalityObserver, IsTheStatedModel) {
+  CausalityParameters parameters = shipped();
+  parameters.threshold_sd_ms = 0.0;
+  parameters.intercept_sd = 0.0;
+  VirtualClock clock;
+  const CausalityObserver observer(parameters, 1, "S01", clock);
+  // η = −2.2 + 4.5 Φ((110 − 110)/45) = 0.05; P(1) = .98 / (1 + e^(1.05)) + .02/3
+  EXPECT_NEAR(observer.rating_probabilities(110.0)[0], 0.98 / (1.0 + std::exp(1.05)) + 0.02 / 3.0,
+              1e-12);
+}
+
+TEST(CausalityObserver, MeanRatingsComeNearTheThesis) {
+  VirtualClock clock;
+  constexpr int kParticipants = 400;
+  double mean[3] = {};
+  for (int i = 0; i < kParticipants; ++i) {
+    const CausalityObserver observer(shipped(), 1, "S" + std::to_string(i), clock);
+    for (int d = 0; d < 3; ++d) {
+      const double delay_ms[] = {0.0, 100.0, 300.0};
+      mean[d] += mean_rating(observer, delay_ms[d]) / kParticipants;
+    }
+  }
+  // 1.3, 1.9 and 2.7 are stated to one digit as "about".
+  EXPECT_NEAR(mean[0], 1.3, 0.1);
+  EXPECT_NEAR(mean[1], 1.9, 0.1);
+  EXPECT_NEAR(mean[2], 2.7, 0.1);
+}
+
+TEST(CausalityObserver, AnswersFollowFromSeedAndPseudonym) {
+  const auto ratings = [](std::uint64_t seed, const std::string& name) {
+    VirtualClock clock;
+    CausalityObserver observer(shipped(), seed, name, clock);
+    Page page;
+    page.layout = Page::Layout::kScale;
+    std::string text;
+    for (int i = 0; i < 60; ++i) {
+      text += std::to_string(observer.ask(page).choice);
+    }
+    return text;
+  };
+  EXPECT_EQ(ratings(1, "S01"), ratings(1, "S01"));
+  EXPECT_NE(ratings(1, "S01"), ratings(2, "S01"));
+  EXPECT_NE(ratings(1, "S01"), ratings(1, "S02"));
+}
+
+TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
+  VirtualClock clock;
+  CausalityParameters parameters = shipped();
+  parameters.lapse_rate = 0.0;
+  parameters.delay_effect = 1e3;  // certain to rate 3 when the freeze is seen, 1 when it is not
+  parameters.baseline = -500.0;
+  CausalityObserver observer(parameters, 1, "S01", clock);
+  Page page;
+  page.layout = Page::Layout::kScale;
+  AttemptRecord shown;
+  shown.collisions.resize(1);
+  observer.witnessed(shown);
+  EXPECT_EQ(observer.ask(page).choice, 0U);
+  shown.collisions[0].report.imposed_hold_s = 1.0;
+  observer.witnessed(shown);
+  EXPECT_EQ(observer.ask(page).choice, 2U);
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,107 @@
+// Replay of the golden recording: a study file that was made once and must replay for ever.
+// SPDX-License-Identifier: MIT
+#include "experiments/session/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <filesystem>
+
+#include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/study_reader.hpp"
+#include "tests/experiments/fakes.hpp"
+
+namespace impetus {
+namespace {
+
+/// A golden study with one of its trials made ready to simulate.
+struct Golden {
+  StudyFile study{StudyFile::open_for_reading(source_file("tests/recordings/causality.sqlite"))};
+  std::vector<StoredAttempt> attempts{load_attempts(study)};
+  ProtocolTexts texts{load_protocol_texts(study, attempts.front().protocol_id)};
+  Protocol protocol{make_protocol(parse_json("golden protocol", texts.protocol_json),
+                                  parse_json("golden scene", texts.scene_json))};
+  ProtocolScenes scenes{protocol, 0.0};
+
+  [[nodiscard]] StagedScene stage(const StoredAttempt& attempt) const {
+    const auto condition = nlohmann::json::parse(attempt.trial.condition);
+    return scenes.stage(condition_from_json(condition, protocol.design), attempt.screen);
+  }
+  [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt) {
+    return load_steps(study.database(), attempt.id);
+  }
+};
+
+/// What a failed replay says: it has to name trial, step, body and field.
+std::string words(const StoredAttempt& attempt, const ReplayResult& result) {
+  if (!result.divergence) {
+    return "";
+  }
+  return "trial " + std::to_string(attempt.trial_id) + ", step " +
+         std::to_string(result.divergence->step) + ", body " + result.divergence->body + ", " +
+         result.divergence->field;
+}
+
+TEST(GoldenRecording, EveryCellOfTheDesignReplaysBitForBit) {
+  Golden golden;
+  ASSERT_EQ(golden.attempts.size(), 33U);  // 6 of practice, 27 cells
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_GE(result.steps, 480);
+    EXPECT_EQ(words(attempt, result), "");
+  }
+}
+
+TEST(GoldenRecording, OneBitOfAnInitialVelocityIsCaughtAndNamed) {
+  Golden golden;
+  const StoredAttempt& attempt = golden.attempts[7];
+  StagedScene scene = golden.stage(attempt);
+  double& momentum = scene.world.mutable_states()[1].linear_momentum.x();
+  momentum = std::bit_cast<double>(std::bit_cast<std::uint64_t>(momentum) ^ 1U);
+  const ReplayResult result = replay(std::move(scene), golden.steps(attempt));
+  EXPECT_EQ(words(attempt, result), "trial 8, step 0, body right, linear momentum");
+}
+
+// 64-bit hashes and 16-bit digests: a changed bit in any field of any body has to be named right.
+TEST(GoldenRecording, OneBitInAnyFieldAtTheStartIsNamed) {
+  Golden golden;
+  const StoredAttempt& attempt = golden.attempts[0];
+  const std::vector<StepRecord> steps = golden.steps(attempt);
+  const auto flip = [](double& value) {
+    value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) ^ 1U);
+  };
+  const std::string names[] = {"position", "orientation", "linear momentum", "angular momentum"};
+  for (int field = 0; field < 4; ++field) {
+    StagedScene scene = golden.stage(attempt);
+    BodyState& left = scene.world.mutable_states()[0];
+    double* values[] = {&left.pose.position.y(), &left.pose.orientation.x(),
+                        &left.linear_momentum.z(), &left.angular_momentum.y()};
+    flip(*values[field]);
+    const ReplayResult result = replay(std::move(scene), steps);
+    ASSERT_TRUE(result.divergence);
+    EXPECT_EQ(result.divergence->body, "left");
+    EXPECT_EQ(result.divergence->field, names[field]);
+    EXPECT_EQ(result.divergence->step, 0);
+  }
+}
+
+TEST(GoldenRecording, TheFloorIsWorkedWhateverWasGranted) {
+  // Two single spheres need one test, which is the floor: no grant can change the outcome.
+  Golden golden;
+  std::vector<StepRecord> steps = golden.steps(golden.attempts[0]);
+  for (StepRecord& step : steps) {
+    step.work_granted = 0;
+  }
+  EXPECT_FALSE(replay(golden.stage(golden.attempts[0]), steps).divergence);
+}
+
+TEST(GoldenRecording, KeepsEveryStateForTheViewer) {
+  Golden golden;
+  const std::vector<StepRecord> steps = golden.steps(golden.attempts[0]);
+  const ReplayResult result = replay(golden.stage(golden.attempts[0]), steps, true);
+  EXPECT_EQ(result.states.size(), steps.size());
+  EXPECT_EQ(hash_state(result.states.back()).hash, steps.back().state.hash);
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/experiments/fakes.hpp"
+
+namespace impetus {
+namespace {
+
+SessionResult run(TestLab& lab, const Plan& plan, const SessionHistory& history = {}) {
+  return run_session(lab.protocol.script, plan, history, lab.ports());
+}
+
+bool showed(const TestLab& lab, const std::string& title) {
+  return std::find(lab.input.titles.begin(), lab.input.titles.end(), title) !=
+         lab.input.titles.end();
+}
+
+TEST(Session, GoesFromWelcomeToThanksInOrder) {
+  TestLab lab;
+  const Plan plan = short_plan(lab.protocol, 2);
+  EXPECT_EQ(run(lab, plan).ending, SessionEnding::kFinished);
+  const std::string question = lab.protocol.script.scale.question;
+  const std::vector<std::string> expected{
+      "Welcome",        "Your consent", "About you",      "What you will see", "What you will do",
+      "Practice",       question,       "You answered 1", question,            "You answered 1",
+      "Practice is over", "Ready?",     question,         question,            "One question",
+      "Thank you!"};
+  EXPECT_EQ(lab.input.titles, expected);
+  EXPECT_TRUE(lab.recorder.finished);
+  EXPECT_EQ(lab.recorder.attempts.size(), 4U);
+}
+
+TEST(Session, ABreakComesAfterEvery27MainTrialsButNotAtTheEnd) {
+  TestLab lab;
+  const Plan plan = make_plan(lab.protocol.design, {"causality", "P01", 1});
+  run(lab, plan);
+  EXPECT_EQ(std::count(lab.input.titles.begin(), lab.input.titles.end(), "Time for a break"), 2);
+}
+
+TEST(Session, WithoutConsentNothingIsShown) {
+  TestLab lab;
+  lab.input.on_page = [](const Page& page) {
+    Answer answer;
+    answer.choice = page.title == "Your consent" ? 1 : 0;
+    return answer;
+  };
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kDeclined);
+  EXPECT_TRUE(lab.recorder.attempts.empty());
+  EXPECT_EQ(lab.recorder.answers.front().answer, "declined");
+  EXPECT_FALSE(lab.recorder.finished);
+}
+
+TEST(Session, ATrialIsSavedBeforeTheNextIsShown) {
+  TestLab lab;
+  run(lab, short_plan(lab.protocol, 3));
+  // One await before each of the five stimuli, with all attempts before it handed over; then the
+  // awaits of the end.
+  ASSERT_GE(lab.recorder.awaited.size(), 5U);
+  for (std::size_t trial = 0; trial < 5; ++trial) {
+    EXPECT_EQ(lab.recorder.awaited[trial], trial);
+  }
+}
+
+TEST(Session, APausedTrialIsShownAgainAsTheNextAttempt) {
+  TestLab lab;
+  lab.input.on_frame = [](std::int64_t frame) {
+    return frame == 100 ? Interruption::kPauseRequested : Interruption::kNone;
+  };
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kFinished);
+  ASSERT_EQ(lab.recorder.attempts.size(), 4U);
+  EXPECT_EQ(lab.recorder.attempts[0].outcome, AttemptOutcome::kInterrupted);
+  EXPECT_TRUE(lab.recorder.attempts[0].ratings.empty());
+  EXPECT_EQ(lab.recorder.attempts[1].slot, lab.recorder.attempts[0].slot);
+  EXPECT_EQ(lab.recorder.attempts[1].number, 2);
+  EXPECT_TRUE(showed(lab, "Pause"));
+}
+
+TEST(Session, QuittingAsksFirstAndNoGoesBack) {
+  TestLab lab;
+  lab.input.on_frame = [](std::int64_t frame) {
+    return frame == 100 ? Interruption::kPauseRequested : Interruption::kNone;
+  };
+  int pauses = 0;
+  lab.input.on_page = [&](const Page& page) {
+    Answer answer;
+    if (page.title == "Pause") {
+      answer.choice = ++pauses == 1 ? 1 : 0;  // quit, then continue
+    } else if (page.title == "Quit the session?") {
+      answer.choice = 1;  // no, go back
+    }
+    return answer;
+  };
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kFinished);
+  EXPECT_EQ(pauses, 2);
+}
+
+TEST(Session, QuitThenResumeContinuesAtTheNextTrialInThePlannedOrder) {
+  const Plan plan = short_plan(causality(), 5);
+  TestLab first;
+  int ratings = 0;
+  first.input.on_page = [&](const Page& page) {
+    Answer answer;
+    if (page.layout == Page::Layout::kScale && ++ratings == 5) {
+      answer.interruption = Interruption::kPauseRequested;
+    }
+    answer.choice = page.title == "Pause" ? 1 : 0;
+    return answer;
+  };
+  const SessionResult quit = run(first, plan);
+  EXPECT_EQ(quit.ending, SessionEnding::kQuit);
+  EXPECT_EQ(quit.completed_trials, 4);
+
+  SessionHistory history;
+  history.resumed = true;
+  for (const AttemptRecord& attempt : first.recorder.attempts) {
+    history.attempts[attempt.slot] = attempt.number;
+    if (attempt.outcome == AttemptOutcome::kCompleted) {
+      history.completed_slots.insert(attempt.slot);
+    }
+  }
+  for (const QuestionRecord& answer : first.recorder.answers) {
+    history.answered.insert(answer.id);
+  }
+  TestLab second;
+  EXPECT_EQ(run(second, plan, history).ending, SessionEnding::kFinished);
+  EXPECT_TRUE(showed(second, "Welcome back"));
+  EXPECT_FALSE(showed(second, "Your consent"));
+  EXPECT_FALSE(showed(second, "About you"));
+  EXPECT_TRUE(showed(second, "What you will do"));
+  ASSERT_EQ(second.recorder.attempts.size(), 3U);
+  EXPECT_EQ(second.recorder.attempts[0].slot, 5);
+  EXPECT_EQ(second.recorder.attempts[0].number, 2);
+  EXPECT_EQ(second.recorder.attempts[2].slot, 7);
+}
+
+TEST(Session, AClosedDisplayEndsItWithTheAttemptKept) {
+  TestLab lab;
+  lab.input.on_frame = [](std::int64_t frame) {
+    return frame >= 100 ? Interruption::kDisplayClosed : Interruption::kNone;
+  };
+  const SessionResult result = run(lab, short_plan(lab.protocol, 1));
+  EXPECT_EQ(result.ending, SessionEnding::kDisplayClosed);
+  ASSERT_EQ(lab.recorder.attempts.size(), 1U);
+  EXPECT_EQ(lab.recorder.notes.back().kind, "display closed");
+}
+
+TEST(Session, ProgressIsVisibleOnEveryPictureAndPage) {
+  TestLab lab;
+  lab.input.on_page = [](const Page& page) {
+    EXPECT_GT(page.progress.total, 0) << page.title;
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  for (const Picture& picture : lab.display.pictures) {
+    ASSERT_FALSE(picture.progress.label.empty());
+  }
+  EXPECT_EQ(lab.display.pictures.front().progress.label, "Practice 1 of 2");
+  EXPECT_EQ(lab.display.pictures.back().progress.label, "Trial 1 of 1");
+}
+
+TEST(Session, PracticeFeedbackTellsTheUseOfTheScale) {
+  TestLab lab;
+  std::vector<Page> pages;
+  lab.input.on_page = [&](const Page& page) {
+    pages.push_back(page);
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  const auto summary = std::find_if(pages.begin(), pages.end(), [](const Page& page) {
+    return page.title == "Practice is over";
+  });
+  ASSERT_NE(summary, pages.end());
+  EXPECT_EQ(summary->paragraphs,
+            (std::vector<std::string>{"1 (“very believable”): 2 times",
+                                      "2 (between “very believable” and “very unbelievable”): "
+                                      "not used",
+                                      "3 (“very unbelievable”): not used",
+                                      "You used one point only. The whole scale is there for you."}));
+}
+
+}  // namespace
+}  // namespace impetus
