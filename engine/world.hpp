@@ -42,9 +42,9 @@ struct StepInput {
 
 /// What kept a step from being what it should, as bits.
 enum Degradation : std::uint32_t {
-  kFloorOverBudget = 1,   ///< the coarsest level of every pair cost more than was granted
-  kApproachRemains = 2,   ///< the response ran out of passes and left bodies approaching
-  kNotFinite = 4,         ///< a state is not a finite number
+  kFloorOverBudget = 1,  ///< the coarsest level of every pair cost more than was granted
+  kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
+  kNotFinite = 4,        ///< a state is not a finite number
 };
 
 /// One pair of bodies that is in contact at the end of the step.
@@ -53,9 +53,9 @@ struct CollisionReport {
   int level{0};                          ///< last complete level of refinement
   StopReason stop{StopReason::kFinest};  ///< why it went no deeper
   Contact contact;
-  bool began{false};          ///< the pair was apart in the step before
-  double approach_m_s{0.0};   ///< speed of approach along the normal, before the response
-  double impulse_Ns{0.0};     ///< along the normal
+  bool began{false};           ///< the pair was apart in the step before
+  double approach_m_s{0.0};    ///< speed of approach along the normal, before the response
+  double impulse_Ns{0.0};      ///< along the normal
   double imposed_hold_s{0.0};  ///< the hold that this contact started
 };
 

@@ -1,4 +1,5 @@
-// Interruptible refinement of one pair of volume trees: stop whenever you like, keep a valid answer.
+// Interruptible refinement of one pair of volume trees: stop whenever you like, keep a valid
+// answer.
 //
 //   frontier of this level --block--> overlap tests --> frontier of the next level
 //                                                       (committed when complete)

@@ -16,8 +16,8 @@ namespace impetus {
 /// Constant through a trial. An inverse mass of zero means that nothing moves the body.
 struct BodyModel {
   std::string name;
-  std::shared_ptr<const VolumeTree> tree;  ///< in the body's frame, from the centre of mass
-  double inverse_mass{0.0};                ///< 1/kg
+  std::shared_ptr<const VolumeTree> tree;    ///< in the body's frame, from the centre of mass
+  double inverse_mass{0.0};                  ///< 1/kg
   Matrix3 inverse_inertia{Matrix3::Zero()};  ///< 1/(kg m²), body frame
 };
 

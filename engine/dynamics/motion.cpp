@@ -23,8 +23,8 @@ Quaternion rotated(const BodyModel& model, const BodyState& state, double dt_s) 
   Quaternion end = start;
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     const Matrix3 rotation = middle.toRotationMatrix();
-    const Vector3 spin = rotation * (model.inverse_inertia *
-                                     Vector3(rotation.transpose() * state.angular_momentum));
+    const Vector3 spin =
+        rotation * (model.inverse_inertia * Vector3(rotation.transpose() * state.angular_momentum));
     end = (cayley(spin * dt_s) * start).normalized();
     middle = sum_normalised(start, end);
   }

@@ -31,8 +31,8 @@ MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3) {
     const Vector3 sum = a + b + c;
     six_volumes += determinant;
     first += determinant * sum;
-    second += determinant * (a * a.transpose() + b * b.transpose() + c * c.transpose() +
-                             sum * sum.transpose());
+    second += determinant *
+              (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
   MassProperties result;
   result.volume_m3 = six_volumes / 6.0;

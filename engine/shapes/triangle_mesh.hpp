@@ -18,11 +18,11 @@ struct TriangleMesh {
 
 /// What keeps a mesh from being a solid: all zero for a closed, consistently oriented surface.
 struct MeshDefects {
-  std::int64_t open_edges{0};          ///< edges with one triangle
-  std::int64_t misoriented_edges{0};   ///< edges that two triangles run along the same way
-  std::int64_t crowded_edges{0};       ///< edges with more than two triangles
+  std::int64_t open_edges{0};            ///< edges with one triangle
+  std::int64_t misoriented_edges{0};     ///< edges that two triangles run along the same way
+  std::int64_t crowded_edges{0};         ///< edges with more than two triangles
   std::int64_t degenerate_triangles{0};  ///< a repeated vertex or no area
-  std::int64_t bad_vertices{0};        ///< not finite
+  std::int64_t bad_vertices{0};          ///< not finite
 
   [[nodiscard]] bool none() const {
     return open_edges == 0 && misoriented_edges == 0 && crowded_edges == 0 &&

@@ -32,9 +32,7 @@ class VolumeTree {
   [[nodiscard]] const VolumeNode& node(std::int32_t index) const {
     return nodes_[static_cast<std::size_t>(index)];
   }
-  [[nodiscard]] std::int32_t node_count() const {
-    return static_cast<std::int32_t>(nodes_.size());
-  }
+  [[nodiscard]] std::int32_t node_count() const { return static_cast<std::int32_t>(nodes_.size()); }
   [[nodiscard]] int level_count() const { return static_cast<int>(level_starts_.size()); }
 
   /// Radius about the centre of mass that bounds the whole object (metres).

@@ -120,7 +120,8 @@ void add_check(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Validate protocols and print their designs");
   command->add_option("files", options->files, "Protocol files")->required();
-  command->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
+  command
+      ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()
       ->check(CLI::Range(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,

@@ -36,8 +36,8 @@ std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attemp
   using Kind = TimelineMark::Kind;
   std::vector<TimelineMark> marks{{Kind::kContact, scene.contact_s, scene.contact_s, "contact"}};
   if (scene.realised_hold_s > 0.0) {
-    marks.push_back({Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s,
-                     "imposed hold"});
+    marks.push_back(
+        {Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s, "imposed hold"});
   }
   if (attempt.rating) {
     const double at_s = static_cast<double>(attempt.answered_ns - attempt.onset_ns) / 1e9;

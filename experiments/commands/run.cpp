@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,6 +20,9 @@
 
 namespace impetus {
 namespace {
+
+/// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
+constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 struct RunOptions {
   std::string protocol;
@@ -232,7 +237,7 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--participant", options->participant,
                       "Code of the participant; the same code resumes");
   command->add_option("--seed", options->seed, "Seed of the order (default 1)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(std::uint64_t{0}, kLargestSeed));
   command->add_option("--observer", options->observer,
                       "A simulated participant: its name or file; headless unless --show");
   command

@@ -49,8 +49,8 @@ int screen(const ScreenOptions& options) {
     geometry.height_m = options.height_cm / 100.0;
     geometry.viewing_distance_m = options.distance_cm / 100.0;
   } else {
-    geometry = ask_in_window(
-        std::filesystem::exists(file) ? load_screen(file) : assumed_screen(), options);
+    geometry = ask_in_window(std::filesystem::exists(file) ? load_screen(file) : assumed_screen(),
+                             options);
   }
   save_screen(geometry, file);
   std::printf("%.2f cm x %.2f cm seen from %.1f cm, saved in %s\n", geometry.width_m * 100.0,

@@ -14,7 +14,8 @@ WindowOptions window_options(const std::string& size) {
   }
   options.fullscreen = false;
   char rest = '\0';
-  const int read = std::sscanf(size.c_str(), "%dx%d%c", &options.width_px, &options.height_px, &rest);
+  const int read =
+      std::sscanf(size.c_str(), "%dx%d%c", &options.width_px, &options.height_px, &rest);
   if (read != 2 || options.width_px < 640 || options.height_px < 480) {
     throw InputError("--window " + size + ": expected WIDTHxHEIGHT of at least 640x480 pixels");
   }

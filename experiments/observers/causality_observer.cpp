@@ -35,14 +35,12 @@ double CausalityObserver::normal() {
 void CausalityObserver::witnessed(const AttemptRecord& shown) {
   witnessed_delay_ms_ = 0.0;
   for (const CollisionRecord& collision : shown.collisions) {
-    witnessed_delay_ms_ =
-        std::max(witnessed_delay_ms_, 1e3 * collision.report.imposed_hold_s);
+    witnessed_delay_ms_ = std::max(witnessed_delay_ms_, 1e3 * collision.report.imposed_hold_s);
   }
 }
 
 std::array<double, 3> CausalityObserver::rating_probabilities(double delay_ms) const {
-  const double seen =
-      normal_cdf((delay_ms - threshold_ms_) / parameters_.threshold_width_ms);
+  const double seen = normal_cdf((delay_ms - threshold_ms_) / parameters_.threshold_width_ms);
   const double disbelief = parameters_.baseline + parameters_.delay_effect * seen + intercept_;
   const double at_most_1 = logistic(parameters_.cuts[0] - disbelief);
   const double at_most_2 = logistic(parameters_.cuts[1] - disbelief);
@@ -62,7 +60,9 @@ Answer CausalityObserver::ask(const Page& page) {
   if (page.layout == Page::Layout::kScale) {
     const auto probabilities = rating_probabilities(witnessed_delay_ms_);
     const double draw = stream_.uniform();
-    answer.choice = draw < probabilities[0] ? 0 : draw < probabilities[0] + probabilities[1] ? 1 : 2;
+    answer.choice = draw < probabilities[0]                      ? 0
+                    : draw < probabilities[0] + probabilities[1] ? 1
+                                                                 : 2;
     reaction_ms *= std::exp(parameters_.reaction_sigma_log * normal());
   }
   clock_->advance_by(std::llround(reaction_ms * 1e6));

@@ -19,13 +19,13 @@
 namespace impetus {
 
 struct CausalityParameters {
-  double baseline{0.0};             ///< logits
-  double delay_effect{0.0};         ///< logits, at an endless delay
-  double threshold_mean_ms{0.0};    ///< μ over participants
+  double baseline{0.0};           ///< logits
+  double delay_effect{0.0};       ///< logits, at an endless delay
+  double threshold_mean_ms{0.0};  ///< μ over participants
   double threshold_sd_ms{0.0};
-  double threshold_width_ms{1.0};   ///< σ of the psychometric function
-  double intercept_sd{0.0};         ///< of u over participants, logits
-  std::array<double, 2> cuts{};     ///< between ratings 1|2 and 2|3, logits
+  double threshold_width_ms{1.0};  ///< σ of the psychometric function
+  double intercept_sd{0.0};        ///< of u over participants, logits
+  std::array<double, 2> cuts{};    ///< between ratings 1|2 and 2|3, logits
   double lapse_rate{0.0};
   double reaction_median_ms{500.0};
   double reaction_sigma_log{0.25};  ///< lognormal

@@ -16,24 +16,30 @@ struct ParameterName {
 };
 
 constexpr double kAny = -1e9;
-constexpr ParameterName kParameters[] = {
-    {"baseline", kAny},          {"delay_effect", kAny},       {"threshold_mean_ms", kAny},
-    {"threshold_sd_ms", 0.0},    {"threshold_width_ms", 1e-3}, {"intercept_sd", 0.0},
-    {"cut_1_2", kAny},           {"cut_2_3", kAny},            {"lapse_rate", 0.0},
-    {"reaction_median_ms", 1.0}, {"reaction_sigma_log", 0.0}};
+constexpr ParameterName kParameters[] = {{"baseline", kAny},
+                                         {"delay_effect", kAny},
+                                         {"threshold_mean_ms", kAny},
+                                         {"threshold_sd_ms", 0.0},
+                                         {"threshold_width_ms", 1e-3},
+                                         {"intercept_sd", 0.0},
+                                         {"cut_1_2", kAny},
+                                         {"cut_2_3", kAny},
+                                         {"lapse_rate", 0.0},
+                                         {"reaction_median_ms", 1.0},
+                                         {"reaction_sigma_log", 0.0}};
 
 json observer_schema() {
   json parameters{{"type", "object"}, {"additionalProperties", false}};
   for (const auto& [name, minimum] : kParameters) {
     parameters["required"].push_back(name);
-    parameters["properties"][name] = json{
-        {"type", "object"},
-        {"additionalProperties", false},
-        {"required", {"value", "unit", "source"}},
-        {"properties",
-         {{"value", {{"type", "number"}, {"minimum", minimum}, {"maximum", 1e9}}},
-          {"unit", {{"type", "string"}}},
-          {"source", {{"type", "string"}, {"minLength", 1}}}}}};
+    parameters["properties"][name] =
+        json{{"type", "object"},
+             {"additionalProperties", false},
+             {"required", {"value", "unit", "source"}},
+             {"properties",
+              {{"value", {{"type", "number"}, {"minimum", minimum}, {"maximum", 1e9}}},
+               {"unit", {{"type", "string"}}},
+               {"source", {{"type", "string"}, {"minLength", 1}}}}}};
   }
   parameters["properties"]["lapse_rate"]["properties"]["value"]["maximum"] = 1;
   return {{"type", "object"},
@@ -62,7 +68,8 @@ CausalityParameters parameters_from(const json& object) {
   return parameters;
 }
 
-std::filesystem::path find_observer(const std::string& name, const std::filesystem::path& protocol) {
+std::filesystem::path find_observer(const std::string& name,
+                                    const std::filesystem::path& protocol) {
   if (std::filesystem::exists(name)) {
     return name;
   }

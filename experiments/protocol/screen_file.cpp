@@ -2,6 +2,7 @@
 #include "experiments/protocol/screen_file.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -54,10 +55,12 @@ ScreenGeometry load_screen(const std::filesystem::path& path) {
 }
 
 void save_screen(const ScreenGeometry& screen, const std::filesystem::path& path) {
+  // To the micrometre: 57, where the product of metres is 56.99999999999999.
+  const auto centimetres = [](double metres) { return std::round(metres * 1e6) / 1e4; };
   const json document{{"schema_version", 1},
-                      {"width_cm", screen.width_m * 100.0},
-                      {"height_cm", screen.height_m * 100.0},
-                      {"viewing_distance_cm", screen.viewing_distance_m * 100.0}};
+                      {"width_cm", centimetres(screen.width_m)},
+                      {"height_cm", centimetres(screen.height_m)},
+                      {"viewing_distance_cm", centimetres(screen.viewing_distance_m)}};
   std::error_code failed;
   std::filesystem::create_directories(path.parent_path(), failed);
   const std::filesystem::path fresh = path.string() + ".new";

@@ -96,10 +96,10 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
   const WorldSettings settings{scene["engine"]["restitution"].get<double>(), realised_s};
 
-  StagedScene staged{World({std::move(left.model), std::move(right.model)},
-                           {left.state, right.state}, settings),
-                     viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
-                     {std::move(left.look), std::move(right.look)}};
+  StagedScene staged{
+      World({std::move(left.model), std::move(right.model)}, {left.state, right.state}, settings),
+      viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
+      {std::move(left.look), std::move(right.look)}};
   staged.step_hz = scene["engine"]["step_hz"].get<double>();
   staged.contact_s = meeting["lead_s"].get<double>();
   staged.intended_hold_s = intended_s;

@@ -67,13 +67,13 @@ enum class Interruption { kNone, kPauseRequested, kDisplayClosed };
 /// What came back from a page.
 struct Answer {
   Interruption interruption{Interruption::kNone};
-  std::size_t choice{0};            ///< index into the page's choices
-  std::vector<std::string> fields;  ///< one per field of the page; "" when left empty
-  std::string device;               ///< "key", "mouse" or "simulated"
-  std::int64_t shown_ns{0};         ///< flip that first showed the page
-  std::int64_t arrived_ns{0};       ///< own stamp when the event was taken from the queue
+  std::size_t choice{0};                   ///< index into the page's choices
+  std::vector<std::string> fields;         ///< one per field of the page; "" when left empty
+  std::string device;                      ///< "key", "mouse" or "simulated"
+  std::int64_t shown_ns{0};                ///< flip that first showed the page
+  std::int64_t arrived_ns{0};              ///< own stamp when the event was taken from the queue
   std::int64_t arrival_uncertainty_ns{0};  ///< the event may have arrived this much earlier
-  std::int64_t late_frames{0};      ///< late flips while the page was up
+  std::int64_t late_frames{0};             ///< late flips while the page was up
 };
 
 class Input {

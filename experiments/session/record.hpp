@@ -25,7 +25,7 @@ struct StepRecord {
 struct CollisionRecord {
   std::int64_t step{0};
   CollisionReport report;
-  double eccentricity_deg{0.0};     ///< of the contact point from the screen's centre
+  double eccentricity_deg{0.0};        ///< of the contact point from the screen's centre
   std::int64_t first_frame_shown{-1};  ///< −1: no frame showed it
 };
 
@@ -61,7 +61,7 @@ struct AttemptRecord {
   std::int64_t slot{0};
   std::int64_t number{1};
   AttemptOutcome outcome{AttemptOutcome::kInterrupted};
-  std::int64_t onset_ns{0};  ///< flip of the first frame of the stimulus
+  std::int64_t onset_ns{0};             ///< flip of the first frame of the stimulus
   std::vector<std::string> body_names;  ///< by index in the world
   std::vector<StepRecord> steps;
   std::vector<CollisionRecord> collisions;

@@ -20,15 +20,15 @@ struct TimelineMark {
 };
 
 struct ReplayView {
-  std::string title;                           ///< "P01 · trial 37 of 87 · main"
-  std::vector<std::string> facts;              ///< "delay_ms 100", "rated 2", ...
+  std::string title;               ///< "P01 · trial 37 of 87 · main"
+  std::vector<std::string> facts;  ///< "delay_ms 100", "rated 2", ...
   Viewer viewer;
   std::vector<DrawnBody> looks;
   double step_hz{240.0};
   double duration_s{0.0};
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start
   std::vector<TimelineMark> marks;
-  bool agrees{true};                           ///< every step's hash as recorded
+  bool agrees{true};  ///< every step's hash as recorded
 };
 
 }  // namespace impetus

@@ -14,8 +14,7 @@ constexpr const char* kConsentId = "consent";
 /// Every stage returns whether the session goes on; when it does not, `ending_` says why.
 class Session {
  public:
-  Session(const Script& script, const Plan& plan, const SessionHistory& history,
-          const Ports& ports)
+  Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports)
       : script_(script), plan_(plan), history_(history), ports_(ports) {}
 
   SessionResult run() {

@@ -56,26 +56,25 @@ Page demographics_page(const std::vector<Field>& fields, const Progress& progres
 }
 
 Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress) {
-  const std::string count = std::to_string(trials);
+  const std::string count = std::to_string(trials) + (trials == 1 ? " trial" : " trials");
   if (phase == TrialPhase::kPractice) {
-    return text_page({"Practice",
-                      {"First come " + count + " practice trials, to get used to the scale.",
-                       "They do not count."}},
-                     progress);
+    return text_page(
+        {"Practice", {"First, " + count + " to get used to the scale: they do not count."}},
+        progress);
   }
   return text_page(
       {"Ready?",
-       {"Now come the " + count + " trials that count. The bar at the bottom shows how far you are.",
+       {"Now " + count + " for the study. The bar at the bottom shows how far you are.",
         "Keep your eyes on the cross before each one. Esc pauses at any time."}},
       progress);
 }
 
 Page practice_feedback(const RatingScale& scale, std::int64_t rating, const Progress& progress) {
-  return text_page({"You answered " + std::to_string(rating),
-                    {"On the scale, " + std::to_string(rating) + " means " +
-                         meaning_of(scale, rating) + ".",
-                     "There are no right or wrong answers: it is how it looked to you."}},
-                   progress);
+  return text_page(
+      {"You answered " + std::to_string(rating),
+       {"On the scale, " + std::to_string(rating) + " means " + meaning_of(scale, rating) + ".",
+        "There are no right or wrong answers: it is how it looked to you."}},
+      progress);
 }
 
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
@@ -84,8 +83,8 @@ Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std
   for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
     const auto used = use.find(point);
     const std::int64_t count = used == use.end() ? 0 : used->second;
-    text.paragraphs.push_back(std::to_string(point) + " (" + meaning_of(scale, point) + "): " +
-                              (count == 0 ? "not used" : times(count)));
+    text.paragraphs.push_back(std::to_string(point) + " (" + meaning_of(scale, point) +
+                              "): " + (count == 0 ? "not used" : times(count)));
   }
   text.paragraphs.push_back(use.size() == 1
                                 ? "You used one point only. The whole scale is there for you."
@@ -119,9 +118,10 @@ Page pause_page(const Progress& progress) {
 }
 
 Page quit_page(const Progress& progress) {
-  Page page = text_page({"Quit the session?",
-                         {"Your answers stay saved. The session can go on later at the next trial."}},
-                        progress);
+  Page page =
+      text_page({"Quit the session?",
+                 {"Your answers stay saved. The session can go on later at the next trial."}},
+                progress);
   page.choices = {{"Yes, quit", "y"}, {"No, go back", "n"}};
   page.can_pause = false;
   return page;

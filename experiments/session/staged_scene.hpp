@@ -23,8 +23,8 @@ struct StagedScene {
   Viewer viewer;
   std::vector<DrawnBody> looks;  ///< one per body of the world
   double step_hz{240.0};
-  double duration_s{0.0};  ///< from onset to the end of the stimulus, an imposed hold included
-  double contact_s{0.0};   ///< when the bodies are to meet, from onset
+  double duration_s{0.0};       ///< from onset to the end of the stimulus, an imposed hold included
+  double contact_s{0.0};        ///< when the bodies are to meet, from onset
   double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
   double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
 };

@@ -15,8 +15,8 @@ namespace impetus {
 
 struct SyncTest {
   std::int64_t tries{0};
-  std::int64_t valid_flips{0};     ///< intervals of 4–40 ms within 20 % of nominal, last try
-  double mean_interval_ns{0.0};    ///< of the valid intervals; 0 when there is none
+  std::int64_t valid_flips{0};   ///< intervals of 4–40 ms within 20 % of nominal, last try
+  double mean_interval_ns{0.0};  ///< of the valid intervals; 0 when there is none
   double sd_interval_ns{0.0};
   bool passed{false};
   std::string verdict;  ///< one sentence, whichever way it went

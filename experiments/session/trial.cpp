@@ -93,10 +93,10 @@ class Attempt {
     if (answer.interruption != Interruption::kNone) {
       return false;
     }
-    result_.record.ratings.push_back(
-        {scale.minimum + static_cast<std::int64_t>(answer.choice), scale.minimum, scale.maximum,
-         scale.best, scale.low_anchor, scale.high_anchor, answer.device, answer.shown_ns,
-         answer.arrived_ns, answer.arrival_uncertainty_ns});
+    result_.record.ratings.push_back({scale.minimum + static_cast<std::int64_t>(answer.choice),
+                                      scale.minimum, scale.maximum, scale.best, scale.low_anchor,
+                                      scale.high_anchor, answer.device, answer.shown_ns,
+                                      answer.arrived_ns, answer.arrival_uncertainty_ns});
     return true;
   }
 

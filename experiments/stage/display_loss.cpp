@@ -36,10 +36,10 @@ void skip_farewells(int status, void* /*unused*/) {
 
 [[noreturn]] void leave() {
   if (!lost.exchange(true)) {
-    std::fputs("the display closed\n", stderr);
     on_exit(skip_farewells, nullptr);
   }
   if (expecting == 0) {
+    std::fputs("impetus: the display closed; everything answered before is saved\n", stderr);
     std::_Exit(2);
   }
   throw DisplayLost();

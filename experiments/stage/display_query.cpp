@@ -3,17 +3,13 @@
 
 #include <SDL.h>
 
-#include <stdexcept>
-#include <string>
+#include "experiments/stage/video_driver.hpp"
 
 namespace impetus {
 
 double display_refresh_hz() {
   constexpr double kAssumedHz = 60.0;
-  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-    throw std::runtime_error(std::string("no display could be opened: ") + SDL_GetError() +
-                             "; run with --observer to go on without a window");
-  }
+  open_video();
   SDL_DisplayMode mode{};
   const bool known = SDL_GetCurrentDisplayMode(0, &mode) == 0 && mode.refresh_rate > 0;
   SDL_QuitSubSystem(SDL_INIT_VIDEO);

@@ -4,9 +4,9 @@
 #include <epoxy/gl.h>
 
 #include <cstdio>
-#include <stdexcept>
 
 #include "experiments/stage/display_loss.hpp"
+#include "experiments/stage/video_driver.hpp"
 
 namespace impetus {
 namespace {
@@ -20,19 +20,6 @@ void ask_for_context() {
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 24);
-}
-
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::runtime_error("no display could be opened: " + why +
-                           "; run with --observer to go on without a window");
-}
-
-/// Where there is no display SDL falls back on one that nobody sees; it must have been asked for.
-void refuse_unasked_offscreen() {
-  const std::string driver = SDL_GetCurrentVideoDriver();
-  if (driver == "offscreen" && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
-    refuse("neither X11 nor Wayland answered");
-  }
 }
 
 // Of the display's own size from the start: where no window manager runs, nobody would enlarge it.
@@ -50,11 +37,8 @@ const char* text_of(GLenum name) { return reinterpret_cast<const char*>(glGetStr
 GlWindow::GlWindow(const WindowOptions& options) {
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
-  if (SDL_Init(SDL_INIT_VIDEO) != 0) {
-    refuse(SDL_GetError());
-  }
+  open_video();
   try {
-    refuse_unasked_offscreen();
     open(options);
   } catch (...) {
     close();
@@ -71,14 +55,14 @@ void GlWindow::open(const WindowOptions& options) {
                                                   SDL_WINDOWPOS_CENTERED, options.width_px,
                                                   options.height_px, SDL_WINDOW_OPENGL);
   if (window_ == nullptr) {
-    refuse(SDL_GetError());
+    refuse_display(SDL_GetError());
   }
   context_ = SDL_GL_CreateContext(window_);
   if (context_ == nullptr) {
-    refuse(std::string("OpenGL 3.3 is needed: ") + SDL_GetError());
+    refuse_display(std::string("OpenGL 3.3 is needed: ") + SDL_GetError());
   }
   if (epoxy_gl_version() < kOpenGl33) {
-    refuse(std::string("OpenGL 3.3 is needed, this is ") + text_of(GL_VERSION));
+    refuse_display(std::string("OpenGL 3.3 is needed, this is ") + text_of(GL_VERSION));
   }
   survive_display_loss(window_);
   SDL_GL_GetDrawableSize(window_, &width_px_, &height_px_);
@@ -93,7 +77,7 @@ void GlWindow::close() {
   if (window_ != nullptr) {
     SDL_DestroyWindow(window_);
   }
-  SDL_Quit();
+  SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
 
 void GlWindow::decide_refresh(double asked_hz) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <string>
 
 #include "experiments/stage/palette.hpp"
@@ -69,8 +68,10 @@ void apply_style(float body_px) {
   colour(ImGuiCol_NavHighlight, IM_COL32(0, 0, 0, 0));
 }
 
+bool is_key(const SDL_Event& event) { return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP; }
+
 bool is_ours(const SDL_Event& event) {
-  if (event.type != SDL_KEYDOWN && event.type != SDL_KEYUP) {
+  if (!is_key(event)) {
     return false;
   }
   const SDL_Keycode key = event.key.keysym.sym;
@@ -78,7 +79,7 @@ bool is_ours(const SDL_Event& event) {
 }
 
 bool is_editing_key(const SDL_Event& event) {
-  if (event.type != SDL_KEYDOWN && event.type != SDL_KEYUP) {
+  if (!is_key(event)) {
     return false;
   }
   const SDL_Keysym& key = event.key.keysym;
@@ -123,25 +124,29 @@ void Gui::load_fonts() {
 }
 
 void Gui::feed(const SDL_Event& event) {
-  if (!is_ours(event)) {
+  const bool repeats = is_key(event) && event.key.repeat != 0;  // ImGui repeats by itself
+  if (!is_ours(event) && !repeats) {
     waiting_.push_back(event);
   }
 }
 
-// ImGui sees only whether a key is down in a frame: one that edits (Backspace, arrows, Ctrl-V) and
-// was pressed and released since the last frame would be lost, so each moves once in a frame.
+// ImGui sees only which keys are down in a frame: one that edits (Backspace, arrows, Ctrl-V) and
+// was pressed and released since the last frame would be lost, so one such event passes in a frame.
 // Letters come as text of their own.
 void Gui::pass_events() {
-  std::set<SDL_Scancode> moved;
+  bool edited = false;
   while (!waiting_.empty()) {
     const SDL_Event& event = waiting_.front();
-    if (is_editing_key(event) && moved.contains(event.key.keysym.scancode)) {
+    if (is_editing_key(event) && edited) {
       break;
     }
-    if (is_editing_key(event)) {
-      moved.insert(event.key.keysym.scancode);
-    }
+    edited = edited || is_editing_key(event);
     ImGui_ImplSDL2_ProcessEvent(&event);
+    if (is_key(event)) {
+      // As they were with this key; ImGui's own code takes them as they are by now.
+      ImGui::GetIO().KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
+      ImGui::GetIO().KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+    }
     waiting_.pop_front();
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/stage/screen_setup.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +22,18 @@
 
 namespace impetus {
 namespace {
+
+constexpr std::size_t kReadingSize = 1;  // the drawings need the room
+
+Page instructions() {
+  Page page;
+  page.title = "The size of this screen";
+  page.paragraphs = {
+      "Measure the visible picture with a ruler, and the distance from the participant's eyes to "
+      "the screen. Then hold a bank card and a ruler against the drawings: they must have the same "
+      "size."};
+  return page;
+}
 
 class SetupScreen {
  public:
@@ -66,6 +80,7 @@ class SetupScreen {
 
   void press(const SDL_Keysym& key) {
     const bool enter = is_key(key, "enter");
+    message_.clear();
     if (key.sym == SDLK_ESCAPE || (enter && focus_ == kCancelStop)) {
       cancelled_ = true;
     } else if (enter) {
@@ -104,15 +119,9 @@ class SetupScreen {
   void draw() {
     const Gui& gui = canvas_.gui;
     const Column column = reading_column(gui);
-    ImGui::PushFont(gui.fonts().body[1]);
+    ImGui::PushFont(gui.fonts().body[kReadingSize]);
     ImGui::SetCursorScreenPos(ImVec2(column.left, std::round(0.05F * gui.height())));
-    draw_text("The size of this screen", gui.fonts().title[1], palette::kText, column.width,
-              Align::kLeft);
-    draw_text(
-        "Measure the visible picture with a ruler, and the distance from the participant's "
-        "eyes to the screen. Then hold a bank card and a ruler against the drawings: they "
-        "must have the same size.",
-        gui.fonts().body[1], palette::kText, column.width, Align::kLeft);
+    draw_words(gui, instructions(), kReadingSize);
     draw_fields(column);
     draw_remark(column);
     draw_buttons(column);
@@ -121,6 +130,9 @@ class SetupScreen {
   }
 
   void draw_fields(const Column& column) {
+    if (focus_moved_) {
+      ImGui::ClearActiveID();
+    }
     const float top = ImGui::GetCursorScreenPos().y + part_gap();
     const float apart = column.width / static_cast<float>(kMeasures);
     float bottom = top;
@@ -128,8 +140,8 @@ class SetupScreen {
       ImGui::SetCursorScreenPos(ImVec2(column.left + static_cast<float>(i) * apart, top));
       const bool focused = focus_ == i;
       const FocusChange change =
-          fields_[i].draw(static_cast<int>(i), canvas_.gui, 1, apart - 0.5F * part_gap(), focused,
-                          focused && focus_moved_);
+          fields_[i].draw(static_cast<int>(i), canvas_.gui, kReadingSize, apart - 0.5F * part_gap(),
+                          focused, focused && focus_moved_);
       if (change == FocusChange::kGained) {
         focus_ = i;
       }

@@ -107,8 +107,7 @@ void insert_frames(SQLite::Database& database, std::int64_t id,
 
 void insert_ratings(SQLite::Database& database, std::int64_t id,
                     const std::vector<RatingRecord>& ratings) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO rating VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(database, "INSERT INTO rating VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const RatingRecord& rating : ratings) {
     SQLite::bind(insert, id, rating.rating, rating.minimum, rating.maximum, rating.best,
                  rating.low_anchor, rating.high_anchor, rating.device, rating.question_shown_ns,

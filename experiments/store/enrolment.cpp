@@ -38,8 +38,8 @@ std::optional<std::int64_t> find_id(SQLite::Database& database, const char* sql,
 }
 
 void require_kind(StudyFile& study, const std::string& pseudonym, bool simulated) {
-  const auto kind = find_id(study.database(),
-                            "SELECT simulated FROM participant WHERE pseudonym = ?", pseudonym);
+  const auto kind =
+      find_id(study.database(), "SELECT simulated FROM participant WHERE pseudonym = ?", pseudonym);
   if (kind && (*kind != 0) != simulated) {
     throw InputError(study.name() + ": participant " + pseudonym + " is " +
                      (*kind != 0 ? "simulated" : "a person") + " in this study; " +
@@ -65,8 +65,8 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t en
 
 SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) {
   SessionHistory history;
-  history.resumed = find_id(database, "SELECT id FROM session WHERE enrolment_id = ?", enrolment)
-                        .has_value();
+  history.resumed =
+      find_id(database, "SELECT id FROM session WHERE enrolment_id = ?", enrolment).has_value();
   SQLite::Statement attempts(database,
                              "SELECT slot, max(number), max(outcome = 'completed') FROM trial "
                              "JOIN attempt ON attempt.trial_id = trial.id "

@@ -45,8 +45,7 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pse
 
 /// Stores participant, protocol and plan in one transaction. Ids of `trials` are filled in.
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
-                const ProtocolTexts& protocol, std::uint64_t seed,
-                std::vector<StoredTrial> trials);
+                const ProtocolTexts& protocol, std::uint64_t seed, std::vector<StoredTrial> trials);
 
 /// Hashes of other versions of the protocol that the study holds.
 std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& protocol);

@@ -61,8 +61,8 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
 }
 
 ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
-  SQLite::Statement query(study.database(),
-                          "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?");
+  SQLite::Statement query(
+      study.database(), "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?");
   query.bind(1, protocol_id);
   query.executeStep();
   return {query.getColumn(0).getString(), query.getColumn(1).getString(),

@@ -143,9 +143,9 @@ void StudyWriter::perform(const Task& task) {
     transaction.commit();
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
-    failure_ = std::make_exception_ptr(StoreError(
-        study_.name() + ": could not be written (" + error.what() +
-        "); everything up to the last completed trial is saved"));
+    failure_ = std::make_exception_ptr(
+        StoreError(study_.name() + ": could not be written (" + error.what() +
+                   "); everything up to the last completed trial is saved"));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -248,6 +249,30 @@ TEST(World, AHoldThatEndsInMidStepMovesForTheRestOfIt) {
               3.0 * 0.3 * kStep_s, 1e-15);
 }
 
+TEST(World, AContactThatLastsStartsNoSecondHold) {
+  // c runs into b while a and b are held: b is driven at a again, but that contact began before.
+  const std::vector<BodyModel> models{ball(0.5, 1.0), ball(0.5, 1.0), ball(0.5, 1.0)};
+  World world(models,
+              {moving(models[0], Vector3::Zero(), {1.0, 0.0, 0.0}), resting_at({1.001, 0.0, 0.0}),
+               moving(models[2], {2.05, 0.0, 0.0}, {-5.0, 0.0, 0.0})},
+              {1.0, 0.1});
+  std::vector<BodyPair> holds;
+  double impulse_while_held_Ns = 0.0;
+  for (int step = 0; step < 20; ++step) {
+    const double held_s = world.states()[0].held_s;
+    for (const CollisionReport& collision : step_whole(world).collisions) {
+      if (collision.imposed_hold_s > 0.0) {
+        holds.push_back(collision.bodies);
+      } else if (collision.bodies == BodyPair{0, 1}) {
+        impulse_while_held_Ns += collision.impulse_Ns;
+      }
+    }
+    EXPECT_TRUE(held_s == 0.0 || world.states()[0].held_s < held_s) << step;
+  }
+  EXPECT_EQ(holds, (std::vector<BodyPair>{{0, 1}, {1, 2}}));
+  EXPECT_GT(impulse_while_held_Ns, 1.0) << "b was never driven at a again";
+}
+
 TEST(World, AHoldOfZeroChangesNothing) {
   World plain = head_on(2.0, 3.0, 2.0, -1.0);
   EXPECT_EQ(step_whole(plain).collisions[0].imposed_hold_s, 0.0);
@@ -373,6 +398,29 @@ TEST(World, WorkNeverExceedsTheGrantExceptForTheFloor) {
       ASSERT_TRUE(!over || report.work_spent == report.work_floor);
     }
   }
+}
+
+TEST(World, WorkIsTheNumberOfNodePairTests) {
+  // Roots: 1 test. Two children each, all near: 4 more; 1 + 4 = 5.
+  const VolumeTree tree({{{Vector3::Zero(), 1.0}, 1, 2},
+                         {{Vector3(0.1, 0.0, 0.0), 0.9}, 0, 0},
+                         {{Vector3(-0.1, 0.0, 0.0), 0.9}, 0, 0}},
+                        {0, 1});
+  BodyModel model = ball(1.0, 1.0);
+  model.tree = std::make_shared<VolumeTree>(tree);
+  const World start({model, model}, {resting_at(Vector3::Zero()), resting_at({1.0, 0.0, 0.0})}, {});
+  const auto spent_of = [&start](std::int64_t budget) {
+    World world = start;
+    FixedWork meter(budget);
+    return world.step(step_of(kStep_s), meter);
+  };
+  EXPECT_EQ(spent_of(4).work_spent, 1) << "a block starts only when it is covered";
+  EXPECT_EQ(spent_of(4).collisions[0].level, 0);
+  EXPECT_EQ(spent_of(4).collisions[0].stop, StopReason::kBudgetSpent);
+  EXPECT_EQ(spent_of(5).work_spent, 5);
+  EXPECT_EQ(spent_of(5).collisions[0].level, 1);
+  EXPECT_EQ(spent_of(kUnlimitedTests).work_spent, 5);
+  EXPECT_EQ(spent_of(kUnlimitedTests).work_granted, 5);
 }
 
 TEST(World, ABudgetThatDoesNotCoverTheFloorIsFlagged) {

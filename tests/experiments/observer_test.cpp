@@ -13,7 +13,8 @@ namespace impetus {
 namespace {
 
 CausalityParameters shipped() {
-  return load_observer(source_file("experiments/observers/causality.json").string(), "x").parameters;
+  return load_observer(source_file("experiments/observers/causality.json").string(), "x")
+      .parameters;
 }
 
 double mean_rating(const CausalityObserver& observer, double delay_ms) {

@@ -61,8 +61,8 @@ TEST(Plan, DependsOnProtocolParticipantAndSeedAlone) {
   const Design design = causality().design;
   const Plan plan = make_plan(design, {"causality", "P01", 1});
   EXPECT_EQ(plan, make_plan(design, {"causality", "P01", 1}));
-  for (const PlanKey& other : {PlanKey{"gap", "P01", 1}, PlanKey{"causality", "P02", 1},
-                               PlanKey{"causality", "P01", 2}}) {
+  for (const PlanKey& other :
+       {PlanKey{"gap", "P01", 1}, PlanKey{"causality", "P02", 1}, PlanKey{"causality", "P01", 2}}) {
     EXPECT_NE(conditions(plan), conditions(make_plan(design, other)));
   }
 }

@@ -610,7 +610,7 @@ TEST(ScreenFile, WhatIsSavedIsLoadedAgain) {
   const ScreenGeometry screen{0.376, 0.301, 0, 0, 0.57};
   save_screen(screen, folder / "new/folder/screen.json");
   const ScreenGeometry loaded = load_screen(folder / "new/folder/screen.json");
-  // Metres become centimetres and back: two roundings of one unit in the last place.
+  // Kept to the micrometre, in whole digits of a centimetre; one rounding on the way back.
   EXPECT_DOUBLE_EQ(loaded.width_m, screen.width_m);
   EXPECT_DOUBLE_EQ(loaded.height_m, screen.height_m);
   EXPECT_DOUBLE_EQ(loaded.viewing_distance_m, screen.viewing_distance_m);

@@ -25,10 +25,10 @@ TEST(Session, GoesFromWelcomeToThanksInOrder) {
   EXPECT_EQ(run(lab, plan).ending, SessionEnding::kFinished);
   const std::string question = lab.protocol.script.scale.question;
   const std::vector<std::string> expected{
-      "Welcome",        "Your consent", "About you",      "What you will see", "What you will do",
-      "Practice",       question,       "You answered 1", question,            "You answered 1",
-      "Practice is over", "Ready?",     question,         question,            "One question",
-      "Thank you!"};
+      "Welcome",          "Your consent",   "About you",        "What you will see",
+      "What you will do", "Practice",       question,           "You answered 1",
+      question,           "You answered 1", "Practice is over", "Ready?",
+      question,           question,         "One question",     "Thank you!"};
   EXPECT_EQ(lab.input.titles, expected);
   EXPECT_TRUE(lab.recorder.finished);
   EXPECT_EQ(lab.recorder.attempts.size(), 4U);
@@ -174,12 +174,13 @@ TEST(Session, PracticeFeedbackTellsTheUseOfTheScale) {
     return page.title == "Practice is over";
   });
   ASSERT_NE(summary, pages.end());
-  EXPECT_EQ(summary->paragraphs,
-            (std::vector<std::string>{"1 (“very believable”): 2 times",
-                                      "2 (between “very believable” and “very unbelievable”): "
-                                      "not used",
-                                      "3 (“very unbelievable”): not used",
-                                      "You used one point only. The whole scale is there for you."}));
+  EXPECT_EQ(
+      summary->paragraphs,
+      (std::vector<std::string>{"1 (“very believable”): 2 times",
+                                "2 (between “very believable” and “very unbelievable”): "
+                                "not used",
+                                "3 (“very unbelievable”): not used",
+                                "You used one point only. The whole scale is there for you."}));
 }
 
 }  // namespace

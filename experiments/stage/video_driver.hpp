@@ -1,0 +1,16 @@
+// SDL's video, opened only where somebody can see it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace impetus {
+
+/// Opens it once more; every call needs its SDL_QuitSubSystem(SDL_INIT_VIDEO). Throws
+/// std::runtime_error with one sentence when there is no display.
+void open_video();
+
+/// Throws the sentence that says so.
+[[noreturn]] void refuse_display(const std::string& why);
+
+}  // namespace impetus

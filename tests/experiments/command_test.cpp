@@ -1,0 +1,398 @@
+// The program as a researcher meets it: commands, sentences, exit status.
+// SPDX-License-Identifier: MIT
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/experiments/program.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// One sentence on stderr, nothing on stdout, and this status.
+void expect_refused(const TemporaryFolder& folder, const Words& arguments,
+                    const std::string& sentence, int status = 2) {
+  const ProgramResult result = run_program(folder, arguments);
+  EXPECT_EQ(result.errors, "impetus: " + sentence + "\n");
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.status, status) << sentence;
+}
+
+void expect_refused_without_a_file(const TemporaryFolder& folder, const Words& arguments,
+                                   const std::string& sentence) {
+  expect_refused(folder, arguments, sentence);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite")) << sentence;
+}
+
+/// The folder with a changed copy of the shipped protocol, beside its scene and observer.
+std::string changed_protocol(const TemporaryFolder& folder, const std::string& pointer,
+                             const json& value) {
+  const std::filesystem::path source = IMPETUS_SOURCE_DIR;
+  json protocol = json::parse(text_of(causality_file()));
+  protocol[json::json_pointer(pointer)] = value;
+  folder.write("protocols/a.json", protocol.dump());
+  folder.write("stimuli/two-spheres.json", text_of(source / "stimuli/two-spheres.json"));
+  folder.write("experiments/observers/causality.json",
+               text_of(source / "experiments/observers/causality.json"));
+  return "protocols/a.json";
+}
+
+std::string value_of(const TemporaryFolder& folder, const std::string& sql,
+                     const std::string& file = "a.sqlite") {
+  SQLite::Database database((folder / file).string(), SQLite::OPEN_READONLY);
+  return database.execAndGet(sql).getString();
+}
+
+void change(const TemporaryFolder& folder, const std::string& sql) {
+  SQLite::Database((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+/// Conditions of the main trials in their order.
+std::string order_of(const TemporaryFolder& folder, const std::string& participant,
+                     const std::string& file = "a.sqlite") {
+  return value_of(folder,
+                  "SELECT group_concat(condition || seed) FROM (SELECT condition, trial.seed AS "
+                  "seed FROM trial JOIN enrolment ON enrolment.id = enrolment_id JOIN participant "
+                  "ON participant.id = participant_id WHERE pseudonym = '" +
+                      participant + "' ORDER BY slot)",
+                  file);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+// ---------------------------------------------------------------- arguments
+
+TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
+  const TemporaryFolder folder;
+  const std::string expected =
+      "expected one of the commands run, check, replay, screen, mesh, got ";
+  expect_refused(folder, {}, expected + "none");
+  expect_refused(folder, {"walk"}, expected + "walk");
+  expect_refused(folder, {"--fast"}, expected + "--fast");
+}
+
+TEST(CommandLine, HelpAndVersionAreNoFailure) {
+  const TemporaryFolder folder;
+  for (const char* option : {"--help", "--version"}) {
+    const ProgramResult result = run_program(folder, {option});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.errors, "");
+    EXPECT_NE(result.output, "");
+  }
+}
+
+TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<Words, std::string>> cases{
+      {{"run"}, "protocol is required"},
+      {{"check"}, "files is required"},
+      {{"replay"}, "study is required"},
+      {{"check", causality_file(), "--refresh", "5"},
+       "--refresh: Value 5 not in range 20.000000 to 1000.000000"},
+      {simulated_run({"--participant", "S01", "--fast"}),
+       "The following argument was not expected: --fast"},
+      {simulated_run({"--participants", "0"}), "--participants: Value 0 not in range 1 to 100000"},
+      {simulated_run({"--participant", "S01", "--seed", "-1"}),
+       "--seed: Value -1 not in range 0 to 9223372036854775807"},
+      {simulated_run({}), "--participant: expected a code for the participant, such as P01"},
+      {simulated_run({"--participant", ""}),
+       "--participant: expected a code for the participant, such as P01"},
+      {simulated_run({"--participant", "S01", "--participants", "3"}),
+       "--participant: expected either one participant or --participants N"},
+      {{"run", causality_file(), "--db", "a.sqlite", "--participants", "3"},
+       "--participants: expected --observer NAME with it; people come one by one"},
+      {{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01", "--show"},
+       "--show: expected --observer NAME with it"},
+      {{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01", "--observer",
+        "nobody"},
+       "--observer nobody: expected a file, or the name of one in " IMPETUS_SOURCE_DIR
+       "/experiments/observers"}};
+  for (const auto& [arguments, sentence] : cases) {
+    expect_refused_without_a_file(folder, arguments, sentence);
+  }
+}
+
+// ---------------------------------------------------------------- check
+
+TEST(Check, PrintsTheDesign) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(folder, {"check", causality_file()});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.errors, "");
+  const std::vector<std::string> lines = lines_of(result.output);
+  for (const std::string line :
+       {"  factor       delay_ms = 0, 100, 300",
+        "               Delay at contact (ms); overrides /imposed/contact_hold_ms",
+        "  factor       speed_deg_s = 5, 10, 15", "  factor       viewpoint_deg = 0, 45, 85",
+        "  cells        27", "  repetitions  3", "  trials       81, after 6 of practice",
+        "  order        random, at most 3 equal delay_ms in a row",
+        "  shown        delay_ms 0: 27 times, 100: 27 times, 300: 27 times",
+        "  rating       1 (very believable) to 3 (very unbelievable)"}) {
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), line), 1) << line;
+  }
+  EXPECT_EQ(lines.front(), causality_file() + ": valid");
+}
+
+TEST(Check, AnInvalidFileIsStatus1AndTheOthersAreStillChecked) {
+  const TemporaryFolder folder;
+  const std::string bad = changed_protocol(folder, "/design/repetitions", 0);
+  const ProgramResult result = run_program(folder, {"check", bad, causality_file()});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.errors,
+            "impetus: protocols/a.json:/design/repetitions: expected a whole number ≥ 1 and ≤ "
+            "1000, got 0\n");
+  EXPECT_EQ(lines_of(result.output).front(), causality_file() + ": valid");
+}
+
+TEST(Check, RefusesADelayThatIsNoWholeNumberOfTheDisplaysFrames) {
+  const TemporaryFolder folder;
+  expect_refused(folder, {"check", causality_file(), "--refresh", "85"},
+                 causality_file() +
+                     ":/design/factors/0/levels/1: expected a whole number of 85 Hz frames (11.76 "
+                     "ms), got 100",
+                 1);
+  EXPECT_EQ(run_program(folder, {"check", causality_file(), "--refresh", "85", "--allow-rounding"})
+                .status,
+            0);
+}
+
+TEST(Check, AnyUnreadableFileIsStatus1) {
+  const TemporaryFolder folder;
+  folder.write("a.json", "{\n  \"name\": }\n");
+  expect_refused(folder, {"check", "a.json"}, "a.json:2:11: expected valid JSON, got '}'", 1);
+  expect_refused(folder, {"check", "b.json"},
+                 "b.json: expected a JSON file, but it cannot be read: No such file or directory",
+                 1);
+}
+
+// ---------------------------------------------------------------- run
+
+TEST(Run, ABadProtocolIsRefusedAndNoStudyIsMade) {
+  const TemporaryFolder folder;
+  const std::vector<std::tuple<std::string, json, std::string>> cases{
+      {"/design/factors/0/levels/1", -100,
+       "/design/factors/0/levels/1: expected a number ≥ 0 and ≤ 60000, got -100"},
+      {"/design/factors/0/levels", json::array(),
+       "/design/factors/0/levels: expected a list of at least 1 value without repeats, got []"},
+      {"/design/practise", json::array(),
+       "/design: expected only the keys \"factors\", \"longest_runs\", \"practice\", "
+       "\"repetitions\", got \"practise\""},
+      {"/timing/fixation_ms", 490,
+       "/timing/fixation_ms: expected a whole number of 60 Hz frames (16.67 ms), got 490"},
+      {"/rating/maximum", 5,
+       "/rating: expected three points of which the lowest is the best, as the observer causality "
+       "rates, got 1 to 5, best 1"}};
+  for (const auto& [pointer, value, sentence] : cases) {
+    const std::string file = changed_protocol(folder, pointer, value);
+    expect_refused_without_a_file(
+        folder,
+        {"run", file, "--db", "a.sqlite", "--observer", "causality", "--participant", "S01"},
+        file + ":" + sentence);
+  }
+}
+
+TEST(Run, WithoutADisplayNothingIsWritten) {
+  const TemporaryFolder folder;
+#ifdef IMPETUS_PROGRAM_HAS_WINDOW
+  const std::string sentence =
+      "no display could be opened: No available video device; run with --observer to go on "
+      "without a window";
+#else
+  const std::string sentence = "this build has no window; run with --observer NAME, without --show";
+#endif
+  expect_refused_without_a_file(
+      folder, {"run", causality_file(), "--db", "a.sqlite", "--participant", "P01"}, sentence);
+  expect_refused_without_a_file(folder, simulated_run({"--participant", "S01", "--show"}),
+                                sentence);
+}
+
+TEST(Run, AnObserversSessionIsRecordedWhole) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}));
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "Saved in a.sqlite\n");
+  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "81");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'practice'"), "6");
+  EXPECT_EQ(value_of(folder, "SELECT ending FROM session"), "finished");
+}
+
+TEST(Run, AFinishedParticipantIsRefusedAndNothingChanges) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  const std::string before = text_of(folder / "a.sqlite");
+  expect_refused(folder, simulated_run({"--participant", "S01"}),
+                 "a.sqlite: participant S01 has finished causality already, at " +
+                     value_of(folder, "SELECT finished_utc FROM enrolment"));
+  // Opening a study for writing changes its header's counters, and nothing else of it.
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
+  EXPECT_EQ(text_of(folder / "a.sqlite").size(), before.size());
+}
+
+TEST(Run, ResumingWithAnotherSeedIsRefused) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01", "--seed", "7"}));
+  change(folder, "UPDATE enrolment SET finished_utc = NULL");
+  expect_refused(folder, simulated_run({"--participant", "S01", "--seed", "8"}),
+                 "--seed 8: expected 7, with which S01's trials were planned");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
+  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
+}
+
+TEST(Run, ResumingWithAnotherVersionOfTheProtocolIsRefused) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE enrolment SET finished_utc = NULL");
+  expect_refused(folder,
+                 {"run", changed_protocol(folder, "/title", "Another"), "--db", "a.sqlite",
+                  "--observer", "causality", "--participant", "S01"},
+                 "a.sqlite: participant S01 began with another version of causality; resume with "
+                 "the file it was, or use another name");
+}
+
+TEST(Run, OrderFollowsFromParticipantAndSeedAlone) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  run_program(folder, simulated_run({"--participant", "S02"}));
+  Words elsewhere = simulated_run({"--participant", "S01"});
+  elsewhere[3] = "b.sqlite";
+  run_program(folder, elsewhere);
+  EXPECT_NE(order_of(folder, "S01"), order_of(folder, "S02"));
+  EXPECT_EQ(order_of(folder, "S01"), order_of(folder, "S01", "b.sqlite"));
+}
+
+TEST(Run, SimulatedParticipantsAreNamedInOrder) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program(folder, simulated_run({"--participants", "3"})).status, 0);
+  EXPECT_EQ(value_of(folder, "SELECT group_concat(pseudonym) FROM participant"), "S01,S02,S03");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM enrolment WHERE finished_utc IS NOT NULL"), "3");
+}
+
+TEST(Run, WhatIsNoStudyIsRefusedAndLeftAlone) {
+  const TemporaryFolder folder;
+  folder.write("a.sqlite", "My notes on the pilot study of last week.");
+  expect_refused(folder, simulated_run({"--participant", "S01"}),
+                 "a.sqlite: expected an Impetus study, got a file that is no SQLite database");
+  EXPECT_EQ(text_of(folder / "a.sqlite"), "My notes on the pilot study of last week.");
+}
+
+TEST(Run, AFullDiskEndsInOneSentenceAndTheSameCommandGoesOn) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}), [] {
+    const rlimit limit{1'000'000, 1'000'000};  // Some twenty trials of eighty-seven.
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limit);
+  });
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.errors,
+            "impetus: a.sqlite: could not be written (disk I/O error); everything up to the last "
+            "completed trial is saved\n");
+  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial"), "87");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "2");
+  EXPECT_EQ(value_of(folder, "PRAGMA integrity_check"), "ok");
+}
+
+// ---------------------------------------------------------------- replay
+
+TEST(Replay, EveryTrialOfASessionIsReproduced) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  const ProgramResult result = run_program(folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(lines_of(result.output).size(), 1U);
+  EXPECT_EQ(result.output.rfind("87 trials, ", 0), 0U) << result.output;
+  EXPECT_NE(result.output.find(" 0 divergent\n"), std::string::npos) << result.output;
+}
+
+TEST(Replay, AChangedHashIsFoundAtItsStep) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE step SET hash = hash + 1 WHERE attempt_id = 5 AND step = 100");
+  change(folder,
+         "UPDATE step SET hash = hash + 1, digests = zeroblob(length(digests)) "
+         "WHERE attempt_id = 7 AND step = 0");
+  const ProgramResult result = run_program(folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(result.status, 1);
+  const std::vector<std::string> lines = lines_of(result.output);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0], "trial 5 (S01, slot 5, attempt 1): diverges at step 100, in the hash alone");
+  EXPECT_EQ(lines[1], "trial 7 (S01, slot 7, attempt 1): diverges at step 0, body left, position");
+  EXPECT_NE(lines[2].find(" 2 divergent"), std::string::npos);
+}
+
+TEST(Replay, WhatCannotBeReplayedIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("empty.sqlite", "");
+  expect_refused(folder, {"replay", "none.sqlite"},
+                 "none.sqlite: expected an Impetus study, but there is no such file");
+  expect_refused(folder, {"replay", "empty.sqlite"},
+                 "empty.sqlite: expected an Impetus study, got an empty file");
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  expect_refused(folder, {"replay", "a.sqlite", "--trial", "999"},
+                 "a.sqlite: expected a recorded trial 999, but there is none");
+  expect_refused(folder, {"replay", "a.sqlite", "--participant", "S02"},
+                 "a.sqlite: expected a recorded trial of S02, but there is none");
+  change(folder, "UPDATE session SET recording_format = 99, build = 'Impetus 9.0'");
+  expect_refused(folder, {"replay", "a.sqlite"},
+                 "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays "
+                 "format 1, use that one");
+}
+
+TEST(Replay, ADamagedStudyIsRefusedByName) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  const std::string whole = text_of(folder / "a.sqlite");
+  const std::size_t half = whole.size() / 2;
+  folder.write("cut.sqlite", whole.substr(0, half));
+  expect_refused(folder, {"replay", "cut.sqlite"},
+                 "cut.sqlite: expected an Impetus study that can be read: database disk image is "
+                 "malformed");
+  folder.write("overwritten.sqlite", whole.substr(0, half) + std::string(whole.size() - half, 'x'));
+  expect_refused(folder, {"replay", "overwritten.sqlite"},
+                 "overwritten.sqlite: could not be read (database disk image is malformed)");
+}
+
+#ifndef IMPETUS_PROGRAM_HAS_WINDOW
+TEST(Replay, WithoutAWindowNothingCanBeViewed) {
+  const TemporaryFolder folder;
+  expect_refused(folder, {"replay", "a.sqlite", "--view"}, "--view: this build has no window");
+}
+
+TEST(Screen, WithoutAWindowItAsksForTheNumbers) {
+  const TemporaryFolder folder;
+  expect_refused(folder, {"screen"},
+                 "this build has no window; give --width-cm, --height-cm and --distance-cm");
+}
+#endif
+
+TEST(Screen, SavesWhatWasGiven) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program(folder, {"screen", "--width-cm", "40", "--height-cm", "30", "--distance-cm", "57",
+                           "--file", "s.json"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "40.00 cm x 30.00 cm seen from 57.0 cm, saved in s.json\n");
+  EXPECT_EQ(json::parse(text_of(folder / "s.json"))["viewing_distance_cm"], 57.0);
+}
+
+}  // namespace
+}  // namespace impetus

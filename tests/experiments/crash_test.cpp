@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "tests/experiments/crash.hpp"
+
+namespace impetus {
+namespace {
+
+TEST(Crash, EightKillsLoseNoAcknowledgedTrialAndEverySessionIsCompleted) {
+  const CrashSummary summary = kill_and_resume(8, 20021);
+  EXPECT_GE(summary.in_mid_session, 2);  // Of moments drawn uniformly, most fall among the trials.
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,82 @@
+// Runs the program itself, as a shell would, and tells what came of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/experiments/temporary_folder.hpp"
+
+namespace impetus {
+
+struct ProgramResult {
+  int status{-1};  ///< −1: ended by a signal
+  std::string output;
+  std::string errors;
+};
+
+/// Starts the program in `folder` without a display; its output goes to files there. Returns its
+/// process. `before` runs in the child, just before the program takes over.
+inline pid_t start_program(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
+                           const std::function<void()>& before = {}) {
+  std::string program = IMPETUS_PROGRAM;
+  std::vector<std::string> words = arguments;
+  std::vector<char*> pointers{program.data()};
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  const std::string output = folder / "stdout";
+  const std::string errors = folder / "stderr";
+  const pid_t child = fork();
+  if (child == 0) {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) {
+      unsetenv(name);
+    }
+    setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    const bool ready = chdir(folder.path().c_str()) == 0 &&
+                       dup2(open(output.c_str(), flags, 0644), STDOUT_FILENO) >= 0 &&
+                       dup2(open(errors.c_str(), flags, 0644), STDERR_FILENO) >= 0;
+    if (before) {
+      before();
+    }
+    if (ready) {
+      execv(program.c_str(), pointers.data());
+    }
+    _exit(127);
+  }
+  return child;
+}
+
+inline ProgramResult wait_for(const TemporaryFolder& folder, pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "stdout"),
+          text_of(folder / "stderr")};
+}
+
+inline ProgramResult run_program(const TemporaryFolder& folder,
+                                 const std::vector<std::string>& arguments,
+                                 const std::function<void()>& before = {}) {
+  return wait_for(folder, start_program(folder, arguments, before));
+}
+
+/// The shipped protocol.
+inline std::string causality_file() { return IMPETUS_SOURCE_DIR "/protocols/causality.json"; }
+
+/// "run protocol --db a.sqlite --observer causality", and more.
+inline std::vector<std::string> simulated_run(const std::vector<std::string>& more) {
+  std::vector<std::string> words{"run",      causality_file(), "--db",
+                                 "a.sqlite", "--observer",     "causality"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+}  // namespace impetus

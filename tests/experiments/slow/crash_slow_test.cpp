@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "tests/experiments/crash.hpp"
+
+namespace impetus {
+namespace {
+
+TEST(CrashSlow, FiftyKillsLoseNoAcknowledgedTrialAndEverySessionIsCompleted) {
+  const CrashSummary summary = kill_and_resume(50, std::random_device{}());
+  EXPECT_GE(summary.in_mid_session, 15);  // Of moments drawn uniformly, most fall among the trials.
+}
+
+}  // namespace
+}  // namespace impetus
