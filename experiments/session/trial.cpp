@@ -58,8 +58,7 @@ class Attempt {
     cross.fixation_cross = true;
     const std::int64_t frames = whole_frames(script_.timing.fixation_ms / 1e3);
     for (std::int64_t frame = 0; frame < frames; ++frame) {
-      record_frame(FramePhase::kFixation, 0.0, ports_.display.show(cross));
-      if (interrupted()) {
+      if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
         return false;
       }
     }
@@ -70,14 +69,12 @@ class Attempt {
     const std::int64_t last_frame = whole_frames(playback_.scene().duration_s);
     for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
       const double time_s = static_cast<double>(frame) / ports_.display.refresh_hz();
-      const Flip flip = ports_.display.show(picture_at(time_s));
-      record_frame(FramePhase::kStimulus, time_s, flip);
-      if (frame == 0) {
-        result_.record.onset_ns = flip.flipped_ns;
-      }
-      if (interrupted()) {
+      if (!show_timed(picture_at(time_s), FramePhase::kStimulus, time_s)) {
         take_simulation(frame);
         return false;
+      }
+      if (frame == 0) {
+        result_.record.onset_ns = result_.record.frames.back().flip.flipped_ns;
       }
     }
     take_simulation(last_frame);
@@ -130,9 +127,15 @@ class Attempt {
     return scene;
   }
 
-  void record_frame(FramePhase phase, double time_s, const Flip& flip) {
-    const auto number = static_cast<std::int64_t>(result_.record.frames.size());
-    result_.record.frames.push_back({number, phase, time_s, flip});
+  /// Shows and records one frame of a timed phase; false when that was interrupted.
+  bool show_timed(const Picture& frame, FramePhase phase, double time_s) {
+    const Flip flip = ports_.display.show(frame);
+    const bool goes_on = !interrupted();
+    if (result_.interruption != Interruption::kDisplayClosed) {  // else there was no flip
+      const auto number = static_cast<std::int64_t>(result_.record.frames.size());
+      result_.record.frames.push_back({number, phase, time_s, flip});
+    }
+    return goes_on;
   }
 
   void take_simulation(std::int64_t last_frame_shown) {

@@ -8,12 +8,17 @@
 namespace impetus {
 
 void open_video() {
-  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-    refuse_display(SDL_GetError());
+  const bool chosen = SDL_getenv("SDL_VIDEODRIVER") != nullptr;
+  if (!chosen && SDL_getenv("WAYLAND_DISPLAY") == nullptr) {
+    // Asked for nothing, Wayland's library complains on its own; and where there is no display SDL
+    // would fall back on one that nobody sees.
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,KMSDRM");
   }
-  // Where there is no display SDL falls back on one that nobody sees; it must have been asked for.
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+    refuse_display(chosen ? SDL_GetError() : "neither X11 nor Wayland answered");
+  }
   const std::string driver = SDL_GetCurrentVideoDriver();
-  if (driver == "offscreen" && SDL_getenv("SDL_VIDEODRIVER") == nullptr) {
+  if (!chosen && driver == "offscreen") {
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
     refuse_display("neither X11 nor Wayland answered");
   }

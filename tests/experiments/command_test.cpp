@@ -212,7 +212,7 @@ TEST(Run, WithoutADisplayNothingIsWritten) {
   const TemporaryFolder folder;
 #ifdef IMPETUS_PROGRAM_HAS_WINDOW
   const std::string sentence =
-      "no display could be opened: No available video device; run with --observer to go on "
+      "no display could be opened: neither X11 nor Wayland answered; run with --observer to go on "
       "without a window";
 #else
   const std::string sentence = "this build has no window; run with --observer NAME, without --show";
