@@ -12,14 +12,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/state_hash.hpp"
+#include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
+#include "engine/shapes/closed_cube.hpp"
 
 namespace impetus {
 
@@ -32,12 +36,16 @@ struct WorldSettings {
   /// An imposed manipulation, not physics: bodies stay where they touched for this long before
   /// their rebound shows (Dingliana 2002, sec. 6.2.1).
   double imposed_hold_s{0.0};
+  std::optional<ClosedCube> enclosure;  ///< walls that keep the bodies inside
+  Schedule schedule;
 };
 
 /// Everything that decides a step besides the state.
 struct StepInput {
   double dt_s{0.0};
   Viewer viewer;
+  Fixation fixation{};                 ///< the screen's centre when there is none
+  std::optional<GazeRegion> region{};  ///< for schedules whose lists follow a region
 };
 
 /// What kept a step from being what it should, as bits.
@@ -49,7 +57,8 @@ enum Degradation : std::uint32_t {
 
 /// One pair of bodies that is in contact at the end of the step.
 struct CollisionReport {
-  BodyPair bodies;
+  BodyPair bodies;                       ///< b is a wall when is_wall(b)
+  int list{0};                           ///< priority list it was refined in
   int level{0};                          ///< last complete level of refinement
   StopReason stop{StopReason::kFinest};  ///< why it went no deeper
   Contact contact;
@@ -64,6 +73,8 @@ struct StepReport {
   std::int64_t work_granted{0};  ///< node-pair tests; a replay grants the same
   std::int64_t work_spent{0};
   std::int64_t work_floor{0};  ///< tests that are done whatever the budget
+  /// Tests beyond the floor that each priority list spent.
+  std::array<std::int64_t, kMostLists> list_work{};
   std::uint32_t degradations{0};
   StateHash state;
 };

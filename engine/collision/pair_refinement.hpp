@@ -18,7 +18,7 @@
 namespace impetus {
 
 /// Why a refinement is where it is.
-enum class StopReason { kSeparated, kFinest, kBudgetSpent };
+enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel };
 
 /// Nodes of a and b that overlap.
 struct NodePair {

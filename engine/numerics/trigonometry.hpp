@@ -16,6 +16,10 @@ struct SineCosine {
 /// exact.
 SineCosine sine_cosine_deg(double angle_deg);
 
+/// The angle of the point (x, y) from the x axis (radians), in [−π, π]; error below 1e-15. Both
+/// zero gives zero. Precondition: finite.
+double atan2_rad(double y, double x);
+
 /// Metres in the screen's plane that one degree of visual angle covers at its centre, for an eye
 /// `viewing_distance_m` away: 2 d tan(½°). Used as a linear scale, so 10° is ten times 1°.
 double metres_per_degree(double viewing_distance_m);

@@ -1,19 +1,26 @@
 // Which collisions are refined first.
 //
-// A metric gives each pair a number; larger means sooner. A new metric is one class here (or in a
-// file of its own) and one name in the scene's schema. (Dingliana 2002, sec. 5.1.2 and 5.2)
+// A metric measures each pair, in degrees of visual angle where it is an angle, and says whether
+// large or small values come first. A new metric is one file and one line in make_metric().
+// (Dingliana 2002, sec. 5.1.2 and 5.2)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "engine/scheduling/viewer.hpp"
 #include "engine/shapes/sphere.hpp"
 
 namespace impetus {
 
-/// Two bodies by their index in the world, a < b.
+/// In the place of the second body: the enclosure as a whole, which is also its wall 0; wall w is
+/// kEnclosure − w.
+inline constexpr std::int32_t kEnclosure = -1;
+
+inline constexpr bool is_wall(std::int32_t index) { return index < 0; }
+inline constexpr std::int32_t wall_index(int wall) { return kEnclosure - wall; }
+
+/// Two bodies by their index in the world, a < b; or a body and a wall, is_wall(b).
 struct BodyPair {
   std::int32_t a{0};
   std::int32_t b{0};
@@ -21,27 +28,44 @@ struct BodyPair {
   friend bool operator==(const BodyPair&, const BodyPair&) = default;
 };
 
-/// What a metric may look at: the bounding spheres of both bodies, in world.
+/// What a metric may look at, in world. For a body and the enclosure, both are that body.
 struct PairBounds {
   BodyPair pair;
-  Sphere a;
+  Sphere a;  ///< bounding spheres about the centres of mass
   Sphere b;
+  Vector3 velocity_a{Vector3::Zero()};  ///< m/s
+  Vector3 velocity_b{Vector3::Zero()};
+  double fit_error_m{0.0};  ///< of both trees together, at the level the pair stands at
 };
+
+/// Where the two bounds meet. (Dingliana 2002, eq. 3.8, corrected: between the centres in the ratio
+/// of the radii)
+Vector3 collision_place(const PairBounds& bounds);
+
+/// Which end of a metric's scale is refined first.
+enum class Urgent { kLarge, kSmall };
 
 class PriorityMetric {
  public:
+  explicit PriorityMetric(Urgent urgent) : urgent_(urgent) {}
   virtual ~PriorityMetric() = default;
-  [[nodiscard]] virtual double priority(const PairBounds& bounds, const Viewer& viewer) const = 0;
-};
 
-/// Near is high: minus the distance (metres) from the eye to the midpoint of the two centres.
-class DistancePriority final : public PriorityMetric {
- public:
-  [[nodiscard]] double priority(const PairBounds& bounds, const Viewer& viewer) const override;
-};
+  /// In the metric's own unit.
+  [[nodiscard]] virtual double measure(const PairBounds& bounds, const Viewer& viewer,
+                                       const Fixation& fixation) const = 0;
 
-/// The pairs by falling priority; equal priorities keep their order.
-std::vector<BodyPair> prioritised(const std::vector<PairBounds>& bounds,
-                                  const PriorityMetric& metric, const Viewer& viewer);
+  /// Whether `measured` meets a threshold or is more urgent.
+  [[nodiscard]] bool meets(double measured, double threshold) const {
+    return urgent_ == Urgent::kLarge ? measured >= threshold : measured <= threshold;
+  }
+
+  /// The measure with its sign turned so that larger means sooner.
+  [[nodiscard]] double priority(double measured) const {
+    return urgent_ == Urgent::kLarge ? measured : -measured;
+  }
+
+ private:
+  Urgent urgent_;
+};
 
 }  // namespace impetus

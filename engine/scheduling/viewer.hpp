@@ -5,6 +5,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "engine/numerics/vector.hpp"
 
 namespace impetus {
@@ -29,5 +31,20 @@ struct Viewer {
 /// An eye at the viewing distance, turned about the vertical by `azimuth_deg` from the z axis: the
 /// angle between the world's x axis and the image plane.
 Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg);
+
+/// A point of the screen: metres right of and above its centre.
+struct ScreenPoint {
+  double x_m{0.0};
+  double y_m{0.0};
+};
+
+/// Where the viewer looks, when that is known.
+using Fixation = std::optional<ScreenPoint>;
+
+/// Where a point of the screen is in the world.
+Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point);
+
+/// The angle at the eye between two points of the world (degrees).
+double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q);
 
 }  // namespace impetus

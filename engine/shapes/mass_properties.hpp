@@ -25,4 +25,7 @@ MassProperties solid_sphere(double radius_m, double density_kg_m3);
 /// Precondition: find_defects(mesh).none().
 MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3);
 
+/// The mesh moved so that the centre of mass of its solid is the origin: a body's own frame.
+TriangleMesh about_centre_of_mass(TriangleMesh mesh);
+
 }  // namespace impetus

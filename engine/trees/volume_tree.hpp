@@ -26,8 +26,11 @@ struct VolumeNode {
 class VolumeTree {
  public:
   /// Takes nodes in breadth-first order and the index of each level's first node.
+  /// `fit_errors_m`, one per level, may be left out: then the diameter of the level's largest
+  /// node stands in, which is right for any node that touches the object.
   /// Throws std::invalid_argument when they do not form such a tree.
-  VolumeTree(std::vector<VolumeNode> nodes, std::vector<std::int32_t> level_starts);
+  VolumeTree(std::vector<VolumeNode> nodes, std::vector<std::int32_t> level_starts,
+             std::vector<double> fit_errors_m = {});
 
   [[nodiscard]] const VolumeNode& node(std::int32_t index) const {
     return nodes_[static_cast<std::size_t>(index)];
@@ -35,12 +38,17 @@ class VolumeTree {
   [[nodiscard]] std::int32_t node_count() const { return static_cast<std::int32_t>(nodes_.size()); }
   [[nodiscard]] int level_count() const { return static_cast<int>(level_starts_.size()); }
 
+  /// How far the nodes that stand for the object at `level` reach beyond it, at worst (metres): an
+  /// upper bound. Levels past the last are as good as the last.
+  [[nodiscard]] double fit_error_m(int level) const;
+
   /// Radius about the centre of mass that bounds the whole object (metres).
   [[nodiscard]] double bounding_radius_m() const { return bounding_radius_m_; }
 
  private:
   std::vector<VolumeNode> nodes_;
   std::vector<std::int32_t> level_starts_;
+  std::vector<double> fit_errors_m_;
   double bounding_radius_m_;
 };
 

@@ -1,0 +1,69 @@
+// Priority lists: which pairs get which share of a step's work, and how deep they may go.
+//
+//   pairs --metric and thresholds, or a region--> list 0 | list 1 | ... --shares--> refinement
+//
+// All good, all bad, tracked, random and yoked are all the same thing: which pairs fall into which
+// list, and each list's least and greatest level. (Dingliana 2002, sec. 5.1.2 and 6.3.1)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/priority.hpp"
+
+namespace impetus {
+
+inline constexpr int kMostLists = 16;
+inline constexpr int kUnlimitedLevel = std::numeric_limits<int>::max();
+
+struct PriorityList {
+  double share{1.0};   ///< of the step's work beyond the floor, relative to the other lists'
+  int least_level{0};  ///< done whatever the budget, as part of the floor
+  int greatest_level{kUnlimitedLevel};  ///< never exceeded
+};
+
+/// A disc about a point of the screen, as the eye sees it.
+struct GazeRegion {
+  ScreenPoint centre;
+  double radius_deg{0.0};
+};
+
+/// Whether the place of the collision projects inside the region.
+bool inside(const GazeRegion& region, const PairBounds& bounds, const Viewer& viewer);
+
+/// What decides a pair's list.
+enum class ListRule {
+  kThresholds,  ///< its metric against `thresholds`
+  kRegion,      ///< inside the step's region: list 0; outside, or without a region: list 1
+};
+
+/// How the work of a step is shared. As it stands: one list, nearest first.
+struct Schedule {
+  std::shared_ptr<const PriorityMetric> metric;  ///< none: distance
+  std::vector<PriorityList> lists{PriorityList{}};
+  ListRule rule{ListRule::kThresholds};
+  /// One fewer than lists, in the metric's own unit, from high priority to low: a pair falls into
+  /// the first list whose threshold it meets, or else into the last.
+  std::vector<double> thresholds;
+};
+
+/// What is wrong with the schedule, as "schedule: expected ..., got ..."; empty when nothing is.
+std::string problem_of(const Schedule& schedule);
+
+/// A pair with its place in the schedule.
+struct ScheduledPair {
+  BodyPair pair;
+  int list{0};
+};
+
+/// The pairs by list, and by falling priority within each; equal priorities keep their order.
+std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
+                                     const Schedule& schedule, const Viewer& viewer,
+                                     const Fixation& fixation,
+                                     const std::optional<GazeRegion>& region);
+
+}  // namespace impetus

@@ -1,0 +1,29 @@
+// A cube seen from inside: bodies are kept within its six walls.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/shapes/sphere.hpp"
+
+namespace impetus {
+
+inline constexpr int kWallCount = 6;
+
+/// Axis-parallel walls at ±half_edge_m from the world's origin. Wall 2k lies on the positive side
+/// of axis k, wall 2k+1 on the negative side.
+struct ClosedCube {
+  double half_edge_m{0.0};
+};
+
+/// How far the sphere reaches beyond a wall (metres); negative when it stays within.
+double reach_beyond(const ClosedCube& cube, int wall, const Sphere& sphere);
+
+/// Whether the sphere touches any wall or reaches beyond it.
+bool reaches_wall(const ClosedCube& cube, const Sphere& sphere);
+
+/// The wall's inward unit normal.
+Vector3 inward_normal(int wall);
+
+/// The sphere against the wall: the point of the wall nearest to the centre, the inward normal.
+TouchPoint touch_wall(const ClosedCube& cube, int wall, const Sphere& sphere);
+
+}  // namespace impetus

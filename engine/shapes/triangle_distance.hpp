@@ -1,0 +1,33 @@
+// The exact distance between two triangles, and where they are closest.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "engine/numerics/vector.hpp"
+
+namespace impetus {
+
+using Triangle = std::array<Vector3, 3>;
+
+/// Two points, one on each shape, that no other two are closer than; distance 0 when they meet.
+struct ClosestPoints {
+  double distance_m{0.0};
+  Vector3 on_a{Vector3::Zero()};
+  Vector3 on_b{Vector3::Zero()};
+};
+
+/// The point of `triangle` nearest to `point`. (Ericson 2005, sec. 5.1.5)
+Vector3 closest_on_triangle(const Triangle& triangle, const Vector3& point);
+
+/// Segments a0–a1 and b0–b1. (Ericson 2005, sec. 5.1.9)
+ClosestPoints segment_distance(const Vector3& a0, const Vector3& a1, const Vector3& b0,
+                               const Vector3& b1);
+
+/// Nine pairs of edges, six corners against faces, six edges through faces.
+ClosestPoints triangle_distance(const Triangle& a, const Triangle& b);
+
+/// Whether an edge of one passes through the other. Coplanar triangles never cross.
+bool triangles_cross(const Triangle& a, const Triangle& b);
+
+}  // namespace impetus
