@@ -23,7 +23,8 @@ std::string title_of(const StoredAttempt& attempt) {
 
 std::vector<std::string> facts_of(const StoredAttempt& attempt) {
   std::vector<std::string> facts;
-  for (const auto& [factor, level] : nlohmann::json::parse(attempt.trial.condition).items()) {
+  const auto condition = nlohmann::json::parse(attempt.trial.condition);
+  for (const auto& [factor, level] : condition.items()) {
     facts.push_back(factor + " " + level.dump());
   }
   facts.push_back(attempt.rating ? "rated " + std::to_string(*attempt.rating)
@@ -50,6 +51,15 @@ std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attemp
   return marks;
 }
 
+/// An interrupted trial has no more than was shown: neither time nor marks after it.
+void stop_where_it_was_interrupted(ReplayView& view) {
+  const double shown_s = static_cast<double>(view.states.size() - 1) / view.step_hz;
+  if (shown_s < view.duration_s) {
+    view.duration_s = shown_s;
+    std::erase_if(view.marks, [&](const TimelineMark& mark) { return mark.begin_s > shown_s; });
+  }
+}
+
 ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt& attempt) {
   StagedScene scene = library.stage(attempt);
   ReplayView view;
@@ -62,6 +72,7 @@ ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt
   view.marks = marks_of(study, attempt, scene);
   ReplayResult result = replay(std::move(scene), library.steps(attempt), /*keep_states=*/true);
   view.states = std::move(result.states);
+  stop_where_it_was_interrupted(view);
   view.agrees = !result.divergence;
   return view;
 }

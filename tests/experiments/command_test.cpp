@@ -223,6 +223,26 @@ TEST(Run, WithoutADisplayNothingIsWritten) {
                                 sentence);
 }
 
+#ifdef IMPETUS_PROGRAM_HAS_WINDOW
+TEST(Run, WhatTheWindowCannotUseIsRefusedBeforeItOpens) {
+  const TemporaryFolder folder;
+  folder.write("screen.json", "{}");
+  const Words run{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01"};
+  const std::vector<std::pair<Words, std::string>> cases{
+      {{"--window", "320x200"},
+       "--window 320x200: expected WIDTHxHEIGHT of at least 640x480 pixels"},
+      {{"--screen", "none.json"},
+       "none.json: expected a JSON file, but it cannot be read: No such file or directory"},
+      {{"--screen", "screen.json"},
+       "screen.json:/: expected the key \"schema_version\", which is missing"}};
+  for (const auto& [more, sentence] : cases) {
+    Words arguments = run;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refused_without_a_file(folder, arguments, sentence);
+  }
+}
+#endif
+
 TEST(Run, AnObserversSessionIsRecordedWhole) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}));
