@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@
 
 namespace impetus {
 
-/// How a body looks: a sphere of this radius (metres) and colour (sRGB, 0–1).
+/// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
+/// none; colour sRGB, 0–1.
 struct DrawnBody {
   std::string name;
-  double radius_m{0.0};
+  double radius_m{0.0};  ///< of the sphere, or of a ball about the origin that holds the mesh
   std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
+  std::shared_ptr<const TriangleMesh> mesh{};
 };
 
 struct StagedScene {

@@ -114,17 +114,27 @@ CREATE TABLE collision (
   body_a TEXT NOT NULL,
   body_b TEXT NOT NULL,
   level INTEGER NOT NULL,
-  stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget')),
+  stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget', 'greatest level')),
   point_x_m REAL NOT NULL, point_y_m REAL NOT NULL, point_z_m REAL NOT NULL,
   normal_x REAL NOT NULL, normal_y REAL NOT NULL, normal_z REAL NOT NULL,  -- from b to a
   depth_m REAL NOT NULL,
   approach_m_s REAL NOT NULL,
   impulse_Ns REAL NOT NULL,
   imposed_hold_ms REAL NOT NULL,      -- imposed manipulation: the freeze this contact started
+  imposed_no_spin INTEGER NOT NULL CHECK (imposed_no_spin IN (0, 1)),  -- imposed: no rotation
   eccentricity_deg REAL NOT NULL,     -- of the contact from the screen's centre
   first_frame INTEGER                 -- of the stimulus; NULL: no frame showed it
 ) STRICT;
 CREATE INDEX collision_attempt ON collision (attempt_id);
+
+-- What was wrong with a collision and how visible that was; filled by `impetus replay --truth`.
+CREATE TABLE collision_truth (
+  collision_id INTEGER PRIMARY KEY REFERENCES collision (id),
+  gap_m REAL NOT NULL CHECK (gap_m >= 0),           -- closest distance of the drawn meshes
+  gap_px REAL NOT NULL,               -- between the two closest points as projected
+  gap_arcmin REAL NOT NULL,           -- the same as a visual angle: foreshortening counted
+  hidden_share REAL NOT NULL CHECK (hidden_share BETWEEN 0 AND 1)  -- of the gap, by sample rays
+) STRICT;
 
 CREATE TABLE frame (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
@@ -206,6 +216,33 @@ JOIN session ON session.id = attempt.session_id
 JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per collision of a completed attempt, with its truth where `replay --truth` filled it.
+CREATE VIEW seen_collision AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       collision.step AS step,
+       collision.body_a AS body_a,
+       collision.body_b AS body_b,
+       collision.level AS level,
+       collision.stopped AS stopped,
+       collision.imposed_hold_ms AS imposed_hold_ms,
+       collision.imposed_no_spin AS imposed_no_spin,
+       collision.eccentricity_deg AS eccentricity_deg,
+       collision.first_frame AS first_frame,
+       collision_truth.gap_m AS gap_m,
+       collision_truth.gap_px AS gap_px,
+       collision_truth.gap_arcmin AS gap_arcmin,
+       collision_truth.hidden_share AS hidden_share
+FROM collision
+JOIN attempt ON attempt.id = collision.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN collision_truth ON collision_truth.collision_id = collision.id;
 
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS
