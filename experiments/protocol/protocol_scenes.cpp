@@ -6,7 +6,8 @@
 namespace impetus {
 
 StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, condition), screen, round_hold_to_hz_);
+  return build_scene(scene_under(*protocol_, condition), screen, round_hold_to_hz_,
+                     shapes_);
 }
 
 }  // namespace impetus

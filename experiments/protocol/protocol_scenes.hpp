@@ -3,6 +3,7 @@
 #pragma once
 
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/ports.hpp"
 
 namespace impetus {
@@ -19,6 +20,7 @@ class ProtocolScenes final : public Scenes {
  private:
   const Protocol* protocol_;
   double round_hold_to_hz_;
+  mutable ShapeLibrary shapes_;  ///< each shape is built once
 };
 
 }  // namespace impetus

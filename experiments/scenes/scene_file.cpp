@@ -3,11 +3,12 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <memory>
+#include <map>
 #include <utility>
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/embedded_schema.hpp"
+#include "experiments/scenes/meeting.hpp"
 
 namespace impetus {
 namespace {
@@ -26,30 +27,79 @@ std::array<float, 3> parse_colour(const std::string& text) {
   return {channel(16), channel(8), channel(0)};
 }
 
-struct MeetingBody {
+Quaternion turned(const json& body) {
+  Quaternion orientation = Quaternion::Identity();
+  for (const json& turn : body.value("orientation", json::array())) {
+    const SineCosine half = sine_cosine_deg(0.5 * turn["angle_deg"].get<double>());
+    const auto axis = turn["axis"].get<std::string>();
+    const Quaternion one(half.cosine, axis == "x" ? half.sine : 0.0, axis == "y" ? half.sine : 0.0,
+                         axis == "z" ? half.sine : 0.0);
+    orientation = one * orientation;
+  }
+  return orientation;
+}
+
+BodyModel model_of(const json& body, const BodyShape& shape, bool no_spin) {
+  const double density = body["density_kg_m3"].get<double>();
   BodyModel model;
+  model.name = body["name"].get<std::string>();
+  model.tree = shape.tree;
+  model.inverse_mass = 1.0 / (density * shape.unit_mass.mass_kg);
+  if (!no_spin) {
+    model.inverse_inertia = Matrix3(density * shape.unit_mass.inertia).inverse();
+  }
+  return model;
+}
+
+DrawnBody look_of(const json& body, const BodyShape& shape) {
+  return {body["name"].get<std::string>(), shape.radius_m,
+          parse_colour(body["colour"].get<std::string>()), shape.mesh};
+}
+
+/// Starts a body `way_m` before the place where it touches, moving there along x.
+BodyState on_its_way(const BodyModel& model, const Quaternion& orientation, double touch_m,
+                     double way_m, double speed_m_s) {
+  const double side = touch_m < 0.0 ? -1.0 : 1.0;
   BodyState state;
-  DrawnBody look;
-};
+  state.pose = {Vector3(touch_m * (1.0 - kTouchingOverlap) + side * way_m, 0.0, 0.0), orientation};
+  state.linear_momentum = Vector3(-side * speed_m_s / model.inverse_mass, 0.0, 0.0);
+  return state;
+}
 
-/// `side` is −1 for the body that comes along +x, +1 for the one that comes along −x.
-MeetingBody meeting_body(const json& body, const json& meeting, double m_per_deg, double side) {
-  const double radius_m = body["shape"]["radius_deg"].get<double>() * m_per_deg;
-  const double speed_m_s = meeting["speed_deg_s"].get<double>() * m_per_deg;
-  const MassProperties mass = solid_sphere(radius_m, body["density_kg_m3"].get<double>());
+/// The level that collisions stop at: the finest unless the scene says otherwise.
+Schedule schedule_of(const json& engine) {
+  Schedule schedule;
+  if (engine.contains("level")) {
+    const int level = engine["level"].get<int>();
+    schedule.lists.front().least_level = level;
+    schedule.lists.front().greatest_level = level;
+  }
+  return schedule;
+}
 
-  MeetingBody result;
-  result.model.name = body["name"].get<std::string>();
-  result.model.tree =
-      std::make_shared<const VolumeTree>(single_node_tree({Vector3::Zero(), radius_m}));
-  result.model.inverse_mass = 1.0 / mass.mass_kg;
-  result.model.inverse_inertia = mass.inertia.inverse();
-  const double way_m = speed_m_s * meeting["lead_s"].get<double>();
-  const double at_contact_m = radius_m * (1.0 - kTouchingOverlap);
-  result.state.pose.position = Vector3(side * (at_contact_m + way_m), 0.0, 0.0);
-  result.state.linear_momentum = Vector3(-side * speed_m_s * mass.mass_kg, 0.0, 0.0);
-  result.look = {result.model.name, radius_m, parse_colour(body["colour"].get<std::string>())};
-  return result;
+/// Each kind of shape needs its own measures and takes no other's.
+void add_shape_problems(const json& scene, std::vector<SceneProblem>& problems) {
+  static const std::map<std::string, std::vector<std::string>> kMeasures{
+      {"sphere", {"radius_deg"}}, {"l-block", {"arm_deg", "thickness_deg"}}};
+  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
+    const json& shape = scene["bodies"][i]["shape"];
+    const std::string place = "/bodies/" + std::to_string(i) + "/shape";
+    const auto kind = shape["kind"].get<std::string>();
+    const std::vector<std::string>& measures = kMeasures.at(kind);
+    for (const std::string& measure : measures) {
+      if (!shape.contains(measure)) {
+        problems.push_back(
+            {place, "expected the key \"" + measure + "\" for kind " + kind + ", which is missing"});
+        return;
+      }
+    }
+    if (shape.size() != measures.size() + 1) {
+      problems.push_back({place, "expected no measures of another kind than " + kind});
+    } else if (kind == "l-block" && shape["thickness_deg"] >= shape["arm_deg"]) {
+      problems.push_back({place + "/thickness_deg",
+                          "expected less than arm_deg, got " + shape["thickness_deg"].dump()});
+    }
+  }
 }
 
 double rounded_to_frames(double duration_s, double hz) {
@@ -78,6 +128,14 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
                                                scene["engine"]["step_hz"].dump() + " s, got " +
                                                scene["meeting"]["lead_s"].dump()});
   }
+  add_shape_problems(scene, problems);
+  const json& engine = scene["engine"];
+  if (engine.contains("level") && engine["level"] > engine.value("tree_depth", 0)) {
+    problems.push_back({"/engine/level", "expected at most " +
+                                             std::to_string(engine.value("tree_depth", 0)) +
+                                             ", the deepest level of the trees, got " +
+                                             engine["level"].dump()});
+  }
   if (scene["bodies"][0]["name"] == scene["bodies"][1]["name"]) {
     problems.push_back({"/bodies/1/name", "expected a name of its own, got " +
                                               scene["bodies"][1]["name"].dump() + " again"});
@@ -85,23 +143,46 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   return problems;
 }
 
-StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz) {
+StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+                        ShapeLibrary& library) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
+  const json& engine = scene["engine"];
   const json& meeting = scene["meeting"];
-  MeetingBody left = meeting_body(scene["bodies"][0], meeting, m_per_deg, -1.0);
-  MeetingBody right = meeting_body(scene["bodies"][1], meeting, m_per_deg, +1.0);
+  const bool no_spin = scene["imposed"].value("no_spin", false);
+  const int tree_depth = engine.value("tree_depth", 0);
+
+  std::vector<BodyModel> models;
+  std::vector<DrawnBody> looks;
+  for (const json& body : scene["bodies"]) {
+    const BodyShape& shape = library.shape(body["shape"], m_per_deg, tree_depth);
+    models.push_back(model_of(body, shape, no_spin));
+    looks.push_back(look_of(body, shape));
+  }
+  const Quaternion turn_a = turned(scene["bodies"][0]);
+  const Quaternion turn_b = turned(scene["bodies"][1]);
+  const MeetingPlaces touch = meeting_places(*models[0].tree, turn_a, *models[1].tree, turn_b,
+                                             engine.value("level", tree_depth));
+  const double speed_m_s =
+      meeting["speed_deg_s"].get<double>() * meeting.value("speed_percent", 100.0) / 100.0 *
+      m_per_deg;
+  const double way_m = speed_m_s * meeting["lead_s"].get<double>();
+  std::vector<BodyState> states{on_its_way(models[0], turn_a, touch.a_m, way_m, speed_m_s),
+                                on_its_way(models[1], turn_b, touch.b_m, way_m, speed_m_s)};
 
   const double intended_s = scene["imposed"]["contact_hold_ms"].get<double>() / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
-  const WorldSettings settings{scene["engine"]["restitution"].get<double>(), realised_s};
+  WorldSettings settings;
+  settings.restitution = engine["restitution"].get<double>();
+  settings.imposed_hold_s = realised_s;
+  settings.schedule = schedule_of(engine);
 
-  StagedScene staged{
-      World({std::move(left.model), std::move(right.model)}, {left.state, right.state}, settings),
-      viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
-      {std::move(left.look), std::move(right.look)}};
-  staged.step_hz = scene["engine"]["step_hz"].get<double>();
+  StagedScene staged{World(std::move(models), std::move(states), std::move(settings)),
+                     viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
+                     std::move(looks)};
+  staged.step_hz = engine["step_hz"].get<double>();
   staged.contact_s = meeting["lead_s"].get<double>();
+  staged.no_spin = no_spin;
   staged.intended_hold_s = intended_s;
   staged.realised_hold_s = realised_s;
   staged.duration_s = staged.contact_s + realised_s + meeting["follow_s"].get<double>();

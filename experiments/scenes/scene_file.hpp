@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
@@ -29,9 +30,10 @@ struct SceneProblem {
 };
 std::vector<SceneProblem> scene_problems(const nlohmann::json& scene);
 
-/// Builds the scene for a screen. `round_hold_to_hz` > 0 rounds an imposed hold to whole frames of
-/// that rate. Precondition: `scene` is valid by schema and scene_problems() is empty.
+/// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
+/// imposed hold to whole frames of that rate. Precondition: `scene` is valid by schema and
+/// scene_problems() is empty.
 StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& screen,
-                        double round_hold_to_hz);
+                        double round_hold_to_hz, ShapeLibrary& library);
 
 }  // namespace impetus
