@@ -74,7 +74,7 @@ std::filesystem::path find_observer(const std::string& name,
     return name;
   }
   const auto root = std::filesystem::absolute(protocol).parent_path().parent_path();
-  const auto beside = root / "experiments" / "observers" / (name + ".json");
+  auto beside = root / "experiments" / "observers" / (name + ".json");
   if (!std::filesystem::exists(beside)) {
     throw InputError("--observer " + name + ": expected a file, or the name of one in " +
                      beside.parent_path().string());

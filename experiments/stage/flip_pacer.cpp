@@ -65,7 +65,7 @@ SyncTest FlipPacer::sync_test(const std::function<void()>& draw) {
     }
     return stamps;
   };
-  const SyncTest test = run_sync_test(flips, window_.refresh_hz());
+  SyncTest test = run_sync_test(flips, window_.refresh_hz());
   swap_blocks_ = can_wait && test.passed;
   window_.wait_for_refresh(swap_blocks_);
   // On the nominal rate a grid of blocking swaps would slide off by up to 1 %: it takes its own.

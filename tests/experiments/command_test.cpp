@@ -276,6 +276,21 @@ TEST(Run, ResumingWithAnotherSeedIsRefused) {
   EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
 }
 
+TEST(Run, AResumedObserverAnswersAsTheSamePersonWithoutBeingToldTheSeed) {
+  const TemporaryFolder folder;
+  const std::string ratings =
+      "SELECT group_concat(rating) FROM (SELECT rating FROM rated_trial "
+      "ORDER BY slot)";
+  run_program(folder, simulated_run({"--participant", "S01", "--seed", "7"}));
+  const std::string whole = value_of(folder, ratings);
+  // As if the first session had been killed before its first trial was saved.
+  change(folder,
+         "UPDATE enrolment SET finished_utc = NULL; DELETE FROM rating; DELETE FROM step; "
+         "DELETE FROM frame; DELETE FROM collision; DELETE FROM attempt");
+  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
+  EXPECT_EQ(value_of(folder, ratings), whole);
+}
+
 TEST(Run, ResumingWithAnotherVersionOfTheProtocolIsRefused) {
   const TemporaryFolder folder;
   run_program(folder, simulated_run({"--participant", "S01"}));

@@ -570,6 +570,8 @@ TEST(StudyFile, IsOneFileOnceClosed) {
     names.push_back(entry.path().filename());
   }
   EXPECT_EQ(names, std::vector<std::string>{"a.sqlite"});
+  // Bytes 18 and 19 of SQLite's header: 2 would ask every reader for a folder it may write in.
+  EXPECT_EQ(text_of(folder / "a.sqlite").substr(18, 2), "\x01\x01");
 }
 
 // ---------------------------------------------------------------- a display that closes
