@@ -31,10 +31,10 @@ class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
       : display_(clock_, kHeadlessHz, assumed_screen()),
-        observer_(options.observer->parameters, options.seed, options.participant, clock_) {}
+        observer_(make_observer(*options.observer, options.seed, options.participant, clock_)) {}
 
   Display& display() override { return display_; }
-  Input& input() override { return observer_; }
+  Input& input() override { return *observer_; }
   SyncTest sync_test() override {
     return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
   }
@@ -46,7 +46,7 @@ class HeadlessLaboratory final : public Laboratory {
  private:
   VirtualClock clock_;
   HeadlessDisplay display_;
-  CausalityObserver observer_;
+  std::unique_ptr<RatingObserver> observer_;
 };
 
 #ifdef IMPETUS_WINDOW

@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/replay_truth.hpp"
 #include "experiments/commands/replayed_trial.hpp"
 #include "experiments/session/input_error.hpp"
 
@@ -22,6 +24,7 @@ struct ReplayOptions {
   std::optional<std::int64_t> trial;
   std::string participant;
   bool view{false};
+  bool truth{false};
   std::string window_size;
 };
 
@@ -83,7 +86,8 @@ int replay_study(const ReplayOptions& options) {
     throw InputError("--view: this build has no window");
   }
 #endif
-  StudyFile study = StudyFile::open_for_reading(options.study);
+  StudyFile study = options.truth ? StudyFile::open_for_writing(options.study, kBuild)
+                                  : StudyFile::open_for_reading(options.study);
   try {
     const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);
 #ifdef IMPETUS_WINDOW
@@ -91,7 +95,7 @@ int replay_study(const ReplayOptions& options) {
       return view_attempts(study, attempts, options.window_size);
     }
 #endif
-    return compare_all(study, attempts);
+    return options.truth ? fill_truth(study, attempts) : compare_all(study, attempts);
   } catch (const SQLite::Exception& error) {
     throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
   }
@@ -108,6 +112,8 @@ void add_replay(CLI::App& app, Command& chosen) {
                       "Only this trial (the column `trial` of the views)");
   command->add_option("--participant", options->participant, "Only this participant's trials");
   command->add_flag("--view", options->view, "Play the trials in a window");
+  command->add_flag("--truth", options->truth,
+                    "Measure each collision's gap and hidden share and store them");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->callback([options, &chosen] { chosen = [options] { return replay_study(*options); }; });
 }

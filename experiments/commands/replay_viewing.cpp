@@ -70,8 +70,11 @@ ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt
   view.step_hz = scene.step_hz;
   view.duration_s = scene.duration_s;
   view.marks = marks_of(study, attempt, scene);
-  ReplayResult result = replay(std::move(scene), library.steps(attempt), /*keep_states=*/true);
-  view.states = std::move(result.states);
+  const ReplayResult result =
+      replay(std::move(scene), library.steps(attempt),
+             [&view](std::int64_t, const World& world, const StepReport&) {
+               view.states.push_back(world.states());
+             });
   stop_where_it_was_interrupted(view);
   view.agrees = !result.divergence;
   return view;

@@ -5,7 +5,7 @@ namespace impetus {
 
 ShownObserver::ShownObserver(const ObserverFile& observer, std::uint64_t seed,
                              const std::string& participant, Window& window, const Clock& clock)
-    : observer_(observer.parameters, seed, participant, own_time_),
+    : observer_(make_observer(observer, seed, participant, own_time_)),
       window_(window),
       clock_(clock) {}
 
@@ -14,7 +14,7 @@ Answer ShownObserver::ask(const Page& page) {
   if (!page.can_pause && page.choices.size() > 1) {
     return window_.ask(page);
   }
-  Answer answer = observer_.ask(page);
+  Answer answer = observer_->ask(page);
   const double seconds = static_cast<double>(answer.arrived_ns - answer.shown_ns) / 1e9;
   answer.shown_ns = clock_.now_ns();
   window_.show_page_for(page, seconds, answer.choice);

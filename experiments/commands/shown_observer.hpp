@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "experiments/observers/causality_observer.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/stage/window.hpp"
 
@@ -18,11 +18,13 @@ class ShownObserver final : public Input {
 
   Answer ask(const Page& page) override;
   Interruption interruption() override { return window_.interruption(); }
-  void witnessed(const AttemptRecord& shown) override { observer_.witnessed(shown); }
+  void witnessed(const AttemptRecord& shown, const StagedScene& scene) override {
+    observer_->witnessed(shown, scene);
+  }
 
  private:
   VirtualClock own_time_;  ///< of the model's reaction times; the record takes the real clock's
-  CausalityObserver observer_;
+  std::unique_ptr<RatingObserver> observer_;
   Window& window_;
   const Clock& clock_;
 };

@@ -2,6 +2,7 @@
 #include "experiments/protocol/observer_file.hpp"
 
 #include <utility>
+#include <vector>
 
 #include "experiments/protocol/validation.hpp"
 
@@ -10,61 +11,99 @@ namespace {
 
 using nlohmann::json;
 
-struct ParameterName {
+/// One number of the file and where it goes.
+template <typename Parameters>
+struct ParameterEntry {
   const char* name;
   double minimum;
+  double maximum;
+  double Parameters::* place;
 };
 
-constexpr double kAny = -1e9;
-constexpr ParameterName kParameters[] = {{"baseline", kAny},
-                                         {"delay_effect", kAny},
-                                         {"threshold_mean_ms", kAny},
-                                         {"threshold_sd_ms", 0.0},
-                                         {"threshold_width_ms", 1e-3},
-                                         {"intercept_sd", 0.0},
-                                         {"cut_1_2", kAny},
-                                         {"cut_2_3", kAny},
-                                         {"lapse_rate", 0.0},
-                                         {"reaction_median_ms", 1.0},
-                                         {"reaction_sigma_log", 0.0}};
+constexpr double kAny = 1e9;
 
-json observer_schema() {
+template <typename Parameters>
+std::vector<ParameterEntry<Parameters>> with_rating(
+    std::vector<ParameterEntry<Parameters>> entries) {
+  const std::vector<ParameterEntry<Parameters>> rating{
+      {"baseline", -kAny, kAny, &Parameters::baseline},
+      {"effect", -kAny, kAny, &Parameters::effect},
+      {"effect_sd", 0.0, kAny, &Parameters::effect_sd},
+      {"intercept_sd", 0.0, kAny, &Parameters::intercept_sd},
+      {"cut_1_2", -kAny, kAny, &Parameters::cut_1_2},
+      {"cut_2_3", -kAny, kAny, &Parameters::cut_2_3},
+      {"lapse_rate", 0.0, 1.0, &Parameters::lapse_rate},
+      {"reaction_median_ms", 1.0, kAny, &Parameters::reaction_median_ms},
+      {"reaction_sigma_log", 0.0, kAny, &Parameters::reaction_sigma_log}};
+  entries.insert(entries.end(), rating.begin(), rating.end());
+  return entries;
+}
+
+std::vector<ParameterEntry<CausalityParameters>> entries_of(const CausalityParameters& /*kind*/) {
+  using P = CausalityParameters;
+  return with_rating<P>({{"threshold_mean_ms", -kAny, kAny, &P::threshold_mean_ms},
+                         {"threshold_sd_ms", 0.0, kAny, &P::threshold_sd_ms},
+                         {"threshold_width_ms", 1e-3, kAny, &P::threshold_width_ms}});
+}
+
+std::vector<ParameterEntry<GapParameters>> entries_of(const GapParameters& /*kind*/) {
+  using P = GapParameters;
+  return with_rating<P>({{"threshold_arcmin", 1e-3, kAny, &P::threshold_arcmin},
+                         {"width_log10", 1e-3, kAny, &P::width_log10},
+                         {"guess_rate", 0.0, 1.0, &P::guess_rate},
+                         {"miss_rate", 0.0, 1.0, &P::miss_rate}});
+}
+
+json kind_schema() {
+  return {{"type", "object"},
+          {"required", {"observer"}},
+          {"properties", {{"observer", {{"enum", {"causality", "gap"}}}}}}};
+}
+
+template <typename Parameters>
+json observer_schema(const std::vector<ParameterEntry<Parameters>>& entries) {
   json parameters{{"type", "object"}, {"additionalProperties", false}};
-  for (const auto& [name, minimum] : kParameters) {
-    parameters["required"].push_back(name);
-    parameters["properties"][name] =
-        json{{"type", "object"},
-             {"additionalProperties", false},
-             {"required", {"value", "unit", "source"}},
-             {"properties",
-              {{"value", {{"type", "number"}, {"minimum", minimum}, {"maximum", 1e9}}},
-               {"unit", {{"type", "string"}}},
-               {"source", {{"type", "string"}, {"minLength", 1}}}}}};
+  for (const auto& entry : entries) {
+    parameters["required"].push_back(entry.name);
+    parameters["properties"][entry.name] = json{
+        {"type", "object"},
+        {"additionalProperties", false},
+        {"required", {"value", "unit", "source"}},
+        {"properties",
+         {{"value", {{"type", "number"}, {"minimum", entry.minimum}, {"maximum", entry.maximum}}},
+          {"unit", {{"type", "string"}}},
+          {"source", {{"type", "string"}, {"minLength", 1}}}}}};
   }
-  parameters["properties"]["lapse_rate"]["properties"]["value"]["maximum"] = 1;
   return {{"type", "object"},
           {"additionalProperties", false},
           {"required", {"schema_version", "observer", "parameters"}},
           {"properties",
            {{"schema_version", {{"const", 1}}},
-            {"observer", {{"const", "causality"}}},
+            {"observer", {{"type", "string"}}},
             {"note", {{"type", "string"}}},
             {"parameters", parameters}}}};
 }
 
-CausalityParameters parameters_from(const json& object) {
-  const auto value = [&](const char* name) { return object[name]["value"].get<double>(); };
-  CausalityParameters parameters;
-  parameters.baseline = value("baseline");
-  parameters.delay_effect = value("delay_effect");
-  parameters.threshold_mean_ms = value("threshold_mean_ms");
-  parameters.threshold_sd_ms = value("threshold_sd_ms");
-  parameters.threshold_width_ms = value("threshold_width_ms");
-  parameters.intercept_sd = value("intercept_sd");
-  parameters.cuts = {value("cut_1_2"), value("cut_2_3")};
-  parameters.lapse_rate = value("lapse_rate");
-  parameters.reaction_median_ms = value("reaction_median_ms");
-  parameters.reaction_sigma_log = value("reaction_sigma_log");
+void require_schema(const JsonDocument& document, const json& schema) {
+  if (const auto problem = find_schema_problem(schema, document.value)) {
+    refuse(document, problem->pointer, problem->message);
+  }
+}
+
+template <typename Parameters>
+Parameters parameters_from(const JsonDocument& document) {
+  Parameters parameters;
+  const auto entries = entries_of(parameters);
+  require_schema(document, observer_schema(entries));
+  for (const auto& entry : entries) {
+    parameters.*entry.place =
+        document.value["parameters"][entry.name]["value"].template get<double>();
+  }
+  if (parameters.cut_1_2 >= parameters.cut_2_3) {
+    refuse(document, "/parameters/cut_2_3/value",
+           "expected more than cut_1_2, got " +
+               document.value["parameters"]["cut_2_3"]["value"].dump());
+  }
   return parameters;
 }
 
@@ -86,16 +125,22 @@ std::filesystem::path find_observer(const std::string& name,
 
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol) {
   ObserverFile file{read_json(find_observer(name_or_path, protocol)), {}};
-  if (const auto problem = find_schema_problem(observer_schema(), file.document.value)) {
-    refuse(file.document, problem->pointer, problem->message);
-  }
-  file.parameters = parameters_from(file.document.value["parameters"]);
-  if (file.parameters.cuts[0] >= file.parameters.cuts[1]) {
-    refuse(file.document, "/parameters/cut_2_3/value",
-           "expected more than cut_1_2, got " +
-               file.document.value["parameters"]["cut_2_3"]["value"].dump());
+  require_schema(file.document, kind_schema());
+  if (file.document.value["observer"] == "gap") {
+    file.parameters = parameters_from<GapParameters>(file.document);
+  } else {
+    file.parameters = parameters_from<CausalityParameters>(file.document);
   }
   return file;
+}
+
+std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
+                                              const std::string& pseudonym, VirtualClock& clock) {
+  if (const auto* gap = std::get_if<GapParameters>(&file.parameters)) {
+    return std::make_unique<GapObserver>(*gap, seed, pseudonym, clock);
+  }
+  return std::make_unique<CausalityObserver>(std::get<CausalityParameters>(file.parameters), seed,
+                                             pseudonym, clock);
 }
 
 }  // namespace impetus

@@ -3,20 +3,28 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <variant>
 
 #include "experiments/observers/causality_observer.hpp"
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/protocol/json_document.hpp"
 
 namespace impetus {
 
 struct ObserverFile {
   JsonDocument document;
-  CausalityParameters parameters;
+  std::variant<CausalityParameters, GapParameters> parameters;
 };
 
 /// `name_or_path`: a file, or the name of one in the observers' folder that lies beside the
 /// protocol's. Throws InputError.
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol);
+
+/// The participant whose traits and answers follow from `seed` and `pseudonym`. `clock` must
+/// outlive it.
+std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
+                                              const std::string& pseudonym, VirtualClock& clock);
 
 }  // namespace impetus

@@ -239,8 +239,8 @@ void check_scale_for_observer(const Protocol& protocol) {
   const RatingScale& scale = protocol.script.scale;
   if (scale.maximum - scale.minimum != 2 || scale.best != scale.minimum) {
     refuse(protocol.document, "/rating",
-           "expected three points of which the lowest is the best, as the observer causality "
-           "rates, got " +
+           "expected three points of which the lowest is the best, as simulated participants "
+           "rate, got " +
                std::to_string(scale.minimum) + " to " + std::to_string(scale.maximum) + ", best " +
                std::to_string(scale.best));
   }

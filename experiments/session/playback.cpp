@@ -39,10 +39,16 @@ void Playback::step_once() {
   for (const CollisionReport& collision : report.collisions) {
     if (collision.began) {
       const Vector3& point = collision.contact.touch.point;
-      collisions_.push_back({step, collision, eccentricity_deg(point, scene_.viewer), -1});
+      collisions_.push_back({step, collision, pose_of(collision.bodies.a),
+                             pose_of(collision.bodies.b), scene_.no_spin,
+                             eccentricity_deg(point, scene_.viewer), -1});
     }
   }
   steps_.push_back(record_of(step, std::move(report)));
+}
+
+Pose Playback::pose_of(std::int32_t body) const {
+  return scene_.world.states()[static_cast<std::size_t>(body)].pose;
 }
 
 std::vector<Pose> Playback::poses_at(double time_s) {

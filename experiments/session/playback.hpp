@@ -29,6 +29,7 @@ class Playback {
 
  private:
   void step_once();
+  [[nodiscard]] Pose pose_of(std::int32_t body) const;
 
   StagedScene scene_;
   WorkMeter* meter_;

@@ -90,7 +90,10 @@ class Input {
 
   /// Tells what a trial showed, before its question is asked. A simulated participant judges by
   /// it; a person has seen it.
-  virtual void witnessed(const AttemptRecord& shown) { static_cast<void>(shown); }
+  virtual void witnessed(const AttemptRecord& shown, const StagedScene& scene) {
+    static_cast<void>(shown);
+    static_cast<void>(scene);
+  }
 };
 
 class Scenes {

@@ -18,26 +18,26 @@ Divergence locate(const StepRecord& recorded, const StateHash& actual,
 
 }  // namespace
 
-ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded, bool keep_states) {
+ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
+                    const StepWatcher& watcher) {
   ReplayResult result;
   const StepInput input{1.0 / scene.step_hz, scene.viewer};
   for (const StepRecord& then : recorded) {
-    StateHash now;
+    StepReport now;
     if (then.step == 0) {
-      now = hash_state(scene.world.states());
+      now.state = hash_state(scene.world.states());
     } else {
       FixedWork meter(then.work_granted);
-      now = scene.world.step(input, meter).state;
+      now = scene.world.step(input, meter);
       ++result.steps;
     }
-    if (now.hash != then.state.hash && !result.divergence) {
-      result.divergence = locate(then, now, scene.world.models());
+    if (now.state.hash != then.state.hash && !result.divergence) {
+      result.divergence = locate(then, now.state, scene.world.models());
     }
-    if (result.divergence && !keep_states) {
+    if (watcher) {
+      watcher(then.step, scene.world, now);
+    } else if (result.divergence) {
       return result;
-    }
-    if (keep_states) {
-      result.states.push_back(scene.world.states());
     }
   }
   return result;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,13 +22,16 @@ struct Divergence {
 struct ReplayResult {
   std::int64_t steps{0};  ///< simulated, the start not counted
   std::optional<Divergence> divergence;
-  std::vector<std::vector<BodyState>> states;  ///< [step][body], only when asked for
 };
 
+/// Called after each step with its number, the world and its report; for step 0 the report is
+/// empty.
+using StepWatcher =
+    std::function<void(std::int64_t step, const World& world, const StepReport& report)>;
+
 /// Steps `scene` through `recorded`, granting each step the work that was granted then, and stops
-/// at the first state whose hash differs. `keep_states` keeps every state for the viewer and goes
-/// on to the end.
+/// at the first state whose hash differs. With a watcher it goes on to the end.
 ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
-                    bool keep_states = false);
+                    const StepWatcher& watcher = {});
 
 }  // namespace impetus

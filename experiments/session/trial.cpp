@@ -82,7 +82,7 @@ class Attempt {
   }
 
   bool ask_rating() {
-    ports_.input.witnessed(result_.record);
+    ports_.input.witnessed(result_.record, playback_.scene());
     const RatingScale& scale = script_.scale;
     const Answer answer = ports_.input.ask(rating_page());
     result_.record.late_untimed_frames += answer.late_frames;

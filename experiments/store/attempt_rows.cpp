@@ -69,23 +69,35 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
   }
 }
 
+const char* stop_name(StopReason reason) {
+  switch (reason) {
+    case StopReason::kBudgetSpent:
+      return "budget";
+    case StopReason::kGreatestLevel:
+      return "greatest level";
+    default:
+      return "finest";
+  }
+}
+
 void insert_collisions(SQLite::Database& database, std::int64_t id, const AttemptRecord& attempt) {
   SQLite::Statement insert(
       database,
       "INSERT INTO collision (attempt_id, step, body_a, body_b, level, stopped, point_x_m, "
       "point_y_m, point_z_m, normal_x, normal_y, normal_z, depth_m, approach_m_s, impulse_Ns, "
-      "imposed_hold_ms, eccentricity_deg, first_frame) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1))");
+      "imposed_hold_ms, imposed_no_spin, eccentricity_deg, first_frame) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1))");
   for (const CollisionRecord& collision : attempt.collisions) {
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
     const auto a = static_cast<std::size_t>(report.bodies.a);
     const auto b = static_cast<std::size_t>(report.bodies.b);
     SQLite::bind(insert, id, collision.step, attempt.body_names[a], attempt.body_names[b],
-                 report.level, report.stop == StopReason::kFinest ? "finest" : "budget",
+                 report.level, stop_name(report.stop),
                  touch.point.x(), touch.point.y(), touch.point.z(), touch.normal.x(),
                  touch.normal.y(), touch.normal.z(), touch.depth_m, report.approach_m_s,
-                 report.impulse_Ns, report.imposed_hold_s * 1e3, collision.eccentricity_deg,
+                 report.impulse_Ns, report.imposed_hold_s * 1e3, collision.no_spin ? 1 : 0,
+                 collision.eccentricity_deg,
                  collision.first_frame_shown);
     insert.exec();
     insert.reset();

@@ -13,8 +13,13 @@ namespace impetus {
 namespace {
 
 CausalityParameters shipped() {
-  return load_observer(source_file("experiments/observers/causality.json").string(), "x")
-      .parameters;
+  const auto file = source_file("experiments/observers/causality.json").string();
+  return std::get<CausalityParameters>(load_observer(file, "x").parameters);
+}
+
+GapParameters shipped_gap() {
+  const auto file = source_file("experiments/observers/gap.json").string();
+  return std::get<GapParameters>(load_observer(file, "x").parameters);
 }
 
 double mean_rating(const CausalityObserver& observer, double delay_ms) {
@@ -81,18 +86,42 @@ TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
   VirtualClock clock;
   CausalityParameters parameters = shipped();
   parameters.lapse_rate = 0.0;
-  parameters.delay_effect = 1e3;  // certain to rate 3 when the freeze is seen, 1 when it is not
+  parameters.effect = 1e3;  // certain to rate 3 when the freeze is seen, 1 when it is not
   parameters.baseline = -500.0;
   CausalityObserver observer(parameters, 1, "S01", clock);
   Page page;
   page.layout = Page::Layout::kScale;
   AttemptRecord shown;
   shown.collisions.resize(1);
-  observer.witnessed(shown);
+  const StagedScene scene{World({}, {}, {}), {}, {}};
+  observer.witnessed(shown, scene);
   EXPECT_EQ(observer.ask(page).choice, 0U);
   shown.collisions[0].report.imposed_hold_s = 1.0;
-  observer.witnessed(shown);
+  observer.witnessed(shown, scene);
   EXPECT_EQ(observer.ask(page).choice, 2U);
+}
+
+// Reddy's visible frequency at the values that the specification prints.
+TEST(GapObserver, VisibleFrequencyIsAsPublished) {
+  EXPECT_EQ(visible_frequency_at(0.0), 60.0);
+  EXPECT_NEAR(visible_frequency_at(10.0), 29.91, 0.005);
+  EXPECT_EQ(visible_frequency_at(200.0), 0.1);
+}
+
+TEST(GapObserver, HalfOfGapsAtTheThresholdAreSeenAndLargerOnesMore) {
+  GapParameters parameters = shipped_gap();
+  parameters.guess_rate = parameters.miss_rate = 0.0;
+  VirtualClock clock;
+  const GapObserver observer(parameters, 1, "S01", clock);
+  EXPECT_NEAR(observer.seen_gap(parameters.threshold_arcmin, 0.0, 0.5), 0.5, 1e-12);
+  EXPECT_GT(observer.seen_gap(20.0, 0.0, 0.5), observer.seen_gap(10.0, 0.0, 0.5));
+}
+
+TEST(GapObserver, SpeedAndEccentricityHideAGap) {
+  VirtualClock clock;
+  const GapObserver observer(shipped_gap(), 1, "S01", clock);
+  EXPECT_LT(observer.seen_gap(15.0, 0.0, 30.0), observer.seen_gap(15.0, 0.0, 10.0));
+  EXPECT_LT(observer.seen_gap(15.0, 5.0, 10.0), observer.seen_gap(15.0, 0.0, 10.0));
 }
 
 }  // namespace

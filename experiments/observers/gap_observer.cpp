@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/observers/gap_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/trigonometry.hpp"
+#include "experiments/session/collision_truth.hpp"
+
+namespace impetus {
+
+double visible_frequency_at(double speed_deg_s) {
+  if (speed_deg_s <= 0.825) {
+    return 60.0;
+  }
+  return speed_deg_s <= 118.3 ? 57.69 - 27.78 * std::log10(speed_deg_s) : 0.1;
+}
+
+GapObserver::GapObserver(const GapParameters& parameters, std::uint64_t seed,
+                         const std::string& pseudonym, VirtualClock& clock)
+    : RatingObserver(parameters, RandomStream(seed, "observer/gap/" + pseudonym), clock),
+      parameters_(parameters) {
+  draw_traits();
+}
+
+double GapObserver::seen_gap(double visible_arcmin, double eccentricity_deg,
+                             double speed_deg_s) const {
+  if (visible_arcmin <= 0.0) {
+    return parameters_.guess_rate;
+  }
+  const double threshold = parameters_.threshold_arcmin * (1.0 + eccentricity_deg / 2.3) *
+                           (60.0 / visible_frequency_at(speed_deg_s));
+  return parameters_.guess_rate +
+         (1.0 - parameters_.guess_rate - parameters_.miss_rate) *
+             normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
+}
+
+double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) const {
+  const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
+  double clearest = parameters_.guess_rate;
+  for (const CollisionRecord& collision : shown.collisions) {
+    const auto a = static_cast<std::size_t>(collision.report.bodies.a);
+    const auto b = static_cast<std::size_t>(collision.report.bodies.b);
+    const CollisionTruth truth = measure_truth(scene.looks[a], collision.pose_a, scene.looks[b],
+                                               collision.pose_b, scene.viewer);
+    const double speed_deg_s = collision.report.approach_m_s / m_per_deg;
+    clearest = std::max(
+        clearest, seen_gap(truth.visible_arcmin(), collision.eccentricity_deg, speed_deg_s));
+  }
+  return clearest;
+}
+
+}  // namespace impetus

@@ -1,0 +1,28 @@
+// What a viewer could see of a collision: the gap between the drawn bodies, measured, not set.
+//
+//   eye ·························  the gap is the angle between the two closest points, so
+//        ·········· p ─── q        foreshortening counts; its hidden share is the part of p–q
+//                 body  body       that some drawn face covers
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/session/staged_scene.hpp"
+
+namespace impetus {
+
+struct CollisionTruth {
+  double gap_m{0.0};        ///< closest distance of the drawn surfaces
+  double gap_px{0.0};       ///< between the two closest points as projected
+  double gap_arcmin{0.0};   ///< the same as a visual angle
+  double hidden_share{0.0};  ///< of the gap, by sample rays; 0 where there is no gap
+
+  /// What is left of the gap for the eye (minutes of arc).
+  [[nodiscard]] double visible_arcmin() const { return gap_arcmin * (1.0 - hidden_share); }
+};
+
+/// The truth of a collision between two bodies of the scene, drawn as `looks` in these poses.
+CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
+                             const Pose& pose_b, const Viewer& viewer);
+
+}  // namespace impetus

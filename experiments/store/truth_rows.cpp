@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/store/truth_rows.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <SQLiteCpp/VariadicBind.h>
+
+#include <algorithm>
+
+namespace impetus {
+
+std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
+                                             const std::vector<std::string>& names) {
+  SQLite::Statement query(study.database(),
+                          "SELECT id, step, body_a, body_b FROM collision WHERE attempt_id = ? "
+                          "ORDER BY id");
+  query.bind(1, attempt_id);
+  std::vector<StoredCollision> collisions;
+  while (query.executeStep()) {
+    const auto a = std::find(names.begin(), names.end(), query.getColumn(2).getString());
+    const auto b = std::find(names.begin(), names.end(), query.getColumn(3).getString());
+    if (a != names.end() && b != names.end()) {
+      collisions.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
+                            a - names.begin(), b - names.begin()});
+    }
+  }
+  return collisions;
+}
+
+void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions) {
+  try {
+    SQLite::Transaction transaction(study.database());
+    SQLite::Statement insert(study.database(),
+                             "INSERT OR REPLACE INTO collision_truth (collision_id, gap_m, gap_px, "
+                             "gap_arcmin, hidden_share) VALUES (?, ?, ?, ?, ?)");
+    for (const auto& [id, truth] : collisions) {
+      SQLite::bind(insert, id, truth.gap_m, truth.gap_px, truth.gap_arcmin, truth.hidden_share);
+      insert.exec();
+      insert.reset();
+    }
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": the truth could not be saved: " + error.what());
+  }
+}
+
+}  // namespace impetus
