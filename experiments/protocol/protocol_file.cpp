@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include "experiments/protocol/embedded_schema.hpp"
