@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/collision/broad_phase.hpp"
 #include "engine/dynamics/motion.hpp"
 
 namespace impetus {
@@ -26,17 +25,15 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-struct World::RefinedPair {
-  BodyPair bodies;
-  PairRefinement refinement;
-};
-
 World::World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings)
-    : models_(std::move(models)), states_(std::move(states)), settings_(settings) {
+    : models_(std::move(models)), states_(std::move(states)), settings_(std::move(settings)) {
   require(models_.size() == states_.size(), "world: one state per body model is needed");
   require(settings_.restitution >= 0.0 && settings_.restitution <= 1.0,
           "world: restitution must lie in [0, 1]");
   require(settings_.imposed_hold_s >= 0.0, "world: an imposed hold cannot be negative");
+  require(!settings_.enclosure || settings_.enclosure->half_edge_m > 0.0,
+          "world: an enclosure needs a positive half edge");
+  require(problem_of(settings_.schedule).empty(), problem_of(settings_.schedule).c_str());
   for (const BodyModel& body : models_) {
     require(body.tree != nullptr, "world: every body needs a volume tree");
     placed_.emplace_back(*body.tree);
@@ -46,7 +43,8 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
 StepReport World::step(const StepInput& input, WorkMeter& meter) {
   StepReport report;
   const std::vector<PairBounds> candidates = move_and_pair(input.dt_s);
-  const std::vector<BodyPair> order = prioritised(candidates, DistancePriority{}, input.viewer);
+  const std::vector<ScheduledPair> order =
+      scheduled(candidates, settings_.schedule, input.viewer, input.fixation, input.region);
   const std::vector<RefinedPair> refined = refine(order, meter, report);
   model(refined, report);
   respond_to(report);
@@ -63,54 +61,89 @@ std::vector<PairBounds> World::move_and_pair(double dt_s) {
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
-  return candidate_pairs(bounds);
+  std::vector<PairBounds> candidates = candidate_pairs(bounds);
+  if (settings_.enclosure) {
+    add_wall_candidates(bounds, candidates);
+  }
+  for (PairBounds& pair : candidates) {
+    measure_motion_and_fit(pair);
+  }
+  return candidates;
 }
 
-std::vector<World::RefinedPair> World::refine(const std::vector<BodyPair>& order, WorkMeter& meter,
-                                              StepReport& report) {
+void World::add_wall_candidates(const std::vector<MovedBound>& bounds,
+                                std::vector<PairBounds>& candidates) const {
+  for (std::size_t body = 0; body < bounds.size(); ++body) {
+    const Sphere& bound = bounds[body].bound;
+    if (bounds[body].movable && reaches_wall(*settings_.enclosure, bound)) {
+      candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
+    }
+  }
+}
+
+void World::measure_motion_and_fit(PairBounds& pair) const {
+  constexpr int kLevelBeforeRefinement = 0;
+  const std::size_t a = at(pair.pair.a);
+  const std::size_t b = is_wall(pair.pair.b) ? a : at(pair.pair.b);
+  pair.velocity_a = velocity(models_[a], states_[a]);
+  pair.velocity_b = velocity(models_[b], states_[b]);
+  pair.fit_error_m = models_[a].tree->fit_error_m(kLevelBeforeRefinement);
+  if (!is_wall(pair.pair.b)) {
+    pair.fit_error_m += models_[b].tree->fit_error_m(kLevelBeforeRefinement);
+  }
+}
+
+std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, WorkMeter& meter,
+                                       StepReport& report) {
   std::vector<RefinedPair> refined;
   refined.reserve(order.size());
-  for (const BodyPair& bodies : order) {
-    refined.push_back({bodies, PairRefinement(placed_[at(bodies.a)], placed_[at(bodies.b)])});
+  for (const auto& [bodies, list] : order) {
+    const int deepest = settings_.schedule.lists[at(list)].greatest_level;
+    PlacedTree& a = placed_[at(bodies.a)];
+    refined.push_back({bodies, list,
+                       is_wall(bodies.b) ? PairRefinement(a, *settings_.enclosure, deepest)
+                                         : PairRefinement(a, placed_[at(bodies.b)], deepest)});
   }
-  report.work_floor = static_cast<std::int64_t>(order.size());
-  report.work_spent = report.work_floor;
-  report.work_granted = meter.request(report.work_spent);
+  const WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter);
+  report.work_granted = work.granted;
+  report.work_spent = work.spent;
+  report.work_floor = work.floor;
+  report.list_work = work.by_list;
   if (report.work_granted < report.work_floor) {
     report.degradations |= kFloorOverBudget;
-  }
-  for (RefinedPair& pair : refined) {
-    while (!pair.refinement.resolved()) {
-      const std::int64_t needed = report.work_spent + pair.refinement.next_block();
-      report.work_granted = std::max(report.work_granted, meter.request(needed));
-      if (report.work_granted < needed) {
-        break;
-      }
-      pair.refinement.refine_one_block();
-      report.work_spent = needed;
-    }
   }
   return refined;
 }
 
+std::vector<Contact> World::contacts_of(const RefinedPair& pair) {
+  const auto& [bodies, list, refinement] = pair;
+  if (refinement.overlapping().empty()) {
+    return {};
+  }
+  if (is_wall(bodies.b)) {
+    return wall_contacts(bodies.a, refinement, placed_[at(bodies.a)], *settings_.enclosure);
+  }
+  const BodyState& a = states_[at(bodies.a)];
+  const BodyState& b = states_[at(bodies.b)];
+  const NormalFallbacks fallbacks{
+      a.pose.position - b.pose.position,
+      velocity(models_[at(bodies.b)], b) - velocity(models_[at(bodies.a)], a)};
+  return {
+      average_contact(bodies, refinement, placed_[at(bodies.a)], placed_[at(bodies.b)], fallbacks)};
+}
+
 void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
-  for (const auto& [bodies, refinement] : refined) {
-    if (refinement.overlapping().empty()) {
-      continue;
+  for (const RefinedPair& pair : refined) {
+    for (const Contact& contact : contacts_of(pair)) {
+      CollisionReport collision;
+      collision.bodies = contact.bodies;
+      collision.list = pair.list;
+      collision.level = pair.refinement.level();
+      collision.stop = pair.refinement.stop_reason();
+      collision.began = !touched_before(contact.bodies);
+      collision.contact = contact;
+      report.collisions.push_back(collision);
     }
-    const BodyState& a = states_[at(bodies.a)];
-    const BodyState& b = states_[at(bodies.b)];
-    const NormalFallbacks fallbacks{
-        a.pose.position - b.pose.position,
-        velocity(models_[at(bodies.b)], b) - velocity(models_[at(bodies.a)], a)};
-    CollisionReport collision;
-    collision.bodies = bodies;
-    collision.level = refinement.level();
-    collision.stop = refinement.stop_reason();
-    collision.began = !touched_before(bodies);
-    collision.contact = average_contact(bodies, refinement, placed_[at(bodies.a)],
-                                        placed_[at(bodies.b)], fallbacks);
-    report.collisions.push_back(collision);
   }
   // The response must not depend on who was refined first, only on what was found.
   std::sort(report.collisions.begin(), report.collisions.end(),
@@ -133,8 +166,11 @@ void World::respond_to(StepReport& report) {
     collision.impulse_Ns = result.impulse_Ns[i];
     if (collision.began && collision.impulse_Ns > 0.0 && settings_.imposed_hold_s > 0.0) {
       collision.imposed_hold_s = settings_.imposed_hold_s;
-      states_[at(collision.bodies.a)].held_s = settings_.imposed_hold_s;
-      states_[at(collision.bodies.b)].held_s = settings_.imposed_hold_s;
+      for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
+        if (!is_wall(body)) {
+          states_[at(body)].held_s = settings_.imposed_hold_s;
+        }
+      }
     }
   }
   if (result.residual_approach_m_s > 0.0) {

@@ -2,8 +2,9 @@
 //
 //   move        integrate bodies; momenta are exact
 //   pair        swept bounds -> candidate pairs in a fixed order
-//   prioritise  a metric per pair -> an order of refinement
-//   refine      while the meter grants work: the next pair, one block of node-pair tests
+//   prioritise  a metric per pair -> a priority list, and an order within it
+//   refine      while the meter grants work: the list furthest behind its share, its next pair,
+//               one block of node-pair tests
 //   model       contacts of the last complete level, averaged
 //   respond     impulses; never add energy
 //
@@ -17,7 +18,9 @@
 #include <optional>
 #include <vector>
 
+#include "engine/collision/broad_phase.hpp"
 #include "engine/collision/contact_model.hpp"
+#include "engine/collision/list_refinement.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/state_hash.hpp"
@@ -36,8 +39,8 @@ struct WorldSettings {
   /// An imposed manipulation, not physics: bodies stay where they touched for this long before
   /// their rebound shows (Dingliana 2002, sec. 6.2.1).
   double imposed_hold_s{0.0};
-  std::optional<ClosedCube> enclosure;  ///< walls that keep the bodies inside
-  Schedule schedule;
+  std::optional<ClosedCube> enclosure{};  ///< walls that keep the bodies inside
+  Schedule schedule{};
 };
 
 /// Everything that decides a step besides the state.
@@ -95,11 +98,13 @@ class World {
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 
  private:
-  struct RefinedPair;
-
   std::vector<PairBounds> move_and_pair(double dt_s);
-  std::vector<RefinedPair> refine(const std::vector<BodyPair>& order, WorkMeter& meter,
+  void add_wall_candidates(const std::vector<MovedBound>& bounds,
+                           std::vector<PairBounds>& candidates) const;
+  void measure_motion_and_fit(PairBounds& pair) const;
+  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, WorkMeter& meter,
                                   StepReport& report);
+  std::vector<Contact> contacts_of(const RefinedPair& pair);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
   void respond_to(StepReport& report);
   [[nodiscard]] bool touched_before(BodyPair bodies) const;

@@ -39,4 +39,28 @@ Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree&
   return contact;
 }
 
+std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
+                                   const ClosedCube& walls) {
+  std::vector<Contact> contacts;
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    Contact contact;
+    contact.bodies = {body, wall_index(wall)};
+    contact.touch.normal = inward_normal(wall);
+    int count = 0;
+    for (const NodePair& node : pair.overlapping()) {
+      const TouchPoint at = touch_wall(walls, wall, tree.world_volume(node.a));
+      if (at.depth_m >= 0.0) {
+        contact.touch.point += at.point;
+        contact.touch.depth_m = std::max(contact.touch.depth_m, at.depth_m);
+        ++count;
+      }
+    }
+    if (count > 0) {
+      contact.touch.point /= count;
+      contacts.push_back(contact);
+    }
+  }
+  return contacts;
+}
+
 }  // namespace impetus

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/scheduling/priority.hpp"
 
 namespace impetus {
 
-/// One contact between two bodies: `normal` unit, from b towards a, in world.
+/// One contact between two bodies, or of a body and a wall: `normal` unit, from b towards a, in
+/// world.
 struct Contact {
   BodyPair bodies;
   TouchPoint touch;
@@ -28,5 +31,10 @@ struct NormalFallbacks {
 /// corrected)
 Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree& a, PlacedTree& b,
                         const NormalFallbacks& fallbacks);
+
+/// One contact for each wall that nodes of body `body` reach: the average over those nodes.
+/// `bodies` of each is {body, wall_index(wall)}, by rising wall.
+std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
+                                   const ClosedCube& walls);
 
 }  // namespace impetus

@@ -13,34 +13,53 @@ struct NodeRange {
   std::int32_t count;
 };
 
-NodeRange one_level_deeper(const VolumeTree& tree, std::int32_t index) {
-  const VolumeNode& node = tree.node(index);
+/// `placed` is null for walls, which have one node.
+NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
+  if (placed == nullptr) {
+    return {index, 1};
+  }
+  const VolumeNode& node = placed->tree().node(index);
   return node.child_count > 0 ? NodeRange{node.first_child, node.child_count} : NodeRange{index, 1};
 }
 
-bool has_children(const VolumeTree& tree, std::int32_t index) {
-  return tree.node(index).child_count > 0;
+bool has_children(const PlacedTree* placed, std::int32_t index) {
+  return placed != nullptr && placed->tree().node(index).child_count > 0;
 }
 
 }  // namespace
 
-PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b) : a_(&a), b_(&b) {
-  if (overlap(a.world_volume(0), b.world_volume(0))) {
+PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level)
+    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level) {
+  test_roots();
+}
+
+PairRefinement::PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level)
+    : a_(&a), b_(nullptr), walls_(&walls), greatest_level_(greatest_level) {
+  test_roots();
+}
+
+void PairRefinement::test_roots() {
+  if (touch_each_other({0, 0})) {
     committed_.push_back({0, 0});
   }
   skip_leaf_pairs();
 }
 
+bool PairRefinement::touch_each_other(const NodePair& pair) {
+  const Sphere& of_a = a_->world_volume(pair.a);
+  return b_ != nullptr ? overlap(of_a, b_->world_volume(pair.b)) : reaches_wall(*walls_, of_a);
+}
+
 std::int64_t PairRefinement::block_size(const NodePair& pair) const {
-  if (!has_children(a_->tree(), pair.a) && !has_children(b_->tree(), pair.b)) {
+  if (!has_children(a_, pair.a) && !has_children(b_, pair.b)) {
     return 0;
   }
-  return static_cast<std::int64_t>(one_level_deeper(a_->tree(), pair.a).count) *
-         one_level_deeper(b_->tree(), pair.b).count;
+  return static_cast<std::int64_t>(one_level_deeper(a_, pair.a).count) *
+         one_level_deeper(b_, pair.b).count;
 }
 
 std::int64_t PairRefinement::next_block() const {
-  return next_ < committed_.size() ? block_size(committed_[next_]) : 0;
+  return has_finer() && level_ < greatest_level_ ? block_size(committed_[next_]) : 0;
 }
 
 void PairRefinement::refine_one_block() {
@@ -52,11 +71,11 @@ void PairRefinement::refine_one_block() {
 }
 
 void PairRefinement::expand(const NodePair& pair) {
-  const NodeRange of_a = one_level_deeper(a_->tree(), pair.a);
-  const NodeRange of_b = one_level_deeper(b_->tree(), pair.b);
+  const NodeRange of_a = one_level_deeper(a_, pair.a);
+  const NodeRange of_b = one_level_deeper(b_, pair.b);
   for (std::int32_t i = of_a.first; i < of_a.first + of_a.count; ++i) {
     for (std::int32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {
-      if (overlap(a_->world_volume(i), b_->world_volume(j))) {
+      if (touch_each_other({i, j})) {
         expanding_.push_back({i, j});
       }
     }
@@ -93,7 +112,10 @@ StopReason PairRefinement::stop_reason() const {
   if (committed_.empty()) {
     return StopReason::kSeparated;
   }
-  return resolved() ? StopReason::kFinest : StopReason::kBudgetSpent;
+  if (!has_finer()) {
+    return StopReason::kFinest;
+  }
+  return level_ < greatest_level_ ? StopReason::kBudgetSpent : StopReason::kGreatestLevel;
 }
 
 }  // namespace impetus

@@ -1,26 +1,29 @@
-// Interruptible refinement of one pair of volume trees: stop whenever you like, keep a valid
-// answer.
+// Interruptible refinement of one pair of volume trees, or of a tree and the walls round it: stop
+// whenever you like, keep a valid answer.
 //
 //   frontier of this level --block--> overlap tests --> frontier of the next level
 //                                                       (committed when complete)
 //
 // What makes interruption safe: the answer is always the last complete level. Node pairs of two
 // leaves are carried from level to level untested; a leaf against an inner node descends the
-// other one. (Dingliana 2002, sec. 3.1.2 and app. B.2, corrected)
-// SPDX-License-Identifier: MIT
+// other one; the walls are one node that never descends. (Dingliana 2002, sec. 3.1.2 and app. B.2,
+// corrected) SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "engine/collision/placed_tree.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/shapes/closed_cube.hpp"
 
 namespace impetus {
 
-/// Why a refinement is where it is.
+/// Why a refinement is where it is: apart, nothing finer exists, no work was left, or its priority
+/// list goes no deeper.
 enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel };
 
-/// Nodes of a and b that overlap.
+/// Nodes of a and b that overlap; b is 0 when a touches a wall.
 struct NodePair {
   std::int32_t a{0};
   std::int32_t b{0};
@@ -31,9 +34,14 @@ struct NodePair {
 class PairRefinement {
  public:
   /// Tests the two roots: level 0, one node-pair test. Both trees must outlive this.
-  PairRefinement(PlacedTree& a, PlacedTree& b);
+  /// Refines no deeper than `greatest_level`.
+  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel);
 
-  /// True when no work could change the answer: separated, or nothing finer exists.
+  /// Nodes of `a` against the walls: one test a node. Both must outlive this.
+  PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level = kUnlimitedLevel);
+
+  /// True when no work could change the answer: separated, nothing finer exists, or the greatest
+  /// level is reached.
   [[nodiscard]] bool resolved() const { return next_block() == 0; }
 
   /// Tests the next block needs: the children of one node pair. Zero when resolved.
@@ -49,13 +57,18 @@ class PairRefinement {
   [[nodiscard]] StopReason stop_reason() const;
 
  private:
+  void test_roots();
+  [[nodiscard]] bool has_finer() const { return next_ < committed_.size(); }
+  [[nodiscard]] bool touch_each_other(const NodePair& pair);
   [[nodiscard]] std::int64_t block_size(const NodePair& pair) const;
   void expand(const NodePair& pair);
   void skip_leaf_pairs();
   void commit_if_complete();
 
   PlacedTree* a_;
-  PlacedTree* b_;
+  PlacedTree* b_;            ///< null for walls
+  const ClosedCube* walls_;  ///< null for a tree
+  int greatest_level_;
   int level_{0};
   std::vector<NodePair> committed_;
   std::vector<NodePair> expanding_;

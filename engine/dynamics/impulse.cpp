@@ -6,14 +6,23 @@
 namespace impetus {
 namespace {
 
+/// One body at a contact; walls have no side.
 struct Side {
   const BodyModel& model;
   BodyState& state;
   Vector3 arm;
 };
 
-Vector3 point_velocity(const BodyModel& model, const BodyState& state, const Vector3& arm) {
-  return velocity(model, state) + angular_velocity(model, state).cross(arm);
+/// Velocity of the body's point at `point`; a wall stands still.
+Vector3 point_velocity(std::int32_t index, const Vector3& point,
+                       const std::vector<BodyModel>& models, const std::vector<BodyState>& states) {
+  if (is_wall(index)) {
+    return Vector3::Zero();
+  }
+  const auto body = static_cast<std::size_t>(index);
+  const Vector3 arm = point - states[body].pose.position;
+  return velocity(models[body], states[body]) +
+         angular_velocity(models[body], states[body]).cross(arm);
 }
 
 /// How much an impulse of 1 N s along n changes the speed of the side's point along n (1/kg).
@@ -23,9 +32,22 @@ double mobility(const Side& side, const Vector3& normal) {
   return side.model.inverse_mass + normal.dot(turn.cross(side.arm));
 }
 
-void push(Side& side, const Vector3& impulse) {
-  side.state.linear_momentum += impulse;
-  side.state.angular_momentum += side.arm.cross(impulse);
+Side side_of(std::int32_t index, const Contact& contact, const std::vector<BodyModel>& models,
+             std::vector<BodyState>& states) {
+  const auto body = static_cast<std::size_t>(index);
+  return {models[body], states[body], contact.touch.point - states[body].pose.position};
+}
+
+void push(std::int32_t index, const Contact& contact, const Vector3& impulse,
+          const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+  if (is_wall(index)) {
+    return;
+  }
+  const Side side = side_of(index, contact, models, states);
+  if (side.model.inverse_mass > 0.0) {
+    side.state.linear_momentum += impulse;
+    side.state.angular_momentum += side.arm.cross(impulse);
+  }
 }
 
 /// Applies the single-contact impulse (eq. 3.1) if the contact approaches; returns its size.
@@ -35,22 +57,17 @@ double apply_if_approaching(const Contact& contact, double restitution,
   if (!(speed < 0.0)) {
     return 0.0;
   }
-  const auto a = static_cast<std::size_t>(contact.bodies.a);
-  const auto b = static_cast<std::size_t>(contact.bodies.b);
   const Vector3& normal = contact.touch.normal;
-  Side side_a{models[a], states[a], contact.touch.point - states[a].pose.position};
-  Side side_b{models[b], states[b], contact.touch.point - states[b].pose.position};
-  const double give = mobility(side_a, normal) + mobility(side_b, normal);
+  double give = 0.0;
+  for (const std::int32_t index : {contact.bodies.a, contact.bodies.b}) {
+    give += is_wall(index) ? 0.0 : mobility(side_of(index, contact, models, states), normal);
+  }
   if (!(give > 0.0)) {
     return 0.0;
   }
   const double impulse_Ns = -(1.0 + restitution) * speed / give;
-  if (models[a].inverse_mass > 0.0) {
-    push(side_a, impulse_Ns * normal);
-  }
-  if (models[b].inverse_mass > 0.0) {
-    push(side_b, -impulse_Ns * normal);
-  }
+  push(contact.bodies.a, contact, impulse_Ns * normal, models, states);
+  push(contact.bodies.b, contact, -impulse_Ns * normal, models, states);
   return impulse_Ns;
 }
 
@@ -59,6 +76,9 @@ double incoming_speed(const Contact& contact, const std::vector<BodyModel>& mode
                       const std::vector<BodyState>& states) {
   double speed = 0.0;
   for (const std::int32_t index : {contact.bodies.a, contact.bodies.b}) {
+    if (is_wall(index)) {
+      continue;
+    }
     const auto body = static_cast<std::size_t>(index);
     const Vector3 arm = contact.touch.point - states[body].pose.position;
     speed += velocity(models[body], states[body]).norm() +
@@ -84,12 +104,8 @@ bool pass(const std::vector<Contact>& contacts, double restitution,
 
 double separation_speed(const Contact& contact, const std::vector<BodyModel>& models,
                         const std::vector<BodyState>& states) {
-  const auto a = static_cast<std::size_t>(contact.bodies.a);
-  const auto b = static_cast<std::size_t>(contact.bodies.b);
-  const Vector3 arm_a = contact.touch.point - states[a].pose.position;
-  const Vector3 arm_b = contact.touch.point - states[b].pose.position;
-  const Vector3 relative =
-      point_velocity(models[a], states[a], arm_a) - point_velocity(models[b], states[b], arm_b);
+  const Vector3 relative = point_velocity(contact.bodies.a, contact.touch.point, models, states) -
+                           point_velocity(contact.bodies.b, contact.touch.point, models, states);
   return contact.touch.normal.dot(relative);
 }
 

@@ -41,7 +41,8 @@ double advance(const BodyModel& model, BodyState& state, double dt_s) {
 
   const Vector3 step = moving_s * velocity(model, state);
   state.pose.position += step;
-  if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0)) {
+  // Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
+  if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0) && !model.inverse_inertia.isZero(0.0)) {
     state.pose.orientation = rotated(model, state, moving_s);
   }
   return step.norm();

@@ -17,8 +17,10 @@ struct SineCosine {
 SineCosine sine_cosine_deg(double angle_deg);
 
 /// The angle of the point (x, y) from the x axis (radians), in [−π, π]; error below 1e-15. Both
-/// zero gives zero. Precondition: finite.
+/// zero gives zero; a value that is not finite may give a result that is not a number.
 double atan2_rad(double y, double x);
+
+double degrees(double angle_rad);
 
 /// Metres in the screen's plane that one degree of visual angle covers at its centre, for an eye
 /// `viewing_distance_m` away: 2 d tan(½°). Used as a linear scale, so 10° is ten times 1°.

@@ -14,4 +14,14 @@ Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg) {
   return viewer;
 }
 
+Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point) {
+  return point.x_m * viewer.right + point.y_m * viewer.up;
+}
+
+double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q) {
+  const Vector3 u = p - viewer.eye;
+  const Vector3 w = q - viewer.eye;
+  return degrees(atan2_rad(u.cross(w).norm(), u.dot(w)));
+}
+
 }  // namespace impetus

@@ -46,4 +46,12 @@ MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3) {
   return result;
 }
 
+TriangleMesh about_centre_of_mass(TriangleMesh mesh) {
+  const Vector3 centre = solid_of(mesh, /*density_kg_m3=*/1.0).centre;
+  for (Vector3& vertex : mesh.vertices) {
+    vertex -= centre;
+  }
+  return mesh;
+}
+
 }  // namespace impetus

@@ -70,11 +70,10 @@ ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt
   view.step_hz = scene.step_hz;
   view.duration_s = scene.duration_s;
   view.marks = marks_of(study, attempt, scene);
-  const ReplayResult result =
-      replay(std::move(scene), library.steps(attempt),
-             [&view](std::int64_t, const World& world, const StepReport&) {
-               view.states.push_back(world.states());
-             });
+  const ReplayResult result = replay(std::move(scene), library.steps(attempt),
+                                     [&view](std::int64_t, const World& world, const StepReport&) {
+                                       view.states.push_back(world.states());
+                                     });
   stop_where_it_was_interrupted(view);
   view.agrees = !result.divergence;
   return view;

@@ -12,7 +12,7 @@
 namespace impetus {
 
 struct CausalityParameters : RatingParameters {
-  double threshold_mean_ms{0.0};   ///< μ over participants
+  double threshold_mean_ms{0.0};  ///< μ over participants
   double threshold_sd_ms{0.0};
   double threshold_width_ms{1.0};  ///< σ of the psychometric function
 };

@@ -44,8 +44,8 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) c
     const CollisionTruth truth = measure_truth(scene.looks[a], collision.pose_a, scene.looks[b],
                                                collision.pose_b, scene.viewer);
     const double speed_deg_s = collision.report.approach_m_s / m_per_deg;
-    clearest = std::max(
-        clearest, seen_gap(truth.visible_arcmin(), collision.eccentricity_deg, speed_deg_s));
+    clearest = std::max(clearest,
+                        seen_gap(truth.visible_arcmin(), collision.eccentricity_deg, speed_deg_s));
   }
   return clearest;
 }

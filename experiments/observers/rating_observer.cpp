@@ -28,8 +28,7 @@ void RatingObserver::draw_traits() {
 }
 
 std::array<double, 3> RatingObserver::probabilities(double seen) const {
-  const double disbelief =
-      parameters_.baseline + (parameters_.effect + slope_) * seen + intercept_;
+  const double disbelief = parameters_.baseline + (parameters_.effect + slope_) * seen + intercept_;
   const double at_most_1 = logistic(parameters_.cut_1_2 - disbelief);
   const double at_most_2 = logistic(parameters_.cut_2_3 - disbelief);
   std::array<double, 3> probabilities{at_most_1, at_most_2 - at_most_1, 1.0 - at_most_2};

@@ -19,11 +19,11 @@
 namespace impetus {
 
 struct RatingParameters {
-  double baseline{0.0};           ///< logits
-  double effect{0.0};             ///< logits, of what was clearly seen
-  double effect_sd{0.0};          ///< of s over participants, logits
-  double intercept_sd{0.0};       ///< of u over participants, logits
-  double cut_1_2{0.0};            ///< between ratings 1 and 2, logits
+  double baseline{0.0};      ///< logits
+  double effect{0.0};        ///< logits, of what was clearly seen
+  double effect_sd{0.0};     ///< of s over participants, logits
+  double intercept_sd{0.0};  ///< of u over participants, logits
+  double cut_1_2{0.0};       ///< between ratings 1 and 2, logits
   double cut_2_3{0.0};
   double lapse_rate{0.0};
   double reaction_median_ms{500.0};

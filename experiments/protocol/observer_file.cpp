@@ -17,7 +17,7 @@ struct ParameterEntry {
   const char* name;
   double minimum;
   double maximum;
-  double Parameters::* place;
+  double Parameters::*place;
 };
 
 constexpr double kAny = 1e9;

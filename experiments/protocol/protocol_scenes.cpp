@@ -6,8 +6,7 @@
 namespace impetus {
 
 StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, condition), screen, round_hold_to_hz_,
-                     shapes_);
+  return build_scene(scene_under(*protocol_, condition), screen, round_hold_to_hz_, shapes_);
 }
 
 }  // namespace impetus

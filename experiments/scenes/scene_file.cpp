@@ -88,8 +88,8 @@ void add_shape_problems(const json& scene, std::vector<SceneProblem>& problems) 
     const std::vector<std::string>& measures = kMeasures.at(kind);
     for (const std::string& measure : measures) {
       if (!shape.contains(measure)) {
-        problems.push_back(
-            {place, "expected the key \"" + measure + "\" for kind " + kind + ", which is missing"});
+        problems.push_back({place, "expected the key \"" + measure + "\" for kind " + kind +
+                                       ", which is missing"});
         return;
       }
     }
@@ -131,10 +131,9 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   add_shape_problems(scene, problems);
   const json& engine = scene["engine"];
   if (engine.contains("level") && engine["level"] > engine.value("tree_depth", 0)) {
-    problems.push_back({"/engine/level", "expected at most " +
-                                             std::to_string(engine.value("tree_depth", 0)) +
-                                             ", the deepest level of the trees, got " +
-                                             engine["level"].dump()});
+    problems.push_back(
+        {"/engine/level", "expected at most " + std::to_string(engine.value("tree_depth", 0)) +
+                              ", the deepest level of the trees, got " + engine["level"].dump()});
   }
   if (scene["bodies"][0]["name"] == scene["bodies"][1]["name"]) {
     problems.push_back({"/bodies/1/name", "expected a name of its own, got " +
@@ -162,9 +161,8 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const Quaternion turn_b = turned(scene["bodies"][1]);
   const MeetingPlaces touch = meeting_places(*models[0].tree, turn_a, *models[1].tree, turn_b,
                                              engine.value("level", tree_depth));
-  const double speed_m_s =
-      meeting["speed_deg_s"].get<double>() * meeting.value("speed_percent", 100.0) / 100.0 *
-      m_per_deg;
+  const double speed_m_s = meeting["speed_deg_s"].get<double>() *
+                           meeting.value("speed_percent", 100.0) / 100.0 * m_per_deg;
   const double way_m = speed_m_s * meeting["lead_s"].get<double>();
   std::vector<BodyState> states{on_its_way(models[0], turn_a, touch.a_m, way_m, speed_m_s),
                                 on_its_way(models[1], turn_b, touch.b_m, way_m, speed_m_s)};

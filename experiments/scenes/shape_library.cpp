@@ -42,8 +42,7 @@ BodyShape build(const json& description, double metres_per_degree, int tree_dept
 
 const BodyShape& ShapeLibrary::shape(const json& description, double metres_per_degree,
                                      int tree_depth) {
-  const std::string key =
-      json::array({description, metres_per_degree, tree_depth}).dump();
+  const std::string key = json::array({description, metres_per_degree, tree_depth}).dump();
   const auto known = shapes_.find(key);
   if (known != shapes_.end()) {
     return known->second;

@@ -12,9 +12,9 @@
 namespace impetus {
 
 struct CollisionTruth {
-  double gap_m{0.0};        ///< closest distance of the drawn surfaces
-  double gap_px{0.0};       ///< between the two closest points as projected
-  double gap_arcmin{0.0};   ///< the same as a visual angle
+  double gap_m{0.0};         ///< closest distance of the drawn surfaces
+  double gap_px{0.0};        ///< between the two closest points as projected
+  double gap_arcmin{0.0};    ///< the same as a visual angle
   double hidden_share{0.0};  ///< of the gap, by sample rays; 0 where there is no gap
 
   /// What is left of the gap for the eye (minutes of arc).

@@ -27,7 +27,7 @@ struct CollisionRecord {
   CollisionReport report;
   Pose pose_a;  ///< of both bodies at the end of the step; not stored, a replay has them
   Pose pose_b;
-  bool no_spin{false};  ///< imposed: neither body can turn
+  bool no_spin{false};                 ///< imposed: neither body can turn
   double eccentricity_deg{0.0};        ///< of the contact point from the screen's centre
   std::int64_t first_frame_shown{-1};  ///< −1: no frame showed it
 };

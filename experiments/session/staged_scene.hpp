@@ -29,7 +29,7 @@ struct StagedScene {
   double duration_s{0.0};       ///< from onset to the end of the stimulus, an imposed hold included
   double contact_s{0.0};        ///< when the bodies are to meet, from onset
   double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
-  bool no_spin{false};         ///< imposed: nothing turns
+  bool no_spin{false};          ///< imposed: nothing turns
   double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
 };
 

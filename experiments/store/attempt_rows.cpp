@@ -10,6 +10,21 @@
 namespace impetus {
 namespace {
 
+const std::string kEnclosureName = "enclosure";
+
+const char* name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::kSeparated:
+      return "separated";
+    case StopReason::kFinest:
+      return "finest";
+    case StopReason::kGreatestLevel:
+      return "greatest level";
+    default:
+      return "budget";
+  }
+}
+
 /// 16 bits per body and field, little endian on every machine.
 std::string pack(const std::vector<BodyDigest>& bodies) {
   std::string bytes;
@@ -69,17 +84,6 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
   }
 }
 
-const char* stop_name(StopReason reason) {
-  switch (reason) {
-    case StopReason::kBudgetSpent:
-      return "budget";
-    case StopReason::kGreatestLevel:
-      return "greatest level";
-    default:
-      return "finest";
-  }
-}
-
 void insert_collisions(SQLite::Database& database, std::int64_t id, const AttemptRecord& attempt) {
   SQLite::Statement insert(
       database,
@@ -91,13 +95,14 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
     const auto a = static_cast<std::size_t>(report.bodies.a);
-    const auto b = static_cast<std::size_t>(report.bodies.b);
-    SQLite::bind(insert, id, collision.step, attempt.body_names[a], attempt.body_names[b],
-                 report.level, stop_name(report.stop),
-                 touch.point.x(), touch.point.y(), touch.point.z(), touch.normal.x(),
-                 touch.normal.y(), touch.normal.z(), touch.depth_m, report.approach_m_s,
-                 report.impulse_Ns, report.imposed_hold_s * 1e3, collision.no_spin ? 1 : 0,
-                 collision.eccentricity_deg,
+    const std::string& body_b = is_wall(report.bodies.b)
+                                    ? kEnclosureName
+                                    : attempt.body_names[static_cast<std::size_t>(report.bodies.b)];
+    SQLite::bind(insert, id, collision.step, attempt.body_names[a], body_b, report.level,
+                 name_of(report.stop), touch.point.x(), touch.point.y(), touch.point.z(),
+                 touch.normal.x(), touch.normal.y(), touch.normal.z(), touch.depth_m,
+                 report.approach_m_s, report.impulse_Ns, report.imposed_hold_s * 1e3,
+                 collision.no_spin ? 1 : 0, collision.eccentricity_deg,
                  collision.first_frame_shown);
     insert.exec();
     insert.reset();

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "engine/scheduling/priority.hpp"
+#include "engine/scheduling/metrics.hpp"
+#include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/viewer.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "tests/engine/builders.hpp"
@@ -38,24 +39,32 @@ TEST(Viewer, AnyAzimuthFacesTheOriginWithARightHandedFrame) {
   }
 }
 
-TEST(DistancePriority, NearPairsComeFirst) {
-  Viewer viewer;
-  viewer.eye = Vector3(0.0, 0.0, 10.0);
-  const std::vector<BodyPair> order =
-      prioritised({pair_at(0, 1, {0.0, 0.0, -5.0}), pair_at(0, 2, {0.0, 0.0, 5.0}),
-                   pair_at(1, 2, {0.0, 3.0, 0.0})},
-                  DistancePriority{}, viewer);
-  EXPECT_EQ(order, (std::vector<BodyPair>{{0, 2}, {1, 2}, {0, 1}}));
+std::vector<BodyPair> order_of(const std::vector<PairBounds>& bounds, const Viewer& viewer) {
+  std::vector<BodyPair> order;
+  for (const ScheduledPair& entry : scheduled(bounds, {}, viewer, {}, {})) {
+    EXPECT_EQ(entry.list, 0);
+    order.push_back(entry.pair);
+  }
+  return order;
 }
 
-TEST(DistancePriority, EqualPrioritiesKeepTheirOrder) {
+TEST(Schedule, AsItStandsTakesNearPairsFirst) {
+  Viewer viewer;
+  viewer.eye = Vector3(0.0, 0.0, 10.0);
+  EXPECT_EQ(order_of({pair_at(0, 1, {0.0, 0.0, -5.0}), pair_at(0, 2, {0.0, 0.0, 5.0}),
+                      pair_at(1, 2, {0.0, 3.0, 0.0})},
+                     viewer),
+            (std::vector<BodyPair>{{0, 2}, {1, 2}, {0, 1}}));
+}
+
+TEST(Schedule, EqualPrioritiesKeepTheirOrder) {
   std::vector<PairBounds> bounds;
   std::vector<BodyPair> expected;
   for (std::int32_t i = 0; i < 40; ++i) {
     bounds.push_back(pair_at(i, i + 1, Vector3::Zero()));
     expected.push_back({i, i + 1});
   }
-  EXPECT_EQ(prioritised(bounds, DistancePriority{}, Viewer{}), expected);
+  EXPECT_EQ(order_of(bounds, Viewer{}), expected);
 }
 
 TEST(FixedWork, GrantsUpToItsNumberInEveryStep) {
