@@ -126,7 +126,7 @@ std::filesystem::path find_observer(const std::string& name,
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol) {
   ObserverFile file{read_json(find_observer(name_or_path, protocol)), {}};
   require_schema(file.document, kind_schema());
-  if (file.document.value["observer"] == "gap") {
+  if (file.document.value["observer"].get<std::string>() == "gap") {
     file.parameters = parameters_from<GapParameters>(file.document);
   } else {
     file.parameters = parameters_from<CausalityParameters>(file.document);

@@ -39,12 +39,16 @@ Quaternion turned(const json& body) {
   return orientation;
 }
 
+double mass_of(const json& body, const BodyShape& shape) {
+  return body["density_kg_m3"].get<double>() * shape.unit_mass.mass_kg;
+}
+
 BodyModel model_of(const json& body, const BodyShape& shape, bool no_spin) {
   const double density = body["density_kg_m3"].get<double>();
   BodyModel model;
   model.name = body["name"].get<std::string>();
   model.tree = shape.tree;
-  model.inverse_mass = 1.0 / (density * shape.unit_mass.mass_kg);
+  model.inverse_mass = 1.0 / mass_of(body, shape);
   if (!no_spin) {
     model.inverse_inertia = Matrix3(density * shape.unit_mass.inertia).inverse();
   }
@@ -57,12 +61,12 @@ DrawnBody look_of(const json& body, const BodyShape& shape) {
 }
 
 /// Starts a body `way_m` before the place where it touches, moving there along x.
-BodyState on_its_way(const BodyModel& model, const Quaternion& orientation, double touch_m,
-                     double way_m, double speed_m_s) {
+BodyState on_its_way(double mass_kg, const Quaternion& orientation, double touch_m, double way_m,
+                     double speed_m_s) {
   const double side = touch_m < 0.0 ? -1.0 : 1.0;
   BodyState state;
   state.pose = {Vector3(touch_m * (1.0 - kTouchingOverlap) + side * way_m, 0.0, 0.0), orientation};
-  state.linear_momentum = Vector3(-side * speed_m_s / model.inverse_mass, 0.0, 0.0);
+  state.linear_momentum = Vector3(-side * speed_m_s * mass_kg, 0.0, 0.0);
   return state;
 }
 
@@ -152,10 +156,12 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
 
   std::vector<BodyModel> models;
   std::vector<DrawnBody> looks;
+  std::vector<double> masses_kg;
   for (const json& body : scene["bodies"]) {
     const BodyShape& shape = library.shape(body["shape"], m_per_deg, tree_depth);
     models.push_back(model_of(body, shape, no_spin));
     looks.push_back(look_of(body, shape));
+    masses_kg.push_back(mass_of(body, shape));
   }
   const Quaternion turn_a = turned(scene["bodies"][0]);
   const Quaternion turn_b = turned(scene["bodies"][1]);
@@ -164,8 +170,8 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const double speed_m_s = meeting["speed_deg_s"].get<double>() *
                            meeting.value("speed_percent", 100.0) / 100.0 * m_per_deg;
   const double way_m = speed_m_s * meeting["lead_s"].get<double>();
-  std::vector<BodyState> states{on_its_way(models[0], turn_a, touch.a_m, way_m, speed_m_s),
-                                on_its_way(models[1], turn_b, touch.b_m, way_m, speed_m_s)};
+  std::vector<BodyState> states{on_its_way(masses_kg[0], turn_a, touch.a_m, way_m, speed_m_s),
+                                on_its_way(masses_kg[1], turn_b, touch.b_m, way_m, speed_m_s)};
 
   const double intended_s = scene["imposed"]["contact_hold_ms"].get<double>() / 1e3;
   const double realised_s =

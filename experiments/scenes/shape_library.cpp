@@ -32,7 +32,7 @@ BodyShape build(const json& description, double metres_per_degree, int tree_dept
   const auto length_m = [&](const char* key) {
     return description[key].get<double>() * metres_per_degree;
   };
-  if (description["kind"] == "sphere") {
+  if (description["kind"].get<std::string>() == "sphere") {
     return sphere_shape(length_m("radius_deg"));
   }
   return mesh_shape(l_block_mesh(length_m("arm_deg"), length_m("thickness_deg")), tree_depth);
@@ -42,12 +42,12 @@ BodyShape build(const json& description, double metres_per_degree, int tree_dept
 
 const BodyShape& ShapeLibrary::shape(const json& description, double metres_per_degree,
                                      int tree_depth) {
-  const std::string key = json::array({description, metres_per_degree, tree_depth}).dump();
+  const Key key{description.dump(), metres_per_degree, tree_depth};
   const auto known = shapes_.find(key);
-  if (known != shapes_.end()) {
-    return known->second;
+  if (known == shapes_.end()) {
+    shapes_[key] = build(description, metres_per_degree, tree_depth);
   }
-  return shapes_.emplace(key, build(description, metres_per_degree, tree_depth)).first->second;
+  return shapes_[key];
 }
 
 }  // namespace impetus

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
@@ -28,7 +29,9 @@ class ShapeLibrary {
                          int tree_depth);
 
  private:
-  std::map<std::string, BodyShape> shapes_;
+  /// Description, metres per degree, depth of the tree.
+  using Key = std::tuple<std::string, double, int>;
+  std::map<Key, BodyShape> shapes_;
 };
 
 }  // namespace impetus

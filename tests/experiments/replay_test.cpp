@@ -16,7 +16,10 @@ namespace {
 
 /// A golden study with one of its trials made ready to simulate.
 struct Golden {
-  StudyFile study{StudyFile::open_for_reading(source_file("tests/recordings/causality.sqlite"))};
+  explicit Golden(const std::string& name = "causality")
+      : study(StudyFile::open_for_reading(source_file("tests/recordings/" + name + ".sqlite"))) {}
+
+  StudyFile study;
   std::vector<StoredAttempt> attempts{load_attempts(study)};
   ProtocolTexts texts{load_protocol_texts(study, attempts.front().protocol_id)};
   Protocol protocol{make_protocol(parse_json("golden protocol", texts.protocol_json),
@@ -48,6 +51,16 @@ TEST(GoldenRecording, EveryCellOfTheDesignReplaysBitForBit) {
   for (const StoredAttempt& attempt : golden.attempts) {
     const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
     EXPECT_GE(result.steps, 480);
+    EXPECT_EQ(words(attempt, result), "");
+  }
+}
+
+TEST(GoldenRecording, EveryCellOfTheGapStudyReplaysBitForBit) {
+  Golden golden("gap");
+  ASSERT_EQ(golden.attempts.size(), 33U);
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_EQ(result.steps, 480);
     EXPECT_EQ(words(attempt, result), "");
   }
 }
