@@ -3,14 +3,20 @@
 //   stage_gallery <screen> [width height]     answers are printed when the screen is left
 //
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "engine/shapes/box_mesh.hpp"
+#include "engine/shapes/icosphere_mesh.hpp"
+#include "engine/shapes/l_block_mesh.hpp"
 #include "experiments/stage/replay_viewer.hpp"
 #include "experiments/stage/screen_setup.hpp"
 #include "experiments/stage/steady_clock.hpp"
@@ -187,6 +193,64 @@ Picture crowd(const Window& window, double time_s) {
   return picture;
 }
 
+using Mesh = std::shared_ptr<const TriangleMesh>;
+
+Mesh shared(TriangleMesh mesh) { return std::make_shared<const TriangleMesh>(std::move(mesh)); }
+
+Mesh box(double width_m, double height_m, double depth_m) {
+  return shared(box_mesh(Vector3(width_m, height_m, depth_m)));
+}
+
+Picture meshes_of(const Window& window, double azimuth_deg, std::vector<PosedBody> bodies) {
+  Picture picture;
+  picture.viewer = viewer_at(lab_screen(window), azimuth_deg);
+  picture.progress = kSome;
+  picture.bodies = std::move(bodies);
+  return picture;
+}
+
+Quaternion turned(double deg, const Vector3& axis) {
+  return Quaternion(Eigen::AngleAxisd(deg * kPi / 180.0, axis.normalized()));
+}
+
+constexpr std::array<float, 3> kRed{0.75F, 0.36F, 0.28F};
+constexpr std::array<float, 3> kBlue{0.34F, 0.5F, 0.72F};
+
+/// Two boxes, each 40 mm wide, whose faces meet in the plane x = 0.
+Picture two_boxes(const Window& window, double azimuth_deg) {
+  static const Mesh mesh = box(0.04, 0.03, 0.03);
+  return meshes_of(window, azimuth_deg,
+                   {{{Vector3(-0.02, 0, 0), Quaternion::Identity()}, {"", 0.03, kRed, mesh}},
+                    {{Vector3(0.02, 0, 0), Quaternion::Identity()}, {"", 0.03, kBlue, mesh}}});
+}
+
+/// Two L-blocks that interlock, turned about the x axis as time goes by.
+Picture two_l_blocks(const Window& window, double azimuth_deg, double tilt_deg) {
+  static const Mesh mesh = shared(l_block_mesh(0.06, 0.02));
+  const Quaternion tilt = turned(tilt_deg, Vector3::UnitX());
+  const Quaternion half = tilt * turned(180.0, Vector3::UnitZ());
+  return meshes_of(window, azimuth_deg,
+                   {{{tilt * Vector3(-0.04, -0.03, 0), tilt}, {"", 0.07, kRed, mesh}},
+                    {{tilt * Vector3(0.04, 0.03, 0), half}, {"", 0.07, kBlue, mesh}}});
+}
+
+/// Balls and meshes behind, before and within each other; left a ball, right the same as a mesh.
+Picture balls_and_meshes(const Window& window, double time_s) {
+  static const Mesh cube = box(0.04, 0.04, 0.04);
+  static const Mesh ball = shared(icosphere_mesh(0.02, 4));
+  static const Mesh slab = box(0.16, 0.004, 0.05);
+  const Quaternion turn = turned(30.0 * time_s + 30.0, Vector3(1, 2, 0.5));
+  return meshes_of(window, 0.0,
+                   {{{Vector3(0, 0, 0), turn}, {"", 0.035, kBlue, cube}},
+                    {{Vector3(0.012, 0.01, 0.012), Quaternion::Identity()}, {"", 0.015, kRed}},
+                    {{Vector3(0.035, -0.01, -0.03), Quaternion::Identity()}, {"", 0.02, kRed}},
+                    {{Vector3(-0.035, 0.01, 0.03), Quaternion::Identity()}, {"", 0.01, kRed}},
+                    {{Vector3(0, -0.04, 0), turned(10.0, Vector3::UnitZ())},
+                     {"", 0.085, {0.6F, 0.6F, 0.6F}, slab}},
+                    {{Vector3(-0.08, 0.05, 0), Quaternion::Identity()}, {"", 0.02, kBlue}},
+                    {{Vector3(0.08, 0.05, 0), Quaternion::Identity()}, {"", 0.02, kBlue, ball}}});
+}
+
 /// Two balls that meet after a second, hold for 100 ms and part.
 ReplayView made_up_replay(const Window& window) {
   ReplayView replay;
@@ -272,6 +336,15 @@ const std::map<std::string, Screen>& screens() {
       {"aside", showing(60, [](const Window& w, double) { return two_balls(w, 2.0, 60.0); })},
       {"moving", showing(5, [](const Window& w, double t) { return two_balls(w, 2.0 + t, 0.0); })},
       {"crowd", showing(60, [](const Window& w, double t) { return crowd(w, t); })},
+      {"boxes", showing(60, [](const Window& w, double) { return two_boxes(w, 0.0); })},
+      {"boxes aside", showing(60, [](const Window& w, double) { return two_boxes(w, 40.0); })},
+      {"blocks", showing(60, [](const Window& w, double) { return two_l_blocks(w, 0.0, 0.0); })},
+      {"blocks aside",
+       showing(60, [](const Window& w, double) { return two_l_blocks(w, 35.0, 35.0); })},
+      {"blocks turning",
+       showing(5, [](const Window& w, double t) { return two_l_blocks(w, 20.0, 72.0 * t); })},
+      {"meshes", showing(60, [](const Window& w, double) { return balls_and_meshes(w, 0.0); })},
+      {"meshes turning", showing(5, balls_and_meshes)},
       {"fixation", showing(60,
                            [](const Window& w, double) {
                              Picture picture = two_balls(w, 2.0, 0.0);

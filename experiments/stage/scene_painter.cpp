@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/stage/lighting_shader.hpp"
 #include "experiments/stage/palette.hpp"
+#include "experiments/stage/shader_program.hpp"
 #include "experiments/stage/sphere_image.hpp"
 #include "experiments/stage/sphere_shader.hpp"
 
@@ -29,35 +29,6 @@ struct Instance {
   float colour[3];
 };
 
-unsigned compiled(GLenum kind, const char* text) {
-  const unsigned shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &text, nullptr);
-  glCompileShader(shader);
-  int good = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good == 0) {
-    char log[500] = "";
-    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-    throw std::runtime_error(std::string("the driver refused a shader: ") + log);
-  }
-  return shader;
-}
-
-unsigned linked(unsigned vertex, unsigned fragment) {
-  const unsigned program = glCreateProgram();
-  glAttachShader(program, vertex);
-  glAttachShader(program, fragment);
-  glLinkProgram(program);
-  glDeleteShader(vertex);
-  glDeleteShader(fragment);
-  int good = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &good);
-  if (good == 0) {
-    throw std::runtime_error("the driver refused to link the sphere's shaders");
-  }
-  return program;
-}
-
 void describe_attribute(unsigned place, int numbers, std::size_t offset) {
   glEnableVertexAttribArray(place);
   glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(Instance),
@@ -65,7 +36,9 @@ void describe_attribute(unsigned place, int numbers, std::size_t offset) {
   glVertexAttribDivisor(place, 1);
 }
 
-/// The bodies that can be seen, farthest first: a blended edge needs what is behind it.
+bool has_mesh(const PosedBody& body) { return body.look.mesh != nullptr; }
+
+/// The spheres that can be seen, farthest first: a blended edge needs what is behind it.
 std::vector<Instance> instances_of(const Picture& picture) {
   struct Seen {
     double distance_m;
@@ -74,6 +47,9 @@ std::vector<Instance> instances_of(const Picture& picture) {
   std::vector<Seen> seen;
   const double glass_m = picture.viewer.screen.viewing_distance_m;
   for (const PosedBody& body : picture.bodies) {
+    if (has_mesh(body)) {
+      continue;
+    }
     const Vector3 centre = seen_from_eye(picture.viewer, body.pose.position);
     const auto bounds = image_of_sphere(centre, body.look.radius_m, glass_m);
     if (!bounds) {
@@ -100,8 +76,7 @@ std::vector<Instance> instances_of(const Picture& picture) {
 }  // namespace
 
 ScenePainter::ScenePainter()
-    : program_(linked(compiled(GL_VERTEX_SHADER, kSphereVertexShader),
-                      compiled(GL_FRAGMENT_SHADER, kSphereFragmentShader))) {
+    : program_(link_program({kSphereVertexShader}, {kLightingShader, kSphereFragmentShader})) {
   glGenVertexArrays(1, &arrangement_);
   glGenBuffers(1, &instances_);
   glBindVertexArray(arrangement_);
@@ -127,7 +102,30 @@ void ScenePainter::fill(const PixelArea& area, float grey) {
 }
 
 void ScenePainter::paint(const Picture& picture, const PixelArea& area) {
-  fill(area, palette::kPictureGrey);
+  if (std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh)) {
+    paint_with_meshes(picture, area);
+  } else {
+    fill(area, palette::kPictureGrey);
+    paint_spheres(picture, area);
+  }
+  if (picture.fixation_cross) {
+    paint_fixation(picture.viewer.screen, area);
+  }
+}
+
+// Meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's samples
+// knows whether a mesh is in front.
+void ScenePainter::paint_with_meshes(const Picture& picture, const PixelArea& area) {
+  const PixelArea all{0, 0, area.width, area.height};
+  target_.begin(area.width, area.height);
+  fill(all, palette::kPictureGrey);
+  glViewport(0, 0, area.width, area.height);
+  meshes_.paint(picture);
+  paint_spheres(picture, all);
+  target_.end_onto(area);
+}
+
+void ScenePainter::paint_spheres(const Picture& picture, const PixelArea& area) {
   glViewport(area.left, area.bottom, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.left, area.bottom, area.width, area.height);
@@ -138,14 +136,6 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area) {
   glUniform2f(glGetUniformLocation(program_, "margin"),
               static_cast<float>(2.0 * screen.width_m / area.width),
               static_cast<float>(2.0 * screen.height_m / area.height));
-  paint_bodies(picture);
-  glDisable(GL_SCISSOR_TEST);
-  if (picture.fixation_cross) {
-    paint_fixation(screen, area);
-  }
-}
-
-void ScenePainter::paint_bodies(const Picture& picture) {
   const std::vector<Instance> instances = instances_of(picture);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);
@@ -158,6 +148,7 @@ void ScenePainter::paint_bodies(const Picture& picture) {
   glBindVertexArray(0);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 // Filled rectangles of whole pixels: a cross of even thickness is sharp on a screen of even size.

@@ -1,24 +1,20 @@
-// Paints a picture: spheres in exact perspective, lit, on a neutral mid-grey ground.
+// Paints a picture: spheres and meshes in exact perspective, lit, on a neutral mid-grey ground.
 //
 //   eye ──── ray through a pixel of the glass ────> sphere      every pixel asks the sphere itself,
 //                     |<- bounds of its image ->|               so it is round at any size
 //
 // The screen is the plane through the world's origin that faces the eye: a metre there is a metre
-// on the glass. Edges are blended by the share of the pixel that is covered.
+// on the glass. Edges of spheres are blended by the share of the pixel that is covered; a picture
+// with meshes is drawn with four samples per pixel, one without goes straight to the window.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include "experiments/session/ports.hpp"
+#include "experiments/stage/mesh_painter.hpp"
+#include "experiments/stage/multisampled_target.hpp"
+#include "experiments/stage/pixel_area.hpp"
 
 namespace impetus {
-
-/// A rectangle of the window in pixels, from its lower left corner.
-struct PixelArea {
-  int left{0};
-  int bottom{0};
-  int width{0};
-  int height{0};
-};
 
 class ScenePainter {
  public:
@@ -35,12 +31,15 @@ class ScenePainter {
   void paint(const Picture& picture, const PixelArea& area);
 
  private:
-  void paint_bodies(const Picture& picture);
+  void paint_with_meshes(const Picture& picture, const PixelArea& area);
+  void paint_spheres(const Picture& picture, const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
   unsigned program_{0};
   unsigned arrangement_{0};
   unsigned instances_{0};
+  MeshPainter meshes_;
+  MultisampledTarget target_;
 };
 
 }  // namespace impetus

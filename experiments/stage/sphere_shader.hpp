@@ -26,31 +26,12 @@ void main() {
 }
 )";
 
-inline constexpr const char* kSphereFragmentShader = R"(#version 330 core
+/// Follows kLightingShader.
+inline constexpr const char* kSphereFragmentShader = R"(
 in vec3 ray;
 flat in vec4 body;
 flat in vec3 paint;
 out vec4 seen;
-
-const vec3 kKeyLight = normalize(vec3(-0.55, 0.75, 0.60));  // from the viewer's upper left
-const vec3 kSky = vec3(0.34);
-const vec3 kFloor = vec3(0.17);
-const float kNear = 0.01;
-
-vec3 linear_from_srgb(vec3 c) {
-  return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
-}
-vec3 srgb_from_linear(vec3 c) {
-  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
-}
-
-vec3 light(vec3 normal, vec3 towards_eye) {
-  float facing = max(dot(normal, kKeyLight), 0.0);
-  vec3 ambient = mix(kFloor, kSky, 0.5 + 0.5 * normal.y);
-  vec3 diffuse = linear_from_srgb(paint) * (ambient + 0.85 * facing);
-  float gloss = pow(max(dot(normal, normalize(kKeyLight + towards_eye)), 0.0), 48.0);
-  return diffuse + 0.10 * gloss;
-}
 
 void main() {
   vec3 direction = normalize(ray);
@@ -64,7 +45,7 @@ void main() {
   float along = dot(body.xyz, direction);
   vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
   vec3 normal = normalize(hit - body.xyz);
-  seen = vec4(srgb_from_linear(min(light(normal, -direction), 1.0)), covered);
+  seen = vec4(light(normal, -direction, paint), covered);
   gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
 }
 )";

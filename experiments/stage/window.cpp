@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/stage/window.hpp"
 
+#include <memory>
+#include <utility>
+
 #include "experiments/stage/canvas.hpp"
 #include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/page_turn.hpp"
@@ -8,6 +11,16 @@
 #include "experiments/stage/progress_bar.hpp"
 
 namespace impetus {
+namespace {
+
+std::shared_ptr<const TriangleMesh> tiny_triangle() {
+  TriangleMesh mesh;
+  mesh.vertices = {Vector3(0.0, 0.0, 0.0), Vector3(0.01, 0.0, 0.0), Vector3(0.0, 0.01, 0.0)};
+  mesh.triangles = {{0, 1, 2}};
+  return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+}  // namespace
 
 Window::Window(const WindowOptions& options, const Clock& clock)
     : canvas_(std::make_unique<Canvas>(options, clock)) {
@@ -46,8 +59,11 @@ void Window::warm_up() {
   picture.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}}});
   picture.progress = {1, 2, "0123456789"};
   canvas_->window.show_cursor(false);
+  Picture with_mesh = picture;
+  with_mesh.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}, tiny_triangle()}});
   constexpr int kFrames = 3;
   for (int frame = 0; frame < kFrames; ++frame) {
+    canvas_->painter.paint(with_mesh, canvas_->whole());
     canvas_->painter.paint(picture, canvas_->whole());
     canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
     canvas_->gui.begin();

@@ -1,0 +1,40 @@
+// Draws the bodies of a picture that have a mesh; each mesh is handed to the graphics card once.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "experiments/session/ports.hpp"
+
+namespace impetus {
+
+class MeshPainter {
+ public:
+  /// Needs a current OpenGL 3.3 context, now and for every call.
+  MeshPainter();
+  ~MeshPainter();
+  MeshPainter(const MeshPainter&) = delete;
+  MeshPainter& operator=(const MeshPainter&) = delete;
+
+  /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
+  /// the depths of the ray-cast spheres. Bodies without a mesh are passed over. A mesh must not
+  /// change while anything owns it; it is forgotten at the first call after its end.
+  void paint(const Picture& picture);
+
+ private:
+  struct Uploaded;
+
+  void forget_ended();
+  const Uploaded& uploaded(const std::shared_ptr<const TriangleMesh>& mesh);
+  void paint_body(const Viewer& viewer, const PosedBody& body);
+
+  unsigned program_{0};
+  int glass_{-1};
+  int turn_{-1};
+  int place_{-1};
+  int colour_{-1};
+  std::unordered_map<const TriangleMesh*, std::unique_ptr<Uploaded>> meshes_;
+};
+
+}  // namespace impetus

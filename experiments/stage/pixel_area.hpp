@@ -1,0 +1,15 @@
+// A part of the window.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace impetus {
+
+/// A rectangle of the window in pixels, from its lower left corner.
+struct PixelArea {
+  int left{0};
+  int bottom{0};
+  int width{0};
+  int height{0};
+};
+
+}  // namespace impetus
