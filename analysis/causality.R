@@ -10,30 +10,11 @@
 # SPDX-License-Identifier: MIT
 
 kUsage <- "Rscript analysis/causality.R study.sqlite [more.sqlite ...] --out figures/"
-kPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
 
 main <- function(words) {
-  arguments <- read_arguments(words, kUsage)
-  need_packages(kPackages)
-  study <- keep_people_apart(read_studies(arguments$studies, "causality",
-    factors = c(delay = "delay", speed = "speed", viewpoint = "viewpoint")))
-  prepare_folder(arguments$out)
-  trials <- study$trials
-  delay <- study$factors[["delay"]]
-  others <- unname(study$factors[c("speed", "viewpoint")])
-
-  tests <- rating_tests(trials, delay, others)
-  data <- study_sentences(study)
-  results <- results_paragraph(trials, study$scale, tests, delay, others)
-  caption <- figure_caption(trials, delay, others, study$all_simulated)
-
-  say_progress("drawing the figure (about 5 s) ...")
-  path <- function(ending) file.path(arguments$out, paste0("causality", ending))
-  figures <- write_rating_figure(trials, study$scale, delay, others, study$all_simulated, path(""))
-  write_test_table(tests, path(".csv"))
-  write_report(path(".md"), "Causality: ratings by delay", results, data, tests$remarks, caption)
-  say(c(figures, path(".csv"), path(".md"), "", paste(data, collapse = " "), "", results,
-    tests$remarks))
+  study <- open_rating_study(words, kUsage, "causality",
+    factors = c(delay = "delay", speed = "speed", viewpoint = "viewpoint"))
+  report_rating_study(study, "Causality: ratings by delay", "delay", c("speed", "viewpoint"))
 }
 
 # The folder of this script, as Rscript was called with it ("~+~" is how it writes a space).

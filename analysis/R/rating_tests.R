@@ -5,9 +5,10 @@
 #            equivalence (of the other factors)         pooled ANOVA, as in the thesis
 # SPDX-License-Identifier: MIT
 
-# Tests of `main`, the numeric factor of interest, and of the `others`, all columns of `trials`.
+# Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
+# `interactions`: those of main with each other one are tested in a mixed model too.
 # With one participant, or ratings that never vary, there is no test and a remark says so.
-rating_tests <- function(trials, main, others) {
+rating_tests <- function(trials, main, others, interactions = FALSE) {
   none <- why_no_test(trials)
   if (!is.null(none)) return(combine_outcomes(outcome(remarks = none)))
   factors <- varying_factors(trials, c(main, others))
@@ -16,7 +17,8 @@ rating_tests <- function(trials, main, others) {
   main <- intersect(main, factors)
   if (length(factors) == 0) return(combine_outcomes(constant_remarks(constant)))
   say_progress("fitting the mixed models (about 30 s for 20 participants) ...")
-  models <- mixed_model_tests(trials, factors, slope_of = main)
+  pairs <- if (interactions && length(main) == 1) sprintf("%s:%s", main, others)
+  models <- mixed_model_tests(trials, factors, slope_of = main, interactions = pairs)
   say_progress("testing the participants' means (about 5 s) ...")
   combine_outcomes(
     constant_remarks(constant), models, repeated_measures_tests(trials, factors),

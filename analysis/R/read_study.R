@@ -53,8 +53,8 @@ read_one_study <- function(path, protocol) {
   list(trials = mark(trials), levels = mark(levels), enrolments = mark(enrolments))
 }
 
-# A read-only connection to a study file, or a refusal.
-open_study <- function(path) {
+# A read-only connection to a study file, or a refusal where one of `views` is absent.
+open_study <- function(path, views = kViews) {
   if (!file.exists(path)) refuse(path, ": expected a study file, found no such file")
   if (dir.exists(path)) refuse(path, ": expected a study file, got a folder")
   study <- tryCatch(
@@ -65,7 +65,7 @@ open_study <- function(path) {
     DBI::dbGetQuery(study, "SELECT name FROM sqlite_master WHERE type = 'view'")$name,
     error = function(condition) NULL
   )
-  absent <- setdiff(kViews, present)
+  absent <- setdiff(views, present)
   if (length(absent) == 0) return(study)
   DBI::dbDisconnect(study)
   if (is.null(present)) refuse(path, ": expected a study file, got a file that SQLite cannot read")

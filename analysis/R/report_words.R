@@ -10,6 +10,7 @@ results_paragraph <- function(trials, scale, tests, main, others) {
     scale_words(scale), means_words(trials, main), model_words(tests, main),
     odds_words(tests, main, scale),
     unlist(lapply(others, function(factor) other_factor_words(tests, factor))),
+    interaction_words(tests),
     anova_words(tests, main), friedman_words(tests, main), pooled_words(tests, main)
   )
   paste(sentences, collapse = " ")
@@ -47,6 +48,19 @@ odds_words <- function(tests, main, scale) {
     "%s, %.2f, 95 %% CI [%.2f, %.2f]", sub("^.*: ", "", rows$effect), rows$effect_size,
     rows$interval_low, rows$interval_high
   ), collapse = "; "))
+}
+
+# Each interaction that the mixed model tested.
+interaction_words <- function(tests) {
+  rows <- tests_of(tests, kEffectsFamily)
+  rows <- rows[grepl(":", rows$effect, fixed = TRUE), ]
+  vapply(seq_len(nrow(rows)), function(i) {
+    names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
+    sprintf("In the mixed model with interactions, one of %s was %s: %s.",
+      paste(names, collapse = " and "),
+      if (rows$p_holm[i] < kSignificance) "detected" else
+        "not detected, which is not evidence of its absence", chi_squared_words(rows[i, ]))
+  }, "")
 }
 
 # One other factor: what the model found, then what the equivalence tests show.
@@ -149,11 +163,12 @@ figure_caption <- function(trials, main, beside, simulated) {
   )
 }
 
-# Writes the report as Markdown: results, the data behind them, remarks, caption.
-write_report <- function(path, title, paragraph, sentences, remarks, caption) {
+# Writes the report as Markdown: results, the data behind them, remarks, caption; `section`: lines
+# of Markdown between results and data.
+write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL) {
   bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
   text <- c(
-    paste("#", title), "", paragraph, "", "## Data", "", bullets(sentences), "",
+    paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
     "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
   )
   writeLines(enc2utf8(text), path, useBytes = TRUE)

@@ -6,7 +6,7 @@ study_sentences <- function(study) {
   c(
     simulated_sentence(study), participants_sentence(study), exclusions_sentence(study),
     hashes_sentence(study), late_frames_sentence(study$trials), sync_sentence(study$trials),
-    delay_sentence(study$trials, study$factors)
+    delay_sentence(study$trials, study$factors), study$depths
   )
 }
 

@@ -1,16 +1,16 @@
 # Runs every test of analysis/: Rscript tests/analysis/run.R <repo root> [--slow]
-# Exits 1 when a test fails. --slow adds the whole script on 20 participants (about 40 s).
+# Exits 1 when a test fails. --slow adds the whole scripts on 20 participants (some minutes).
 # SPDX-License-Identifier: MIT
 
 words <- commandArgs(trailingOnly = TRUE)
 root <- normalizePath(setdiff(words, "--slow")[1], mustWork = TRUE)
 run_slow <- "--slow" %in% words
 schema_path <- file.path(root, "experiments/store/schema.sql")
-script_path <- file.path(root, "analysis/causality.R")
 
 invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
 source(file.path(root, "tests/analysis/synthetic_study.R"))
+source(file.path(root, "tests/analysis/script_run.R"))
 
 results <- testthat::test_dir(file.path(root, "tests/analysis"),
   reporter = testthat::ProgressReporter$new(show_praise = FALSE, update_interval = Inf),

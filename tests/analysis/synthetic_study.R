@@ -1,21 +1,32 @@
-# Study files made up for the tests: the project's own schema, filled by a known observer.
+# Study files made up for the tests: the project's own schema, filled by known observers.
 #
-# The observer is the cumulative-logit one of the simulated causality participant:
+# That of causality is the cumulative-logit one of the simulated causality participant:
 #   eta = -2.2 + 4.5 * Phi((delay - mu_i) / 45 ms) + u_i,  mu_i ~ N(110, 30) ms,  u_i ~ N(0, .6)
 #   P(rating <= k) = logistic(cut_k - eta),  cuts (-1, 1.2),  a lapse of .02 rates at random
 # Speed and viewpoint do not enter it: their planted effect is none.
+#
+# That of gap sees a gap, planted by level and viewpoint (kGapsArcmin), less of it at higher speed:
+#   eta = -3 + b log10(gap + 1) + u_i,  b = 2.8, 2.3, 1.8 at 50, 100, 150 %,  u_i ~ N(0, .6)
+# with the same cuts and lapse.
 # SPDX-License-Identifier: MIT
 
 kDelaysMs <- c(0, 100, 300)
 kSpeedsDegS <- c(5, 10, 15)
 kViewpointsDeg <- c(0, 45, 85)
 
+kTreeLevels <- c(0, 2, 4)
+kGapsArcmin <- rbind("0" = c(80, 57, 12), "2" = c(25, 18, 4), "4" = c(3, 2, 0.5))
+colnames(kGapsArcmin) <- kViewpointsDeg
+
 # One row per main trial of every participant, in a shuffled order, without ratings yet.
 causality_plan <- function(participants = 20, repetitions = 3) {
-  cells <- expand.grid(
+  shuffled_plan(participants, expand.grid(
     delay_ms = kDelaysMs, speed_deg_s = kSpeedsDegS, viewpoint_deg = kViewpointsDeg,
     repetition = seq_len(repetitions)
-  )
+  ))
+}
+
+shuffled_plan <- function(participants, cells) {
   plans <- lapply(seq_len(participants), function(i) {
     data.frame(participant = sprintf("P%02d", i), cells[sample(nrow(cells)), ])
   })
@@ -27,11 +38,14 @@ observed_ratings <- function(plan) {
   person <- factor(plan$participant)
   midpoint_ms <- rnorm(nlevels(person), 110, 30)[person]
   intercept <- rnorm(nlevels(person), 0, 0.6)[person]
-  eta <- -2.2 + 4.5 * pnorm((plan$delay_ms - midpoint_ms) / 45) + intercept
-  position <- eta + rlogis(nrow(plan))
+  ratings_at(-2.2 + 4.5 * pnorm((plan$delay_ms - midpoint_ms) / 45) + intercept)
+}
+
+ratings_at <- function(eta) {
+  position <- eta + rlogis(length(eta))
   rating <- 1 + (position > -1) + (position > 1.2)
-  lapse <- runif(nrow(plan)) < 0.02
-  ifelse(lapse, sample(1:3, nrow(plan), replace = TRUE), rating)
+  lapse <- runif(length(eta)) < 0.02
+  ifelse(lapse, sample(1:3, length(eta), replace = TRUE), rating)
 }
 
 # The plan with ratings, from a seed.
@@ -42,10 +56,29 @@ causality_trials <- function(seed, participants = 20, repetitions = 3) {
   plan
 }
 
+# The gap study's plan with ratings, from a seed; the gaps are planted_gaps(trials).
+gap_trials <- function(seed, participants = 20, repetitions = 3) {
+  set.seed(seed)
+  plan <- shuffled_plan(participants, expand.grid(
+    level = kTreeLevels, speed_percent = c(50, 100, 150), viewpoint_deg = kViewpointsDeg,
+    repetition = seq_len(repetitions)
+  ))
+  person <- factor(plan$participant)
+  slope <- 2.3 - 0.5 * (plan$speed_percent - 100) / 50
+  plan$rating <- ratings_at(-3 + slope * log10(planted_gaps(plan) + 1) +
+    rnorm(nlevels(person), 0, 0.6)[person])
+  plan
+}
+
+planted_gaps <- function(trials) {
+  kGapsArcmin[cbind(as.character(trials$level), as.character(trials$viewpoint_deg))]
+}
+
 # Writes rated trials to a new study file at `path` and returns the path.
 #
-# `trials` has participant, repetition, rating and one column per factor (delay_ms among them);
-# rows with rating NA are planned and not yet done. Optional columns take their defaults below.
+# `trials` has participant, repetition, rating and one column per factor; delay_ms, if
+# there, is the freeze; rows with rating NA are planned and not yet done.
+# Optional columns take their defaults below.
 write_study <- function(path, trials, protocol = "causality", practice = 0) {
   defaults <- list(
     simulated = 1, protocol_hash = "hash-1", minimum = 1, maximum = 3, best = 1,
@@ -106,11 +139,12 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
     repetition = trials$repetition, condition = conditions, seed = trials$id
   ))
   done <- trials[!is.na(trials$rating), ]
-  realised_ms <- ifelse(is.na(done$realised_hold_ms), done$delay_ms, done$realised_hold_ms)
+  hold_ms <- if ("delay_ms" %in% factors) done$delay_ms else rep(0, nrow(done))
+  realised_ms <- ifelse(is.na(done$realised_hold_ms), hold_ms, done$realised_hold_ms)
   put("attempt", data.frame(
     id = done$id, trial_id = done$id, session_id = done$enrolment, number = rep(1, nrow(done)),
     outcome = rep("completed", nrow(done)), onset_ns = done$id,
-    intended_hold_ms = done$delay_ms, realised_hold_ms = realised_ms,
+    intended_hold_ms = hold_ms, realised_hold_ms = realised_ms,
     timed_frames = done$timed_frames, late_timed_frames = done$late_timed_frames,
     late_untimed_frames = rep(0, nrow(done)), sync_overridden = done$sync_overridden
   ))
@@ -121,6 +155,27 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
       done$device),
     question_shown_ns = done$id, arrived_ns = done$id + 5e8,
     arrival_uncertainty_ns = rep(1e6, nrow(done))
+  ))
+  path
+}
+
+# Adds collisions to the study file at `path`: rows of trial (its number in the order written),
+# step, level, and gap_arcmin and hidden_share, NA where `replay --truth` has not been run.
+add_collisions <- function(path, collisions) {
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  collisions$id <- seq_len(nrow(collisions))
+  DBI::dbAppendTable(study, "collision", data.frame(
+    id = collisions$id, attempt_id = collisions$trial, step = collisions$step, body_a = "a",
+    body_b = "b", level = collisions$level, stopped = "greatest level", point_x_m = 0,
+    point_y_m = 0, point_z_m = 0, normal_x = 1, normal_y = 0, normal_z = 0, depth_m = 0,
+    approach_m_s = 1, impulse_Ns = 1, imposed_hold_ms = 0, imposed_no_spin = 1,
+    eccentricity_deg = 0
+  ))
+  measured <- collisions[!is.na(collisions$gap_arcmin), ]
+  DBI::dbAppendTable(study, "collision_truth", data.frame(
+    collision_id = measured$id, gap_m = measured$gap_arcmin / 1e4, gap_px = measured$gap_arcmin,
+    gap_arcmin = measured$gap_arcmin, hidden_share = measured$hidden_share
   ))
   path
 }

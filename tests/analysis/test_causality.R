@@ -2,22 +2,6 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-# Runs causality.R from another folder; list(status, stdout, stderr).
-run_script <- function(..., environment = character()) {
-  error_file <- tempfile()
-  from <- setwd(tempdir())
-  on.exit(setwd(from))
-  output <- suppressWarnings(system2(file.path(R.home("bin"), "Rscript"),
-    c(shQuote(script_path), shQuote(c(...))), stdout = TRUE, stderr = error_file,
-    env = environment))
-  status <- attr(output, "status")
-  list(status = if (is.null(status)) 0L else status, stdout = as.vector(output),
-    stderr = readLines(error_file))
-}
-
-# A new folder for output; its name has a space on purpose.
-new_folder <- function() tempfile("figures of ")
-
 png_size <- function(path) {
   header <- readBin(path, "raw", 24)
   c(readBin(header[17:20], "integer", endian = "big"),
@@ -25,7 +9,7 @@ png_size <- function(path) {
 }
 
 test_that("a refusal is one sentence on stderr and exit status 2", {
-  run <- run_script("/nowhere/study.sqlite", "--out", new_folder())
+  run <- run_script("causality.R", "/nowhere/study.sqlite", "--out", new_folder())
   expect_equal(run$status, 2)
   expect_equal(run$stderr,
     "causality.R: /nowhere/study.sqlite: expected a study file, found no such file")
@@ -33,14 +17,14 @@ test_that("a refusal is one sentence on stderr and exit status 2", {
 })
 
 test_that("a call without --out shows the usage", {
-  run <- run_script("study.sqlite")
+  run <- run_script("causality.R", "study.sqlite")
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste("causality.R: expected one --out and a folder; usage: Rscript",
     "analysis/causality.R study.sqlite [more.sqlite ...] --out figures/"))
 })
 
 test_that("missing packages are named, with what to install", {
-  run <- run_script("study.sqlite", "--out", new_folder(),
+  run <- run_script("causality.R", "study.sqlite", "--out", new_folder(),
     environment = c("R_LIBS_SITE=/nowhere", "R_LIBS_USER=/nowhere", "R_LIBS=/nowhere"))
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste("causality.R: expected these R packages to be installed: RSQLite,",
@@ -51,7 +35,7 @@ test_that("missing packages are named, with what to install", {
 test_that("one participant gives a figure and words, no test, even in a C locale", {
   path <- write_study(tempfile(fileext = ".sqlite"), causality_trials(81, participants = 1))
   out <- new_folder()
-  run <- run_script(path, "--out", out, environment = "LC_ALL=C")
+  run <- run_script("causality.R", path, "--out", out, environment = "LC_ALL=C")
   expect_equal(run$status, 0)
   files <- file.path(out, paste0("causality", c(".png", ".pdf", ".csv", ".md")))
   expect_equal(run$stdout[1:4], files)
@@ -67,7 +51,7 @@ test_that("levels that separate completely leave the other tests, without a warn
   trials <- causality_trials(82, participants = 6)
   trials$rating <- ifelse(trials$delay_ms == 0, 1, pmax(2, trials$rating))
   out <- new_folder()
-  run <- run_script(write_study(tempfile(fileext = ".sqlite"), trials), "--out", out)
+  run <- run_script("causality.R", write_study(tempfile(fileext = ".sqlite"), trials), "--out", out)
   expect_equal(run$status, 0)
   expect_equal(run$stderr, c("fitting the mixed models (about 30 s for 20 participants) ...",
     "testing the participants' means (about 5 s) ...", "drawing the figure (about 5 s) ..."))
@@ -122,8 +106,8 @@ test_that("the figure's axis is the whole scale, its ends in the participants' w
 test_that("the whole script recovers the planted study of 20 participants (slow)", {
   skip_if_not(run_slow, "--slow not given")
   out <- new_folder()
-  run <- run_script(write_study(tempfile(fileext = ".sqlite"), causality_trials(1), practice = 6),
-    "--out", out)
+  run <- run_script("causality.R",
+    write_study(tempfile(fileext = ".sqlite"), causality_trials(1), practice = 6), "--out", out)
   expect_equal(run$status, 0)
   table <- read.csv(file.path(out, "causality.csv"))
   delay <- table[table$effect == "delay_ms", ]
