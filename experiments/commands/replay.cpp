@@ -68,10 +68,9 @@ int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
     steps += result.steps;
     simulated_s += static_cast<double>(result.steps) / scene.step_hz;
     if (result.divergence) {
-      // Only the first is told: what follows it mostly follows from it.
-      if (++diverged == 1) {
-        print_divergence(attempt, *result.divergence);
-      }
+      // Only a trial's first is told: what follows in the same trial follows from it.
+      print_divergence(attempt, *result.divergence);
+      ++diverged;
     }
   }
   const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();

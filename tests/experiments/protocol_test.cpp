@@ -382,7 +382,7 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().made()); }), "accepted");
   const std::string expected =
       "protocols/causality.json:/rating: expected three points of which the lowest is the best, as "
-      "the observer causality rates, got ";
+      "the observer causality rate, got ";
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/maximum", 5).made()); }),
             expected + "1 to 5, best 1");
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/best", 3).made()); }),
@@ -400,7 +400,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
        {"/bodies/0/colour", "red",
         "/bodies/0/colour: expected a text such as \"#d9813b\", got "
         "\"red\""},
-       {"/bodies/0/shape/kind", "cube", "/bodies/0/shape/kind: expected \"sphere\", got \"cube\""},
+       {"/bodies/0/shape/kind", "cube",
+        "/bodies/0/shape/kind: expected one of \"sphere\", \"l-block\", got \"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,
@@ -557,7 +558,8 @@ std::string observer_refusal(const TemporaryFolder& folder, const std::string& p
 TEST(ObserverFile, EveryRefusalNamesThePlace) {
   const TemporaryFolder folder;
   const std::vector<Case> cases{
-      {"/observer", "gaze", "o.json:/observer: expected \"causality\", got \"gaze\""},
+      {"/observer", "gaze",
+       "o.json:/observer: expected one of \"causality\", \"gap\", got \"gaze\""},
       {"/parameters/lapse_rate/value", 2,
        "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},
       {"/parameters/threshold_sd_ms/value", -1,
