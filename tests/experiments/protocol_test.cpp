@@ -382,7 +382,7 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().made()); }), "accepted");
   const std::string expected =
       "protocols/causality.json:/rating: expected three points of which the lowest is the best, as "
-      "the observer causality rate, got ";
+      "simulated participants rate, got ";
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/maximum", 5).made()); }),
             expected + "1 to 5, best 1");
   EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/best", 3).made()); }),
