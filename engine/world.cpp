@@ -104,11 +104,11 @@ std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, 
                        is_wall(bodies.b) ? PairRefinement(a, *settings_.enclosure, deepest)
                                          : PairRefinement(a, placed_[at(bodies.b)], deepest)});
   }
-  const WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter);
+  WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter);
   report.work_granted = work.granted;
   report.work_spent = work.spent;
   report.work_floor = work.floor;
-  report.list_work = work.by_list;
+  report.list_work = std::move(work.by_list);
   if (report.work_granted < report.work_floor) {
     report.degradations |= kFloorOverBudget;
   }

@@ -13,7 +13,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -76,8 +75,8 @@ struct StepReport {
   std::int64_t work_granted{0};  ///< node-pair tests; a replay grants the same
   std::int64_t work_spent{0};
   std::int64_t work_floor{0};  ///< tests that are done whatever the budget
-  /// Tests beyond the floor that each priority list spent.
-  std::array<std::int64_t, kMostLists> list_work{};
+  /// Tests beyond the floor that each priority list spent; empty when there is one list.
+  std::vector<std::int64_t> list_work;
   std::uint32_t degradations{0};
   StateHash state;
 };

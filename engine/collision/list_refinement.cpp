@@ -2,6 +2,7 @@
 #include "engine/collision/list_refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace impetus {
@@ -104,6 +105,12 @@ WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<Prio
   done.floor = do_floor(pairs, lists);
   done.spent = done.floor;
   done.granted = meter.request(done.spent);
+  if (lists.size() > 1) {
+    done.by_list.assign(lists.size(), 0);
+  }
+  if (pairs.empty()) {
+    return done;
+  }
   std::array<Queue, kMostLists> queues = queues_of(pairs);
   const Shares shares(lists);
   std::size_t waiting = pairs.size();
@@ -118,7 +125,9 @@ WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<Prio
       if (!finished) {
         refinement.refine_one_block();
         done.spent += block;
-        done.by_list[list] += block;
+        if (!done.by_list.empty()) {
+          done.by_list[list] += block;
+        }
       }
     }
     if (finished) {

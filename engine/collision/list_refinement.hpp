@@ -9,7 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/collision/pair_refinement.hpp"
@@ -28,8 +28,8 @@ struct RefinedPair {
 struct WorkDone {
   std::int64_t granted{0};
   std::int64_t spent{0};
-  std::int64_t floor{0};                           ///< part of `spent` that no budget could prevent
-  std::array<std::int64_t, kMostLists> by_list{};  ///< beyond the floor
+  std::int64_t floor{0};              ///< part of `spent` that no budget could prevent
+  std::vector<std::int64_t> by_list;  ///< beyond the floor; empty when there is one list
 };
 
 /// Refines `pairs`, which come by list and by falling priority within each, until all are resolved

@@ -87,6 +87,9 @@ std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
                                      const Schedule& schedule, const Viewer& viewer,
                                      const Fixation& fixation,
                                      const std::optional<GazeRegion>& region) {
+  if (bounds.empty()) {
+    return {};
+  }
   struct Ranked {
     ScheduledPair scheduled;
     double priority;

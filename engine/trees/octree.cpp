@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,9 +14,11 @@
 namespace impetus {
 namespace {
 
-/// Share of the solid's size by which radii exceed what they were measured to need: far above the
-/// rounding of clipping, far below anything visible.
-constexpr double kMargin = 1e-12;
+/// Shares of the solid's size. What lies nearer than this to a wall between cells lies in it:
+/// otherwise a face that rounding put beside the wall would leave a sliver in each cell along it.
+constexpr double kSnap = 1e-13;
+/// Radii exceed what they were measured to need by this, far above the rounding and the snapping.
+constexpr double kMargin = 1e-11;
 
 /// A piece of one triangle, within a cell.
 struct Facet {
@@ -29,11 +32,21 @@ struct Part {
   std::vector<Facet> facets;
 };
 
-/// The piece of `facet` on one side of the plane x[axis] = `at`. A facet in the plane itself
-/// belongs to the side that the solid lies on.
-Facet clipped(const Facet& facet, int axis, double at, bool keep_above) {
+struct Wall {
+  int axis;
+  double at;
+  double snap_m;
+};
+
+/// The piece of `facet` on one side of the wall. A facet in the wall itself belongs to the side
+/// that the solid lies on.
+Facet clipped(const Facet& facet, const Wall& wall, bool keep_above) {
+  const auto& [axis, at, snap_m] = wall;
   const double sign = keep_above ? 1.0 : -1.0;
-  const auto height = [&](const Vector3& p) { return sign * (p[axis] - at); };
+  const auto height = [&](const Vector3& p) {
+    const double above = p[wall.axis] - wall.at;
+    return std::fabs(above) <= wall.snap_m ? 0.0 : sign * above;
+  };
   Facet piece{{}, facet.normal};
   bool in_plane = true;
   for (std::size_t i = 0; i < facet.corners.size(); ++i) {
@@ -57,10 +70,10 @@ Facet clipped(const Facet& facet, int axis, double at, bool keep_above) {
   return piece;
 }
 
-std::vector<Facet> on_side(const std::vector<Facet>& facets, int axis, double at, bool above) {
+std::vector<Facet> on_side(const std::vector<Facet>& facets, const Wall& wall, bool above) {
   std::vector<Facet> pieces;
   for (const Facet& facet : facets) {
-    Facet piece = clipped(facet, axis, at, above);
+    Facet piece = clipped(facet, wall, above);
     if (!piece.corners.empty()) {
       pieces.push_back(std::move(piece));
     }
@@ -69,14 +82,14 @@ std::vector<Facet> on_side(const std::vector<Facet>& facets, int axis, double at
 }
 
 /// The halves of a part along one axis, below and above the middle.
-std::array<Part, 2> halves(const Part& part, int axis) {
+std::array<Part, 2> halves(const Part& part, int axis, double snap_m) {
   const double middle = 0.5 * (part.cell.least[axis] + part.cell.most[axis]);
   std::array<Part, 2> result;
   for (const bool above : {false, true}) {
     Part& half = result[above ? 1 : 0];
     half.cell = part.cell;
     (above ? half.cell.least : half.cell.most)[axis] = middle;
-    half.facets = on_side(part.facets, axis, middle, above);
+    half.facets = on_side(part.facets, {axis, middle, snap_m}, above);
   }
   return result;
 }
@@ -84,11 +97,11 @@ std::array<Part, 2> halves(const Part& part, int axis) {
 Vector3 centre_of(const OctreeCell& cell) { return 0.5 * (cell.least + cell.most); }
 
 /// The eighths of a part that hold anything of the solid, in a fixed order.
-std::vector<Part> children_of(const Part& part, const TriangleMesh& solid) {
+std::vector<Part> children_of(const Part& part, const TriangleMesh& solid, double snap_m) {
   std::vector<Part> children;
-  for (const Part& x : halves(part, 0)) {
-    for (const Part& y : halves(x, 1)) {
-      for (Part& z : halves(y, 2)) {
+  for (const Part& x : halves(part, 0, snap_m)) {
+    for (const Part& y : halves(x, 1, snap_m)) {
+      for (Part& z : halves(y, 2, snap_m)) {
         if (!z.facets.empty() || part.facets.empty() || contains(solid, centre_of(z.cell))) {
           children.push_back(std::move(z));
         }
@@ -181,7 +194,9 @@ class Builder {
 
   Octree build(int depth) {
     level_.push_back(whole(*solid_));
-    margin_m_ = kMargin * (level_.front().cell.most - level_.front().cell.least).norm();
+    const double size_m = (level_.front().cell.most - level_.front().cell.least).norm();
+    margin_m_ = kMargin * size_m;
+    snap_m_ = kSnap * size_m;
     add_level({sphere_about(Vector3::Zero(), solid_->vertices, margin_m_)});
     for (int made = 0; made < depth && split_level(); ++made) {
     }
@@ -214,7 +229,7 @@ class Builder {
       }
       VolumeNode& node = nodes_[static_cast<std::size_t>(starts_.back()) + i];
       node.first_child = static_cast<std::int32_t>(nodes_.size() + finer.size());
-      for (Part& child : children_of(level_[i], *solid_)) {
+      for (Part& child : children_of(level_[i], *solid_, snap_m_)) {
         spheres.push_back(sphere_round(corners_of(child, *solid_), margin_m_));
         finer.push_back(std::move(child));
         ++node.child_count;
@@ -230,6 +245,7 @@ class Builder {
 
   const TriangleMesh* solid_;
   double margin_m_{0.0};
+  double snap_m_{0.0};
   std::vector<Part> level_;
   std::vector<double> protrusions_m_;
   std::vector<VolumeNode> nodes_;

@@ -8,10 +8,9 @@
 //   +---+---+---+---+      A sphere that lies wholly inside the solid is a leaf: nothing finer
 //                          would change what it says.
 //
-// Invariant: cells of a level are disjoint and cover the solid, a child's cell lies in its parent's,
-// and every node's sphere holds its part, hence the parts of all nodes below it. (Hubbard 1996;
-// Dingliana 2002, sec. 3.1.1)
-// SPDX-License-Identifier: MIT
+// Invariant, up to 1e-13 of the solid's size: cells of a level are disjoint and cover the solid, a
+// child's cell lies in its parent's, and every node's sphere holds its part, hence the parts of all
+// nodes below it. (Hubbard 1996; Dingliana 2002, sec. 3.1.1) SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
+#include "engine/shapes/l_block_mesh.hpp"
+#include "engine/trees/octree.hpp"
 #include "engine/world.hpp"
 
 namespace impetus {
@@ -59,6 +61,20 @@ inline BodyModel fixed_ball(double radius_m) {
   return model;
 }
 
+/// A solid of 1,000 kg/m³ in its own frame: the mesh must be about its centre of mass.
+inline BodyModel solid_body(const TriangleMesh& mesh, int depth) {
+  const MassProperties mass = solid_of(mesh, 1'000.0);
+  BodyModel model;
+  model.name = "solid";
+  model.tree = std::make_shared<VolumeTree>(octree(mesh, depth));
+  model.inverse_mass = 1.0 / mass.mass_kg;
+  model.inverse_inertia = mass.inertia.inverse();
+  return model;
+}
+
+/// The studies' concave body at a tenth of a metre a degree.
+inline TriangleMesh small_l_block() { return about_centre_of_mass(l_block_mesh(0.2, 0.07)); }
+
 inline BodyState resting_at(const Vector3& position) {
   BodyState state;
   state.pose.position = position;
@@ -79,6 +95,24 @@ inline StepInput step_of(double dt_s) {
   input.viewer = viewer_at({}, 0.0);
   input.viewer.eye = Vector3(0.0, 0.0, 10.0);
   return input;
+}
+
+/// `count` tumbling L-blocks at rest density in a closed cube that has room for 27.
+inline World enclosed_l_blocks(int count, int depth, Schedule schedule = {}) {
+  RandomStream random(15, "enclosed L-blocks");
+  const BodyModel model = solid_body(small_l_block(), depth);
+  std::vector<BodyState> states;
+  for (int i = 0; i < count; ++i) {
+    const Vector3 place(0.36 * (i % 3 - 1), 0.36 * (i / 3 % 3 - 1), 0.36 * (i / 9 % 3 - 1));
+    states.push_back(moving(model, place, random_in_cube(random, 0.5)));
+    states.back().pose.orientation = random_turn(random);
+    states.back().angular_momentum = model.inverse_inertia.inverse() * random_in_cube(random, 3.0);
+  }
+  WorldSettings settings;
+  settings.enclosure = ClosedCube{0.6};
+  settings.schedule = std::move(schedule);
+  return {std::vector<BodyModel>(static_cast<std::size_t>(count), model), std::move(states),
+          std::move(settings)};
 }
 
 /// One step of `world` with all the work it asks for.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -12,6 +13,7 @@
 #include "engine/numerics/bits.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "engine/numerics/trigonometry.hpp"
+#include "tests/engine/builders.hpp"
 
 namespace impetus {
 namespace {
@@ -35,6 +37,42 @@ double worst_error(double angle_deg) {
   const LongSineCosine exact = reference(angle_deg);
   return static_cast<double>(
       std::max(std::fabs(ours.sine - exact.sine), std::fabs(ours.cosine - exact.cosine)));
+}
+
+TEST(Atan2, AgreesWithLongDoubleTo1e15OverTheWholeCircle) {
+  RandomStream random(7, "atan2");
+  for (int trial = 0; trial < 200'000; ++trial) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.below(60)) - 30);
+    const double x = uniform_in(random, -1.0, 1.0);
+    const double y = scale * uniform_in(random, -1.0, 1.0);
+    const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+    ASSERT_LT(std::fabs(static_cast<double>(atan2_rad(y, x) - exact)), 1e-15) << y << ", " << x;
+  }
+}
+
+TEST(Atan2, OfSmallAnglesIsRelativelyExact) {
+  for (double y = 1e-3; y > 1e-300; y /= 7.0) {
+    EXPECT_NEAR(atan2_rad(y, 1.0) / std::atan2(y, 1.0), 1.0, 1e-15) << y;
+  }
+}
+
+TEST(Atan2, OfTheAxesAndDiagonals) {
+  const double pi = std::numbers::pi;
+  EXPECT_EQ(atan2_rad(0.0, 0.0), 0.0);
+  EXPECT_EQ(atan2_rad(0.0, 2.0), 0.0);
+  EXPECT_EQ(atan2_rad(0.0, -2.0), pi);
+  EXPECT_EQ(atan2_rad(2.0, 0.0), pi / 2.0);
+  EXPECT_EQ(atan2_rad(-2.0, 0.0), -pi / 2.0);
+  EXPECT_EQ(atan2_rad(3.0, 3.0), pi / 4.0);
+  EXPECT_EQ(atan2_rad(-3.0, -3.0), -3.0 * pi / 4.0);
+}
+
+TEST(Atan2, OfWhatIsNotANumberIsNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(std::isnan(atan2_rad(nan, 1.0)));
+  EXPECT_TRUE(std::isnan(atan2_rad(1.0, nan)));
+  EXPECT_TRUE(std::isnan(atan2_rad(infinity, infinity)));
 }
 
 TEST(Trigonometry, AgreesWithTheLongDoubleLibraryOverAMillionDegrees) {
