@@ -31,7 +31,7 @@ double atan_on_unit(double x) {
                                        0x1.4978fa3269ee1p-1,
                                        0x1.700a7c5784634p-1,
                                        0x1.921fb54442d18p-1};
-  const int eighths = static_cast<int>(8.0 * x + 0.5);
+  const int eighths = static_cast<int>(std::floor(8.0 * x + 0.5));
   const double nearest = eighths / 8.0;
   const double rest = (x - nearest) / (1.0 + x * nearest);
   const double square = rest * rest;

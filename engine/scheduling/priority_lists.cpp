@@ -55,7 +55,7 @@ std::string problem_of(const Schedule& schedule) {
   }
   double shares = 0.0;
   for (const PriorityList& list : schedule.lists) {
-    if (const std::string problem = problem_of(list); !problem.empty()) {
+    if (std::string problem = problem_of(list); !problem.empty()) {
       return problem;
     }
     shares += list.share;

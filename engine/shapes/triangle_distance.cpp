@@ -29,10 +29,10 @@ std::optional<Vector3> crossing(const Vector3& from, const Vector3& to, const Tr
 
 std::optional<Vector3> common_point(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (const auto point = crossing(a[i], a[(i + 1) % 3], b)) {
+    if (auto point = crossing(a[i], a[(i + 1) % 3], b)) {
       return point;
     }
-    if (const auto point = crossing(b[i], b[(i + 1) % 3], a)) {
+    if (auto point = crossing(b[i], b[(i + 1) % 3], a)) {
       return point;
     }
   }

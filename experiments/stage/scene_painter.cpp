@@ -67,6 +67,7 @@ std::vector<Instance> instances_of(const Picture& picture) {
     return one.distance_m > other.distance_m;
   });
   std::vector<Instance> instances;
+  instances.reserve(seen.size());
   for (const Seen& body : seen) {
     instances.push_back(body.instance);
   }
