@@ -39,6 +39,9 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) c
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
   double clearest = parameters_.guess_rate;
   for (const CollisionRecord& collision : shown.collisions) {
+    if (is_wall(collision.report.bodies.b)) {
+      continue;
+    }
     const auto a = static_cast<std::size_t>(collision.report.bodies.a);
     const auto b = static_cast<std::size_t>(collision.report.bodies.b);
     const CollisionTruth truth = measure_truth(scene.looks[a], collision.pose_a, scene.looks[b],

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// At contact the spheres overlap by this share of their radii: far below a pixel, far above what
+/// At contact the bodies overlap by this share of their distance: far below a pixel, far above what
 /// rounding could make of the way there, so contact falls on its step on every machine.
 constexpr double kTouchingOverlap = 1e-9;
 

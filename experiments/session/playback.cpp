@@ -48,6 +48,9 @@ void Playback::step_once() {
 }
 
 Pose Playback::pose_of(std::int32_t body) const {
+  if (is_wall(body)) {
+    return {};
+  }
   return scene_.world.states()[static_cast<std::size_t>(body)].pose;
 }
 

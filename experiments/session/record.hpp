@@ -25,7 +25,9 @@ struct StepRecord {
 struct CollisionRecord {
   std::int64_t step{0};
   CollisionReport report;
-  Pose pose_a;  ///< of both bodies at the end of the step; not stored, a replay has them
+  /// Of both bodies at the end of the step (a wall's is the world's origin); not stored, a replay
+  /// has them.
+  Pose pose_a;
   Pose pose_b;
   bool no_spin{false};                 ///< imposed: neither body can turn
   double eccentricity_deg{0.0};        ///< of the contact point from the screen's centre

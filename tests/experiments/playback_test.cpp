@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/playback.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/trees/volume_tree.hpp"
+
+namespace impetus {
+namespace {
+
+/// One ball in a closed cube of 2 m, on its way to the wall at +x.
+StagedScene ball_in_a_cube() {
+  BodyModel ball;
+  ball.name = "ball";
+  ball.tree = std::make_shared<const VolumeTree>(single_node_tree({Vector3::Zero(), 0.1}));
+  ball.inverse_mass = 1.0;
+  BodyState state;
+  state.linear_momentum = Vector3::UnitX();
+  WorldSettings settings;
+  settings.enclosure = ClosedCube{1.0};
+  StagedScene scene{World({ball}, {state}, settings),
+                    viewer_at({0.4, 0.3, 1280, 1024, 0.57}, 0.0),
+                    {DrawnBody{"ball", 0.1}}};
+  scene.step_hz = 100.0;
+  return scene;
+}
+
+TEST(Playback, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
+  FixedWork unlimited(kUnlimitedTests);
+  Playback playback(ball_in_a_cube(), unlimited);
+  playback.poses_at(1.0);
+  const std::vector<CollisionRecord> collisions = playback.take_collisions();
+  ASSERT_EQ(collisions.size(), 1U);
+  EXPECT_TRUE(is_wall(collisions[0].report.bodies.b));
+  // 0.9 m to the wall at 1 m/s: step 90, or 91 where rounding left it short of touching.
+  EXPECT_NEAR(static_cast<double>(collisions[0].step), 90.0, 1.0);
+  EXPECT_NEAR(collisions[0].pose_a.position.x(), 0.9, 0.011);
+  EXPECT_EQ(collisions[0].pose_b.position, Vector3::Zero());
+}
+
+}  // namespace
+}  // namespace impetus
