@@ -98,7 +98,12 @@ void add_shape_problems(const json& scene, std::vector<SceneProblem>& problems) 
       }
     }
     if (shape.size() != measures.size() + 1) {
-      problems.push_back({place, "expected no measures of another kind than " + kind});
+      std::string names;
+      for (const std::string& measure : measures) {
+        names += ", " + measure;
+      }
+      problems.push_back({place, "expected the measures of kind " + kind + " alone" + names +
+                                     ", got " + std::to_string(shape.size() - 1)});
     } else if (kind == "l-block" && shape["thickness_deg"] >= shape["arm_deg"]) {
       problems.push_back({place + "/thickness_deg",
                           "expected less than arm_deg, got " + shape["thickness_deg"].dump()});

@@ -1,0 +1,94 @@
+// What an observer and a screen file must be: every refusal, word for word.
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/observer_file.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "tests/experiments/refusals.hpp"
+
+namespace impetus {
+namespace {
+
+// ---------------------------------------------------------------- the observer's file
+
+/// The shipped observer with one value changed, refused.
+std::string observer_refusal(const TemporaryFolder& folder, const std::string& pointer,
+                             const json& value) {
+  json observer = json::parse(shipped("experiments/observers/causality.json"));
+  observer[json::json_pointer(pointer)] = value;
+  const std::string path = folder.write("o.json", observer.dump()).string();
+  const std::string sentence = refusal([&] { load_observer(path, "protocols/causality.json"); });
+  return sentence.rfind(path, 0) == 0 ? "o.json" + sentence.substr(path.size()) : sentence;
+}
+
+TEST(ObserverFile, EveryRefusalNamesThePlace) {
+  const TemporaryFolder folder;
+  const std::vector<Case> cases{
+      {"/observer", "gaze",
+       "o.json:/observer: expected one of \"causality\", \"gap\", got \"gaze\""},
+      {"/parameters/lapse_rate/value", 2,
+       "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},
+      {"/parameters/threshold_sd_ms/value", -1,
+       "o.json:/parameters/threshold_sd_ms/value: expected a number ≥ 0 and ≤ 1000000000, got -1"},
+      {"/parameters/threshold_width_ms/value", 0,
+       "o.json:/parameters/threshold_width_ms/value: expected a number ≥ 0.001 and ≤ 1000000000, "
+       "got 0"},
+      {"/parameters/baseline/source", "",
+       "o.json:/parameters/baseline/source: expected a text that is not empty, got \"\""},
+      {"/parameters/baseline", -2.2, "o.json:/parameters/baseline: expected an object, got -2.2"},
+      {"/parameters/cut_2_3/value", -1.5,
+       "o.json:/parameters/cut_2_3/value: expected more than cut_1_2, got -1.5"},
+      {"/parameters/cut_2_3",
+       {{"value", 1}, {"unit", "logit"}},
+       "o.json:/parameters/cut_2_3: expected the key \"source\", which is missing"}};
+  for (const Case& one : cases) {
+    EXPECT_EQ(observer_refusal(folder, one.pointer, one.value), one.sentence);
+  }
+  EXPECT_EQ(observer_refusal(folder, "/note", "mine"), "accepted");
+}
+
+TEST(ObserverFile, AnUnknownNameIsRefusedWithTheFolderThatWasSearched) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal([&] { load_observer("nobody", folder / "protocols/a.json"); }),
+            "--observer nobody: expected a file, or the name of one in " +
+                (folder / "experiments/observers").string());
+}
+
+// ---------------------------------------------------------------- the screen's file
+
+TEST(ScreenFile, EveryRefusalNamesThePlace) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "screen.json").string();
+  const auto refused = [&](const std::string& text) {
+    folder.write("screen.json", text);
+    return refusal([&] { load_screen(path); });
+  };
+  EXPECT_EQ(refused(R"({"schema_version": 1, "width_cm": 40, "height_cm": 30})"),
+            path + ":/: expected the key \"viewing_distance_cm\", which is missing");
+  EXPECT_EQ(refused(R"({"schema_version": 1, "width_cm": 0.4, "height_cm": 30,
+                        "viewing_distance_cm": 57})"),
+            path + ":/width_cm: expected a number ≥ 10 and ≤ 300, got 0.4");
+  EXPECT_EQ(refused(R"({"schema_version": 1, "width_cm": 40, "height_cm": "30",
+                        "viewing_distance_cm": 57})"),
+            path + ":/height_cm: expected a number ≥ 10 and ≤ 200, got \"30\"");
+}
+
+TEST(ScreenFile, WhatIsSavedIsLoadedAgain) {
+  const TemporaryFolder folder;
+  const ScreenGeometry screen{0.376, 0.301, 0, 0, 0.57};
+  save_screen(screen, folder / "new/folder/screen.json");
+  const ScreenGeometry loaded = load_screen(folder / "new/folder/screen.json");
+  // Kept to the micrometre, in whole digits of a centimetre; one rounding on the way back.
+  EXPECT_DOUBLE_EQ(loaded.width_m, screen.width_m);
+  EXPECT_DOUBLE_EQ(loaded.height_m, screen.height_m);
+  EXPECT_DOUBLE_EQ(loaded.viewing_distance_m, screen.viewing_distance_m);
+}
+
+TEST(ScreenFile, AFileThatCannotBeWrittenIsRefusedWithTheReason) {
+  const TemporaryFolder folder;
+  folder.write("file", "");
+  const std::string path = (folder / "file/screen.json").string();
+  EXPECT_EQ(refusal([&] { save_screen(assumed_screen(), path); }),
+            path + ": expected a file that can be written, but it cannot be: Not a directory");
+}
+
+}  // namespace
+}  // namespace impetus
