@@ -1,0 +1,123 @@
+// The study file itself: what is none, what cannot be written, what a closed one is.
+// SPDX-License-Identifier: MIT
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus {
+namespace {
+
+TEST(StudyFile, WhatIsNoStudyIsRefusedAndLeftAlone) {
+  const TemporaryFolder folder;
+  const std::string text =
+      folder.write("a.txt", "a text that is long enough to be looked at").string();
+  const std::string other =
+      plain_database(folder / "other.sqlite", "CREATE TABLE t (x); INSERT INTO t VALUES (1)");
+  const std::string marked = plain_database(
+      folder / "marked.sqlite", "PRAGMA application_id = 252006675; CREATE TABLE t (x)");
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {text, text + ": expected an Impetus study, got a file that is no SQLite database"},
+      {other, other + ": expected an Impetus study, got a database of another program"},
+      {marked, marked + ": expected an Impetus study, got a database of another program"}};
+  for (const auto& [path, sentence] : cases) {
+    const std::string before = text_of(path);
+    EXPECT_EQ(open_refusal(path), sentence);
+    EXPECT_EQ(read_refusal(path), sentence);
+    EXPECT_EQ(text_of(path), before);
+  }
+}
+
+TEST(StudyFile, AStudyOfAnotherSchemaVersionIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  opened(path);
+  plain_database(path, "PRAGMA user_version = 2");
+  const std::string sentence = path + ": expected a study of schema version 1, got version 2";
+  EXPECT_EQ(open_refusal(path), sentence);
+  EXPECT_EQ(read_refusal(path), sentence);
+}
+
+TEST(StudyFile, AMissingFileIsRefusedForReadingAndNotMade) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "none.sqlite").string();
+  EXPECT_EQ(read_refusal(path), path + ": expected an Impetus study, but there is no such file");
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(open_refusal(folder / "no/folder.sqlite"),
+            (folder / "no/folder.sqlite").string() +
+                ": expected a file that can be written, but it cannot be: No such file or "
+                "directory");
+}
+
+TEST(StudyFile, AProcessKilledBeforeTheSchemaWasWrittenLeavesAFileThatCanBeUsed) {
+  const TemporaryFolder folder;
+  const std::filesystem::path empty = folder.write("empty.sqlite", "");
+  const std::filesystem::path begun =
+      plain_database(folder / "begun.sqlite", "PRAGMA journal_mode = WAL");
+  ASSERT_GT(std::filesystem::file_size(begun), 0U);
+  for (const std::filesystem::path& path : {empty, begun}) {
+    EXPECT_EQ(read_refusal(path), path.string() + ": expected an Impetus study, got an empty file");
+    EXPECT_EQ(open_refusal(path), "accepted");
+    EXPECT_EQ(value_of(path, "SELECT build FROM study"), kTestBuild);
+  }
+}
+
+TEST(StudyFile, AReadOnlyFileIsRefusedForWritingAndCanBeRead) {
+  const OpenFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  opened(path);
+  std::filesystem::permissions(path, std::filesystem::perms(0444));
+  EXPECT_EQ(in_child([&] {
+              become_nobody();
+              return open_refusal(path) + "\n" + read_refusal(path);
+            }),
+            path + ": expected a file that can be written, but it cannot be: Permission denied\n" +
+                "accepted");
+}
+
+TEST(StudyFile, AReadOnlyFolderIsRefusedForWriting) {
+  const OpenFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  const std::string fresh = (folder / "b.sqlite").string();
+  opened(path);
+  std::filesystem::permissions(path, std::filesystem::perms(0666));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
+  EXPECT_EQ(in_child([&] {
+              become_nobody();
+              return open_refusal(path) + "\n" + open_refusal(fresh);
+            }),
+            path +
+                ": expected a folder that can be written, for the study's log beside it, but "
+                "it cannot be: Permission denied\n" +
+                fresh +
+                ": expected a file that can be written, but it cannot be: Permission denied");
+}
+
+TEST(StudyFile, ASecondProcessIsRefusedWhileTheFirstHasTheFile) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  {
+    const StudyFile study = opened(path);
+    EXPECT_EQ(in_child([&] { return open_refusal(path); }),
+              path + ": in use by another Impetus process; end that session first");
+  }
+  EXPECT_EQ(in_child([&] { return open_refusal(path); }), "accepted");
+}
+
+TEST(StudyFile, IsOneFileOnceClosed) {
+  const TemporaryFolder folder;
+  {
+    EnrolledStudy at(folder / "a.sqlite");
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(recorded_attempts()[0]);
+    writer.end("quit");
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.sqlite-wal"));
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.push_back(entry.path().filename());
+  }
+  EXPECT_EQ(names, std::vector<std::string>{"a.sqlite"});
+  // Bytes 18 and 19 of SQLite's header: 2 would ask every reader for a folder it may write in.
+  EXPECT_EQ(text_of(folder / "a.sqlite").substr(18, 2), "\x01\x01");
+}
+
+}  // namespace
+}  // namespace impetus
