@@ -40,6 +40,11 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
   }
 }
 
+void World::set_schedule(Schedule schedule) {
+  require(problem_of(schedule).empty(), problem_of(schedule).c_str());
+  settings_.schedule = std::move(schedule);
+}
+
 StepReport World::step(const StepInput& input, WorkMeter& meter) {
   StepReport report;
   const std::vector<PairBounds> candidates = move_and_pair(input.dt_s);

@@ -93,6 +93,9 @@ class World {
   [[nodiscard]] const std::vector<BodyState>& states() const { return states_; }
   [[nodiscard]] const WorldSettings& settings() const { return settings_; }
 
+  /// Another schedule from the next step on. Throws std::invalid_argument when it is out of range.
+  void set_schedule(Schedule schedule);
+
   /// For tests that ask whether a changed start is noticed.
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
+#include "engine/shapes/closed_cube.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/page.hpp"
@@ -40,6 +41,8 @@ struct PosedBody {
 struct Picture {
   bool fixation_cross{false};
   std::vector<PosedBody> bodies;
+  std::optional<ClosedCube> enclosure{};  ///< drawn as seen from inside: walls that face the eye
+  bool pointer{false};                    ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
   Progress progress;
 };
