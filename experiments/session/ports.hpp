@@ -3,7 +3,8 @@
 //
 //   Clock      when is it                     (monotonic, nanoseconds)
 //   Display    show a picture at a flip       (what was measured comes back)
-//   Input      ask a page, notice Esc         (what was answered comes back)
+//   Input      ask a page, notice Esc, clicks (what was answered comes back)
+//   Gaze       where the participant looks    (session/gaze.hpp)
 //   Scenes     condition -> world             (what is on show)
 //   Recorder   keep what happened             (an error is thrown, never swallowed)
 // SPDX-License-Identifier: MIT
@@ -18,7 +19,9 @@
 #include "engine/shapes/closed_cube.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
+#include "experiments/session/gaze.hpp"
 #include "experiments/session/page.hpp"
+#include "experiments/session/plan.hpp"
 #include "experiments/session/record.hpp"
 #include "experiments/session/staged_scene.hpp"
 
@@ -91,6 +94,10 @@ class Input {
   /// frame of a trial.
   virtual Interruption interruption() = 0;
 
+  /// Clicks since the last call, in order. Called once per frame of a stimulus that asks for them
+  /// and once more after witnessed(); what was clicked before its first frame is forgotten.
+  virtual std::vector<ClickRecord> take_clicks() { return {}; }
+
   /// Tells what a trial showed, before its question is asked. A simulated participant judges by
   /// it; a person has seen it.
   virtual void witnessed(const AttemptRecord& shown, const StagedScene& scene) {
@@ -102,8 +109,9 @@ class Input {
 class Scenes {
  public:
   virtual ~Scenes() = default;
-  /// The scene of one condition, ready to step.
-  [[nodiscard]] virtual StagedScene stage(const Condition& condition,
+  /// The scene of a planned trial, ready to step. Where bodies start at random, they start alike
+  /// for every participant: the start follows from phase, condition and repetition alone.
+  [[nodiscard]] virtual StagedScene stage(const PlannedTrial& trial,
                                           const ScreenGeometry& screen) const = 0;
 };
 

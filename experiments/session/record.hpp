@@ -8,8 +8,17 @@
 
 #include "engine/world.hpp"
 #include "experiments/session/frame_grid.hpp"
+#include "experiments/session/gaze.hpp"
 
 namespace impetus {
+
+/// What a step was told of the participant's gaze.
+struct GazeInput {
+  Fixation fixation{};
+  std::int64_t taken_ns{0};            ///< when the sample behind it was taken; 0 without one
+  std::int64_t age_ns{0};              ///< of that sample when the step was computed
+  std::optional<GazeRegion> region{};  ///< of high priority
+};
 
 /// One step of the world: its input beyond the trial's own, and proof of its outcome. Step 0 is
 /// the state at the start.
@@ -19,6 +28,8 @@ struct StepRecord {
   std::int64_t work_spent{0};
   std::uint32_t degradations{0};
   StateHash state;
+  GazeInput gaze{};
+  std::int64_t shown_frame{-1};  ///< of the attempt's frames, the first to show it; −1: none
 };
 
 /// One contact, at the step in which it began.
@@ -29,9 +40,12 @@ struct CollisionRecord {
   /// has them.
   Pose pose_a;
   Pose pose_b;
-  bool no_spin{false};                 ///< imposed: neither body can turn
-  double eccentricity_deg{0.0};        ///< of the contact point from the screen's centre
-  std::int64_t first_frame_shown{-1};  ///< −1: no frame showed it
+  bool no_spin{false};                            ///< imposed: neither body can turn
+  double eccentricity_deg{0.0};                   ///< of the contact point from the screen's centre
+  std::int64_t first_frame_shown{-1};             ///< −1: no frame showed it
+  double time_s{0.0};                             ///< of the stimulus
+  std::optional<double> gaze_eccentricity_deg{};  ///< of the contact point from the fixation
+  std::optional<double> region_eccentricity_deg{};  ///< from the centre of the step's region
 };
 
 enum class FramePhase { kFixation, kStimulus };
@@ -59,6 +73,13 @@ struct RatingRecord {
   std::int64_t arrival_uncertainty_ns{0};
 };
 
+/// One click during the stimulus, raw: merging is the analysis's.
+struct ClickRecord {
+  std::string device;  ///< "mouse", "key" or "simulated"
+  std::int64_t arrived_ns{0};
+  std::int64_t arrival_uncertainty_ns{0};
+};
+
 enum class AttemptOutcome { kCompleted, kInterrupted };
 
 /// One showing of a planned trial. An interrupted trial is shown again as the next attempt.
@@ -72,6 +93,12 @@ struct AttemptRecord {
   std::vector<CollisionRecord> collisions;
   std::vector<FrameRecord> frames;
   std::vector<RatingRecord> ratings;  ///< none when interrupted
+  std::vector<ClickRecord> clicks;
+  std::string gaze_source;  ///< "" when gaze was not followed
+  std::vector<GazeSample> gaze;
+  /// Of the enclosure's image, the share inside the region, mean over the steps that had one.
+  std::optional<double> region_covered_share{};
+  std::optional<double> gaze_latency_p95_ms{};  ///< sample to flip; see session/gaze_latency.hpp
   double intended_hold_s{0.0};
   double realised_hold_s{0.0};  ///< differs only when rounding to the display's grid was allowed
   std::int64_t late_untimed_frames{0};  ///< on the question and in the interval

@@ -14,6 +14,7 @@ struct Ports {
   Input& input;
   const Scenes& scenes;
   Recorder& recorder;
+  Gaze* gaze{nullptr};  ///< none: gaze is not followed
 };
 
 struct AttemptResult {

@@ -3,7 +3,7 @@
 --   participant --< enrolment >-- protocol        who does which protocol, with which seed
 --                      |
 --                      +--< trial                  the plan: stored before the first is shown
---                      |      +--< attempt --< step, collision, frame, rating
+--                      |      +--< attempt --< step, collision, frame, gaze, click, rating
 --                      +--< session                one sitting; a resumed enrolment has several
 --                             +--< answer, note
 --
@@ -92,6 +92,10 @@ CREATE TABLE attempt (
   late_timed_frames INTEGER NOT NULL,
   late_untimed_frames INTEGER NOT NULL,
   sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),
+  gaze_source TEXT,                   -- 'mouse', 'simulated eye', ...; NULL: gaze not followed
+  gaze_latency_p95_ms REAL,           -- sample to flip, 95th percentile over the steps
+  gaze_late INTEGER NOT NULL DEFAULT 0 CHECK (gaze_late IN (0, 1)),  -- that exceeded 80 ms
+  region_covered_share REAL,          -- of the enclosure's image, inside the region, mean
   UNIQUE (trial_id, number)
 ) STRICT;
 CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 'completed';
@@ -104,6 +108,14 @@ CREATE TABLE step (
   degradations INTEGER NOT NULL,            -- bits, see engine/world.hpp
   hash INTEGER NOT NULL,                    -- of the bodies' state, 64 bits
   digests BLOB NOT NULL,                    -- 16 bits per body and field, little endian
+  fixation_x_m REAL,                        -- right of the screen's centre; NULL: not known
+  fixation_y_m REAL,                        -- above it
+  fixation_taken_ns INTEGER,                -- when the sample behind it was taken
+  fixation_age_ns INTEGER,                  -- of that sample when the step was computed
+  region_x_m REAL,                          -- centre of the region of high priority; NULL: none
+  region_y_m REAL,
+  region_radius_deg REAL,
+  shown_frame INTEGER,                      -- of this attempt, the first to show it; NULL: none
   PRIMARY KEY (attempt_id, step)
 ) STRICT, WITHOUT ROWID;
 
@@ -123,7 +135,11 @@ CREATE TABLE collision (
   imposed_hold_ms REAL NOT NULL,      -- imposed manipulation: the freeze this contact started
   imposed_no_spin INTEGER NOT NULL CHECK (imposed_no_spin IN (0, 1)),  -- imposed: no rotation
   eccentricity_deg REAL NOT NULL,     -- of the contact from the screen's centre
-  first_frame INTEGER                 -- of the stimulus; NULL: no frame showed it
+  first_frame INTEGER,                -- of the stimulus; NULL: no frame showed it
+  list INTEGER NOT NULL DEFAULT 0,    -- priority list it was refined in, from 0
+  time_s REAL,                        -- of the stimulus; NULL: recorded before schema 2
+  gaze_eccentricity_deg REAL,         -- of the contact from the fixation; NULL: not known
+  region_eccentricity_deg REAL        -- from the centre of the region; NULL: none
 ) STRICT;
 CREATE INDEX collision_attempt ON collision (attempt_id);
 
@@ -146,6 +162,28 @@ CREATE TABLE frame (
   flipped_ns INTEGER NOT NULL,
   missed_slots INTEGER NOT NULL,      -- > 0: the frame was late by so many refreshes
   PRIMARY KEY (attempt_id, frame)
+) STRICT, WITHOUT ROWID;
+
+-- Samples of the gaze during the stimulus, as they came: the newest valid one decides a step.
+CREATE TABLE gaze (
+  attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  sample INTEGER NOT NULL,            -- from 1
+  taken_ns INTEGER NOT NULL,
+  x_m REAL,                           -- right of the screen's centre; NULL: lost
+  y_m REAL,
+  loss TEXT CHECK (loss IN ('blink', 'off screen', 'lost')),  -- why there is no place
+  PRIMARY KEY (attempt_id, sample),
+  CHECK ((x_m IS NULL) = (y_m IS NULL) AND (x_m IS NULL) = (loss IS NOT NULL))
+) STRICT, WITHOUT ROWID;
+
+-- Clicks during the stimulus, all of them.
+CREATE TABLE click (
+  attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  number INTEGER NOT NULL CHECK (number >= 1),
+  device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated')),
+  arrived_ns INTEGER NOT NULL,
+  arrival_uncertainty_ns INTEGER NOT NULL,
+  PRIMARY KEY (attempt_id, number)
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE rating (
@@ -208,7 +246,11 @@ SELECT participant.pseudonym AS participant,
        attempt.realised_hold_ms AS realised_hold_ms,
        attempt.timed_frames AS timed_frames,
        attempt.late_timed_frames AS late_timed_frames,
-       attempt.sync_overridden AS sync_overridden
+       attempt.sync_overridden AS sync_overridden,
+       attempt.gaze_source AS gaze_source,
+       attempt.gaze_latency_p95_ms AS gaze_latency_p95_ms,
+       attempt.gaze_late AS gaze_late,
+       attempt.region_covered_share AS region_covered_share
 FROM rating
 JOIN attempt ON attempt.id = rating.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -235,7 +277,11 @@ SELECT participant.pseudonym AS participant,
        collision_truth.gap_m AS gap_m,
        collision_truth.gap_px AS gap_px,
        collision_truth.gap_arcmin AS gap_arcmin,
-       collision_truth.hidden_share AS hidden_share
+       collision_truth.hidden_share AS hidden_share,
+       collision.list AS list,
+       collision.time_s AS time_s,
+       collision.gaze_eccentricity_deg AS gaze_eccentricity_deg,
+       collision.region_eccentricity_deg AS region_eccentricity_deg
 FROM collision
 JOIN attempt ON attempt.id = collision.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -243,6 +289,90 @@ JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 LEFT JOIN collision_truth ON collision_truth.collision_id = collision.id;
+
+-- One row per completed trial of a protocol that asks for clicks: how many, in which time.
+CREATE VIEW click_trial AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS phase,
+       trial.repetition AS repetition,
+       trial.condition AS condition,
+       (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,
+       (SELECT max(frame.shown_time_s) FROM frame WHERE frame.attempt_id = attempt.id)
+         AS exposure_s,
+       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms
+FROM attempt
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE attempt.outcome = 'completed'
+  AND json_type(protocol.protocol_json, '$.clicks') IS NOT NULL;
+
+-- One row per click of a completed attempt, in the stimulus's own time.
+CREATE VIEW trial_click AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       click.number AS number,
+       (click.arrived_ns - attempt.onset_ns) / 1e9 AS time_s,
+       click.arrival_uncertainty_ns / 1e6 AS uncertainty_ms,
+       click.device AS device
+FROM click
+JOIN attempt ON attempt.id = click.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per gaze sample of a completed attempt, in the stimulus's own time.
+CREATE VIEW gaze_sample AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       attempt.gaze_source AS gaze_source,
+       (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,
+       gaze.x_m AS x_m,
+       gaze.y_m AS y_m,
+       gaze.loss AS loss
+FROM gaze
+JOIN attempt ON attempt.id = gaze.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per step of a completed attempt that knew the gaze or had a region: the sample used, its
+-- age, and how long it took from the sample to the flip that first showed the step.
+CREATE VIEW gaze_step AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       attempt.gaze_source AS gaze_source,
+       step.step AS step,
+       step.fixation_x_m AS fixation_x_m,
+       step.fixation_y_m AS fixation_y_m,
+       step.fixation_age_ns / 1e6 AS fixation_age_ms,
+       step.region_x_m AS region_x_m,
+       step.region_y_m AS region_y_m,
+       step.region_radius_deg AS region_radius_deg,
+       step.shown_frame AS shown_frame,
+       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms
+FROM step
+JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN frame AS shown
+  ON shown.attempt_id = step.attempt_id AND shown.frame = step.shown_frame
+WHERE step.fixation_x_m IS NOT NULL OR step.region_x_m IS NOT NULL;
 
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS

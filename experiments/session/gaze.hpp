@@ -1,0 +1,48 @@
+// Where a participant looks, as a stream of samples: a mouse, a simulated eye, a recording.
+//
+//   samples  . . . . x x . . . .      x: lost, with a reason; never a made-up place
+//   frames   |       |       |        the newest valid sample decides until the next frame
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/session/frame_grid.hpp"
+
+namespace impetus {
+
+struct Picture;
+
+/// Why a sample has no place.
+enum class GazeLoss { kNone, kBlink, kOffScreen, kLost };
+
+struct GazeSample {
+  std::int64_t taken_ns{0};  ///< of the session's clock
+  Fixation at{};             ///< none: lost
+  GazeLoss loss{GazeLoss::kNone};
+};
+
+class Gaze {
+ public:
+  virtual ~Gaze() = default;
+
+  /// "mouse", "simulated eye" or "recording"; it stands beside every sample.
+  [[nodiscard]] virtual std::string source() const = 0;
+
+  /// What was sampled since the last call, in order of time. Called once per frame, just before
+  /// the frame's steps.
+  virtual std::vector<GazeSample> take_samples() = 0;
+
+  /// Tells what a flip showed; a simulated eye looks at it.
+  virtual void shown(const Picture& picture, const Flip& flip) {
+    static_cast<void>(picture);
+    static_cast<void>(flip);
+  }
+};
+
+}  // namespace impetus
