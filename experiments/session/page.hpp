@@ -41,8 +41,9 @@ struct Page {
   std::vector<std::string> paragraphs;
   std::vector<Field> fields;
   std::vector<Choice> choices;
-  std::string low_anchor;   ///< words under the first point of a scale
-  std::string high_anchor;  ///< words under the last
+  std::string low_anchor;      ///< words under the first point of a scale
+  std::string high_anchor;     ///< words under the last
+  std::size_t best_choice{0};  ///< of a scale: the index of its good end
   Progress progress;
   bool can_pause{true};  ///< Esc asks for a pause; false where Esc is one of the choices
 };

@@ -105,6 +105,7 @@ class Attempt {
     page.low_anchor = scale.low_anchor;
     page.high_anchor = scale.high_anchor;
     page.progress = progress_;
+    page.best_choice = static_cast<std::size_t>(scale.best - scale.minimum);
     for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
       page.choices.push_back({std::to_string(point), std::to_string(point)});
     }
