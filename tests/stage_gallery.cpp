@@ -17,9 +17,9 @@
 #include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
+#include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/replay_viewer.hpp"
 #include "experiments/stage/screen_setup.hpp"
-#include "experiments/stage/steady_clock.hpp"
 #include "experiments/stage/window.hpp"
 
 namespace impetus {

@@ -16,6 +16,15 @@ Vector3 angular_velocity(const BodyModel& model, const BodyState& state) {
   return world_inverse_inertia(model, state) * state.angular_momentum;
 }
 
+Vector3 angular_momentum_at(const BodyModel& model, const Quaternion& orientation,
+                            const Vector3& spin) {
+  if (model.inverse_inertia.isZero(0.0)) {
+    return Vector3::Zero();
+  }
+  const Vector3 in_body = orientation.conjugate() * spin;
+  return orientation * Vector3(model.inverse_inertia.inverse() * in_body);
+}
+
 double kinetic_energy(const BodyModel& model, const BodyState& state) {
   return 0.5 * (state.linear_momentum.dot(velocity(model, state)) +
                 state.angular_momentum.dot(angular_velocity(model, state)));

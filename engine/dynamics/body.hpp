@@ -37,6 +37,11 @@ Matrix3 world_inverse_inertia(const BodyModel& model, const BodyState& state);
 
 Vector3 velocity(const BodyModel& model, const BodyState& state);          ///< m/s
 Vector3 angular_velocity(const BodyModel& model, const BodyState& state);  ///< rad/s, in world
-double kinetic_energy(const BodyModel& model, const BodyState& state);     ///< J
+
+/// The angular momentum at which a body so oriented turns at `spin` (rad/s, world); zero when
+/// nothing turns it.
+Vector3 angular_momentum_at(const BodyModel& model, const Quaternion& orientation,
+                            const Vector3& spin);
+double kinetic_energy(const BodyModel& model, const BodyState& state);  ///< J
 
 }  // namespace impetus

@@ -7,9 +7,9 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/shown_observer.hpp"
 #include "experiments/commands/window_size.hpp"
+#include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/display_query.hpp"
 #include "experiments/stage/screen_setup.hpp"
-#include "experiments/stage/steady_clock.hpp"
 #include "experiments/stage/window.hpp"
 #endif
 
@@ -35,6 +35,7 @@ class HeadlessLaboratory final : public Laboratory {
 
   Display& display() override { return display_; }
   Input& input() override { return *observer_; }
+  [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override {
     return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
   }
@@ -64,6 +65,8 @@ class WindowLaboratory final : public Laboratory {
 
   Display& display() override { return window_; }
   Input& input() override { return observer_ ? static_cast<Input&>(*observer_) : window_; }
+  Gaze* gaze() override { return observer_ ? nullptr : &window_.mouse_gaze(); }
+  [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return window_.sync_test(); }
   [[nodiscard]] std::string description() const override { return window_.description(); }
   [[nodiscard]] bool screen_measured() const override { return measured_; }

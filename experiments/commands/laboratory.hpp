@@ -28,6 +28,10 @@ class Laboratory {
   virtual ~Laboratory() = default;
   virtual Display& display() = 0;
   virtual Input& input() = 0;
+  /// Where the participant looks; none when nothing tells.
+  virtual Gaze* gaze() { return nullptr; }
+  /// Of flips and gaze samples.
+  [[nodiscard]] virtual const Clock& clock() const = 0;
   virtual SyncTest sync_test() = 0;
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual bool screen_measured() const = 0;

@@ -16,8 +16,8 @@ namespace {
 /// The collision's truth from the states at its step.
 CollisionTruth truth_of(const StoredCollision& collision, const StagedScene& scene,
                         const World& world) {
-  const auto a = static_cast<std::size_t>(collision.body_a);
-  const auto b = static_cast<std::size_t>(collision.body_b);
+  const auto a = static_cast<std::size_t>(collision.bodies.a);
+  const auto b = static_cast<std::size_t>(collision.bodies.b);
   return measure_truth(scene.looks[a], world.states()[a].pose, scene.looks[b],
                        world.states()[b].pose, scene.viewer);
 }

@@ -8,8 +8,8 @@
 #include "experiments/commands/replayed_trial.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/session/replay_view.hpp"
+#include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/replay_viewer.hpp"
-#include "experiments/stage/steady_clock.hpp"
 
 namespace impetus {
 namespace {
@@ -35,7 +35,10 @@ std::vector<std::string> facts_of(const StoredAttempt& attempt) {
 std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attempt,
                                    const StagedScene& scene) {
   using Kind = TimelineMark::Kind;
-  std::vector<TimelineMark> marks{{Kind::kContact, scene.contact_s, scene.contact_s, "contact"}};
+  std::vector<TimelineMark> marks;
+  if (scene.contact_s > 0.0) {
+    marks.push_back({Kind::kContact, scene.contact_s, scene.contact_s, "contact"});
+  }
   if (scene.realised_hold_s > 0.0) {
     marks.push_back(
         {Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s, "imposed hold"});
@@ -43,6 +46,10 @@ std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attemp
   if (attempt.rating) {
     const double at_s = static_cast<double>(attempt.answered_ns - attempt.onset_ns) / 1e9;
     marks.push_back({Kind::kResponse, at_s, at_s, "rated " + std::to_string(*attempt.rating)});
+  }
+  for (const std::int64_t click_ns : load_clicks(study, attempt.id)) {
+    const double at_s = static_cast<double>(click_ns - attempt.onset_ns) / 1e9;
+    marks.push_back({Kind::kResponse, at_s, at_s, "click"});
   }
   for (const LateFrame& frame : load_late_frames(study, attempt.id)) {
     marks.push_back({Kind::kLateFrame, frame.shown_time_s, frame.shown_time_s,
@@ -67,6 +74,7 @@ ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt
   view.facts = facts_of(attempt);
   view.viewer = scene.viewer;
   view.looks = scene.looks;
+  view.enclosure = scene.world.settings().enclosure;
   view.step_hz = scene.step_hz;
   view.duration_s = scene.duration_s;
   view.marks = marks_of(study, attempt, scene);

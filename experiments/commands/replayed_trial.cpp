@@ -3,7 +3,7 @@
 
 #include "build_info.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/step_rows.hpp"
 
 namespace impetus {
 
@@ -17,7 +17,9 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
   const Protocol& source = protocol(attempt.protocol_id);
   const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0);
   const auto condition = nlohmann::json::parse(attempt.trial.condition);
-  return scenes.stage(condition_from_json(condition, source.design), attempt.screen);
+  const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
+                             condition_from_json(condition, source.design), attempt.trial.seed};
+  return scenes.stage(planned, attempt.screen);
 }
 
 std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt) {

@@ -16,6 +16,8 @@
 #include "experiments/commands/laboratory.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
 
 namespace impetus {
@@ -109,10 +111,20 @@ SessionFacts facts_of(Laboratory& laboratory, const RunOptions& options,
   return facts;
 }
 
+void tell_gaze_latency(const SessionResult& result) {
+  if (result.slow_gaze_trials > 0) {
+    std::fprintf(stderr,
+                 "warning: from gaze sample to flip, %lld trials took more than %.0f ms (95th "
+                 "percentile); %lld of them more than %.0f ms, and are marked\n",
+                 static_cast<long long>(result.slow_gaze_trials), kWarnedGazeLatency_ms,
+                 static_cast<long long>(result.late_gaze_trials), kMarkedGazeLatency_ms);
+  }
+}
+
 /// Says how the session ended and returns the exit status.
-int conclude(const SessionResult& result, std::size_t planned_trials, StudyWriter& writer) {
+int conclude(const SessionResult& result, StudyWriter& writer) {
   const auto done = static_cast<long long>(result.completed_trials);
-  const auto total = static_cast<long long>(planned_trials);
+  const auto total = static_cast<long long>(result.expected_trials);
   switch (result.ending) {
     case SessionEnding::kFinished:
       writer.end("finished");
@@ -153,9 +165,12 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
   }
   const double rounding_hz = options.allow_rounding ? laboratory->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz);
-  const Ports ports{laboratory->display(), laboratory->input(), scenes, writer};
+  const SteadyClock work_clock;
+  const Ports ports{laboratory->display(), laboratory->input(),  scenes,     writer,
+                    laboratory->gaze(),    &laboratory->clock(), &work_clock};
   const SessionResult result = run_session(protocol.script, plan, enrolment.history, ports);
-  return conclude(result, plan.size(), writer);
+  tell_gaze_latency(result);
+  return conclude(result, writer);
 }
 
 /// S01, S02, ...: as many digits as the last one needs, two at least.

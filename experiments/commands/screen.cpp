@@ -9,8 +9,8 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/window_size.hpp"
+#include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/screen_setup.hpp"
-#include "experiments/stage/steady_clock.hpp"
 #endif
 
 namespace impetus {

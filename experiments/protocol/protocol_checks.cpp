@@ -7,6 +7,7 @@
 
 #include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_schedule.hpp"
 
 namespace impetus {
 namespace {
@@ -45,6 +46,15 @@ void check_size(const JsonDocument& protocol) {
   }
 }
 
+bool names_single_value(const json& scene, const std::string& pointer) {
+  try {
+    return scene.contains(json::json_pointer(pointer)) &&
+           scene[json::json_pointer(pointer)].is_primitive();
+  } catch (const json::exception&) {
+    return false;
+  }
+}
+
 void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
   const json& factors = protocol.value["design"]["factors"];
   std::set<std::string> names;
@@ -60,14 +70,7 @@ void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
       refuse(protocol, place + "/pointer",
              "expected a value that no other factor overrides, got \"" + pointer + "\" again");
     }
-    bool found = false;
-    try {
-      found = scene.value.contains(json::json_pointer(pointer)) &&
-              scene.value[json::json_pointer(pointer)].is_primitive();
-    } catch (const json::exception&) {
-      found = false;
-    }
-    if (!found) {
+    if (!names_single_value(scene.value, pointer)) {
       refuse(protocol, place + "/pointer",
              "expected a pointer to a single value of " + scene.name + ", got \"" + pointer + "\"");
     }
@@ -165,7 +168,11 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
     }
     return;
   }
-  const json& value = protocol.scene.value[json::json_pointer(bound.pointer)];
+  const json::json_pointer pointer(bound.pointer);
+  if (!protocol.scene.value.contains(pointer)) {
+    return;
+  }
+  const json& value = protocol.scene.value[pointer];
   if (!on_grid(value.get<double>() * bound.unit_s, hz)) {
     refuse(protocol.scene, bound.pointer, off_grid_message(value, hz));
   }
@@ -222,6 +229,74 @@ void check_practice(const JsonDocument& protocol) {
       if (!has_factor(design, name)) {
         refuse(protocol, place, "expected only factors of the design, got " + json(name).dump());
       }
+    }
+  }
+}
+
+void check_practice_rule(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  if (!design.contains("practice_until")) {
+    return;
+  }
+  const json& rule = design["practice_until"];
+  const auto factor = rule["factor"].get<std::string>();
+  if (!has_factor(design, factor)) {
+    refuse(protocol, "/design/practice_until/factor",
+           "expected the name of a factor, got " + json(factor).dump());
+  }
+  const json practice = design.value("practice", json::array());
+  for (const char* end : {"best", "worst"}) {
+    const bool practised = std::any_of(practice.begin(), practice.end(), [&](const json& trial) {
+      return trial.contains(factor) && trial[factor] == rule[end];
+    });
+    if (!practised) {
+      refuse(protocol, std::string("/design/practice_until/") + end,
+             "expected a level of " + factor + " that is practised, got " + rule[end].dump());
+    }
+  }
+}
+
+void check_demonstrations(const Protocol& protocol) {
+  const json entries = protocol.document.value["session"].value("demonstrations", json::array());
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::string place = item("/session/demonstrations", i);
+    const auto id = entries[i]["id"].get<std::string>();
+    if (!ids.insert(id).second) {
+      refuse(protocol.document, place + "/id",
+             "expected an id of its own, got " + json(id).dump() + " again");
+    }
+    const json& values = entries[i]["set"];
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      if (!names_single_value(protocol.scene.value, value.key())) {
+        refuse(protocol.document, place + "/set",
+               "expected pointers to single values of " + protocol.scene.name + ", got \"" +
+                   value.key() + "\"");
+      }
+    }
+    const json scene = demonstration_scene(protocol, id);
+    const std::string message = complaint(scene);
+    if (!message.empty()) {
+      refuse(protocol.document, place + "/set", message);
+    }
+    if (depends_on_gaze(scene["engine"])) {
+      refuse(
+          protocol.document, place + "/set",
+          "expected a scene whose detail does not depend on the gaze, which is not followed yet");
+    }
+  }
+}
+
+void check_gaze(const Protocol& protocol) {
+  if (protocol.document.value.contains("gaze")) {
+    return;
+  }
+  for (const Condition& cell : cells(protocol.design)) {
+    if (depends_on_gaze(scene_under(protocol, cell)["engine"])) {
+      refuse(
+          protocol.document, "",
+          "expected the key \"gaze\", because the detail of collisions depends on the gaze under " +
+              to_json(cell).dump() + ", but it is missing");
     }
   }
 }

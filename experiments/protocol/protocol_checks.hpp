@@ -21,6 +21,15 @@ void check_levels(const Protocol& protocol);
 /// Every practice condition is a cell of the design. Throws InputError.
 void check_practice(const JsonDocument& protocol);
 
+/// The levels that practice is judged by are practised. Throws InputError.
+void check_practice_rule(const JsonDocument& protocol);
+
+/// Every demonstration's scene can be shown and needs no gaze. Throws InputError.
+void check_demonstrations(const Protocol& protocol);
+
+/// Where the detail of collisions depends on the gaze, the gaze is followed. Throws InputError.
+void check_gaze(const Protocol& protocol);
+
 /// A participant's plan. Throws InputError when no order was found that keeps to the longest runs.
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
 

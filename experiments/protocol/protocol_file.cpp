@@ -2,6 +2,7 @@
 #include "experiments/protocol/protocol_file.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <xxhash.h>
@@ -68,6 +69,9 @@ Design design_from(const json& object) {
     design.factors.push_back(std::move(factor));
   }
   design.repetitions = object["repetitions"].get<std::int64_t>();
+  if (object.contains("practice_until")) {
+    design.practice_rounds = object["practice_until"]["rounds"].get<std::int64_t>();
+  }
   for (const json& rule : object.value("longest_runs", json::array())) {
     design.longest_runs.push_back(
         {rule["factor"].get<std::string>(), rule["longest"].get<std::int64_t>()});
@@ -79,6 +83,15 @@ RatingScale scale_from(const json& object) {
   return {object["question"].get<std::string>(),   object["minimum"].get<std::int64_t>(),
           object["maximum"].get<std::int64_t>(),   object["best"].get<std::int64_t>(),
           object["low_anchor"].get<std::string>(), object["high_anchor"].get<std::string>()};
+}
+
+std::optional<PracticeRule> practice_rule_from(const json& design) {
+  if (!design.contains("practice_until")) {
+    return std::nullopt;
+  }
+  const json& rule = design["practice_until"];
+  return PracticeRule{rule["factor"].get<std::string>(), level_value(rule["best"]),
+                      level_value(rule["worst"])};
 }
 
 Script script_from(const json& document) {
@@ -103,9 +116,19 @@ Script script_from(const json& document) {
         {question["id"].get<std::string>(), question["text"].get<std::string>()});
   }
   script.thanks = text_from(session["thanks"]);
+  for (const json& entry : session.value("demonstrations", json::array())) {
+    script.demonstrations.push_back({entry["id"].get<std::string>(), text_from(entry)});
+  }
   script.scale = scale_from(document["rating"]);
   script.timing = {document["timing"]["fixation_ms"].get<double>(),
                    document["timing"]["interval_ms"].get<double>()};
+  if (document.contains("clicks")) {
+    script.clicks = ClickTask{document["clicks"]["merge_within_ms"].get<double>()};
+  }
+  if (document.contains("gaze")) {
+    script.gaze = GazeTask{document["gaze"]["extra_latency_ms"].get<double>()};
+  }
+  script.practice_rule = practice_rule_from(document["design"]);
   return script;
 }
 
@@ -150,6 +173,19 @@ json scene_under(const Protocol& protocol, const Condition& condition) {
   return scene;
 }
 
+json demonstration_scene(const Protocol& protocol, const std::string& id) {
+  json scene = protocol.scene.value;
+  for (const json& entry : protocol.document.value["session"]["demonstrations"]) {
+    if (entry["id"].get<std::string>() == id) {
+      const json& values = entry["set"];
+      for (auto value = values.begin(); value != values.end(); ++value) {
+        scene[json::json_pointer(value.key())] = value.value();
+      }
+    }
+  }
+  return scene;
+}
+
 Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   require_schema(document, protocol_schema());
   require_schema(scene, scene_schema());
@@ -173,6 +209,9 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   }
   check_levels(protocol);
   check_practice(protocol.document);
+  check_practice_rule(protocol.document);
+  check_demonstrations(protocol);
+  check_gaze(protocol);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }

@@ -34,6 +34,9 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene);
 /// The scene with the levels of `condition` put in. `condition` names factors of the protocol.
 nlohmann::json scene_under(const Protocol& protocol, const Condition& condition);
 
+/// The scene with the values that the demonstration sets. `id` is one of the protocol's.
+nlohmann::json demonstration_scene(const Protocol& protocol, const std::string& id);
+
 /// {"delay_ms": 100, ...} and back.
 nlohmann::json to_json(const Condition& condition);
 Condition condition_from_json(const nlohmann::json& object, const Design& design);

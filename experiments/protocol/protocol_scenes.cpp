@@ -4,9 +4,31 @@
 #include "experiments/scenes/scene_file.hpp"
 
 namespace impetus {
+namespace {
+
+/// What a random start goes by: never the participant or the order of trials.
+std::string start_of(const PlannedTrial& trial) {
+  const bool practice = trial.phase == TrialPhase::kPractice;
+  return (practice ? "practice/" : "main/") + std::to_string(trial.repetition);
+}
+
+}  // namespace
+
+StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
+  return build_scene(scene_under(*protocol_, trial.condition), screen, round_hold_to_hz_, shapes_,
+                     start_of(trial));
+}
+
+StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
+                                                const ScreenGeometry& screen) const {
+  return build_scene(demonstration_scene(*protocol_, id), screen, round_hold_to_hz_, shapes_,
+                     "demonstration");
+}
 
 StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, condition), screen, round_hold_to_hz_, shapes_);
+  PlannedTrial trial;
+  trial.condition = condition;
+  return stage(trial, screen);
 }
 
 }  // namespace impetus

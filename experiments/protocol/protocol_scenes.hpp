@@ -14,8 +14,13 @@ class ProtocolScenes final : public Scenes {
   ProtocolScenes(const Protocol& protocol, double round_hold_to_hz)
       : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz) {}
 
-  [[nodiscard]] StagedScene stage(const Condition& condition,
+  [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
                                   const ScreenGeometry& screen) const override;
+  [[nodiscard]] StagedScene stage_demonstration(const std::string& id,
+                                                const ScreenGeometry& screen) const override;
+
+  /// A condition's scene as in its first main trial.
+  [[nodiscard]] StagedScene stage(const Condition& condition, const ScreenGeometry& screen) const;
 
  private:
   const Protocol* protocol_;

@@ -1,4 +1,9 @@
 // A scene's JSON and the world it becomes.
+//
+//   meeting   two bodies that approach along x and touch at the centre
+//   crowd     bodies alike at random places in a closed cube
+//   neither   bodies with places and velocities of their own, in a closed cube or none
+//
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/staged_scene.hpp"
 
@@ -16,6 +22,7 @@ const nlohmann::json& scene_schema();
 
 /// Values that must be whole numbers of the display's frames, by JSON Pointer, and the seconds in
 /// their unit. An imposed hold may be rounded to the grid where that is allowed; a lead may not.
+/// A scene need not have them all.
 struct FrameBoundValue {
   std::string pointer;
   double unit_s;
@@ -23,17 +30,19 @@ struct FrameBoundValue {
 };
 const std::vector<FrameBoundValue>& frame_bound_values();
 
-/// What the schema cannot say: one message per broken rule, each with its JSON Pointer.
-struct SceneProblem {
-  std::string pointer;
-  std::string message;  ///< "expected ..., got ..."
-};
-std::vector<SceneProblem> scene_problems(const nlohmann::json& scene);
-
 /// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
-/// imposed hold to whole frames of that rate. Precondition: `scene` is valid by schema and
-/// scene_problems() is empty.
+/// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
+/// the same start. Precondition: `scene` is valid by schema and scene_problems() is empty.
 StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& screen,
-                        double round_hold_to_hz, ShapeLibrary& library);
+                        double round_hold_to_hz, ShapeLibrary& library,
+                        const std::string& start = "preview");
+
+/// Whether a crowd finds room to start in, ten times out of ten. Precondition: the scene has a
+/// crowd and an enclosure.
+bool crowd_has_room(const nlohmann::json& scene);
+
+/// The pairs of named bodies, and bodies and walls, that overlap at the start, at the coarsest
+/// level at which the schedule may leave them. Precondition: as for build_scene().
+std::vector<BodyPair> starting_overlaps_of(const nlohmann::json& scene);
 
 }  // namespace impetus

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/trees/octree.hpp"
 
@@ -32,8 +33,13 @@ BodyShape build(const json& description, double metres_per_degree, int tree_dept
   const auto length_m = [&](const char* key) {
     return description[key].get<double>() * metres_per_degree;
   };
-  if (description["kind"].get<std::string>() == "sphere") {
+  const auto kind = description["kind"].get<std::string>();
+  if (kind == "sphere") {
     return sphere_shape(length_m("radius_deg"));
+  }
+  if (kind == "box") {
+    const Vector3 sides(length_m("width_deg"), length_m("height_deg"), length_m("depth_deg"));
+    return mesh_shape(box_mesh(sides), tree_depth);
   }
   return mesh_shape(l_block_mesh(length_m("arm_deg"), length_m("thickness_deg")), tree_depth);
 }

@@ -38,6 +38,7 @@ struct Design {
   std::int64_t repetitions{1};
   std::vector<LongestRun> longest_runs;
   std::vector<Condition> practice;  ///< shown first, in this order
+  std::int64_t practice_rounds{1};  ///< planned; later ones are for who needs them
 };
 
 /// Every cell of the design, the last factor varying fastest.

@@ -34,6 +34,9 @@ class Gaze {
   /// "mouse", "simulated eye" or "recording"; it stands beside every sample.
   [[nodiscard]] virtual std::string source() const = 0;
 
+  /// Whether the mouse pointer stands in for the eye, so that it must be seen.
+  [[nodiscard]] virtual bool is_pointer() const { return false; }
+
   /// What was sampled since the last call, in order of time. Called once per frame, just before
   /// the frame's steps.
   virtual std::vector<GazeSample> take_samples() = 0;

@@ -67,8 +67,10 @@ Plan make_plan(const Design& design, const PlanKey& key) {
   RandomStream seeds(key.seed, "trial seeds/" + owner);
 
   Plan plan;
-  for (const Condition& condition : design.practice) {
-    plan.push_back({0, TrialPhase::kPractice, 1, condition, 0});
+  for (std::int64_t round = 1; round <= design.practice_rounds; ++round) {
+    for (const Condition& condition : design.practice) {
+      plan.push_back({0, TrialPhase::kPractice, round, condition, 0});
+    }
   }
   std::vector<PlannedTrial> trials = main_trials(design);
   draw_order(trials, design.longest_runs, order);

@@ -15,7 +15,7 @@ enum class TrialPhase { kPractice, kMain };
 struct PlannedTrial {
   std::int64_t slot{0};  ///< place in the session, from 1, practice first
   TrialPhase phase{TrialPhase::kMain};
-  std::int64_t repetition{1};
+  std::int64_t repetition{1};  ///< of practice: its round
   Condition condition;
   std::uint64_t seed{0};
 

@@ -2,7 +2,7 @@
 #include "experiments/session/playback.hpp"
 
 #include <cmath>
-#include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/dynamics/motion.hpp"
@@ -10,41 +10,78 @@
 namespace impetus {
 namespace {
 
-/// Angle at the eye between `point` and the screen's centre, the world's origin (degrees). For
-/// the record alone: nothing is decided by it.
-double eccentricity_deg(const Vector3& point, const Viewer& viewer) {
-  const Vector3 to_point = point - viewer.eye;
-  const Vector3 to_centre = -viewer.eye;
-  return std::atan2(to_point.cross(to_centre).norm(), to_point.dot(to_centre)) * 180.0 /
-         std::numbers::pi;
+/// Throws unless a scene with a budget by the clock has one.
+std::optional<DeadlineWork> deadline_of(const WorkBudget& budget, const Clock* clock) {
+  if (budget.ns_per_step == 0) {
+    return std::nullopt;
+  }
+  if (clock == nullptr) {
+    throw std::invalid_argument("playback: a budget in milliseconds needs a clock");
+  }
+  return DeadlineWork(*clock, budget.ns_per_step);
 }
 
 }  // namespace
 
-StepRecord record_of(std::int64_t step, StepReport report) {
-  return {step, report.work_granted, report.work_spent, report.degradations,
-          std::move(report.state)};
+StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report) {
+  return {
+      step, report.work_granted, report.work_spent, report.degradations, std::move(report.state),
+      gaze};
 }
 
-Playback::Playback(StagedScene scene, WorkMeter& meter)
-    : scene_(std::move(scene)), meter_(&meter), before_(scene_.world.states()) {
-  steps_.push_back({0, 0, 0, 0, hash_state(before_)});
+Playback::Playback(StagedScene scene, std::uint64_t seed, const Clock* work_clock)
+    : scene_(std::move(scene)),
+      regions_(scene_, seed),
+      fixed_(scene_.budget.tests_per_step),
+      deadline_(deadline_of(scene_.budget, work_clock)),
+      before_(scene_.world.states()) {
+  StepReport start;
+  start.state = hash_state(before_);
+  steps_.push_back(impetus::record_of(0, {}, std::move(start)));
 }
 
 void Playback::step_once() {
   before_ = scene_.world.states();
-  const StepInput input{1.0 / scene_.step_hz, scene_.viewer};
-  StepReport report = scene_.world.step(input, *meter_);
   const std::int64_t step = steps_.back().step + 1;
+  gaze_.region = regions_.at(step, gaze_.fixation);
+  const StepInput input{1.0 / scene_.step_hz, scene_.viewer, gaze_.fixation, gaze_.region};
+  StepReport report = scene_.world.step(input, meter_of_step());
   for (const CollisionReport& collision : report.collisions) {
     if (collision.began) {
-      const Vector3& point = collision.contact.touch.point;
-      collisions_.push_back({step, collision, pose_of(collision.bodies.a),
-                             pose_of(collision.bodies.b), scene_.no_spin,
-                             eccentricity_deg(point, scene_.viewer), -1});
+      collisions_.push_back(record_of(step, collision));
     }
   }
-  steps_.push_back(record_of(step, std::move(report)));
+  steps_.push_back(impetus::record_of(step, gaze_, std::move(report)));
+}
+
+WorkMeter& Playback::meter_of_step() {
+  if (!deadline_) {
+    return fixed_;
+  }
+  deadline_->start_step();
+  return *deadline_;
+}
+
+CollisionRecord Playback::record_of(std::int64_t step, const CollisionReport& collision) const {
+  const Vector3& point = collision.contact.touch.point;
+  const auto from = [&](const ScreenPoint& place) {
+    return visual_angle_deg(scene_.viewer, point, on_screen(scene_.viewer, place));
+  };
+  CollisionRecord record;
+  record.step = step;
+  record.time_s = static_cast<double>(step) / scene_.step_hz;
+  record.report = collision;
+  record.pose_a = pose_of(collision.bodies.a);
+  record.pose_b = pose_of(collision.bodies.b);
+  record.no_spin = scene_.no_spin;
+  record.eccentricity_deg = from({});
+  if (gaze_.fixation) {
+    record.gaze_eccentricity_deg = from(*gaze_.fixation);
+  }
+  if (gaze_.region && gaze_.region->radius_deg < kWholeView_deg) {
+    record.region_eccentricity_deg = from(gaze_.region->centre);
+  }
+  return record;
 }
 
 Pose Playback::pose_of(std::int32_t body) const {

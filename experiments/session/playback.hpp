@@ -6,17 +6,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "experiments/session/deadline_work.hpp"
 #include "experiments/session/record.hpp"
+#include "experiments/session/region_source.hpp"
 #include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 
 class Playback {
  public:
-  /// `meter` must outlive this.
-  Playback(StagedScene scene, WorkMeter& meter);
+  /// `seed` is the trial's. `work_clock` times budgets in milliseconds and must outlive this; a
+  /// scene without such a budget needs none.
+  Playback(StagedScene scene, std::uint64_t seed, const Clock* work_clock = nullptr);
+
+  /// What the participant looks at from the next step on; the region is the playback's own.
+  void look_at(const GazeInput& gaze) { gaze_ = gaze; }
 
   /// The poses at `time_s` from onset. Time must not go back by more than a step.
   std::vector<Pose> poses_at(double time_s);
@@ -29,16 +36,22 @@ class Playback {
 
  private:
   void step_once();
+  WorkMeter& meter_of_step();
+  [[nodiscard]] CollisionRecord record_of(std::int64_t step,
+                                          const CollisionReport& collision) const;
   [[nodiscard]] Pose pose_of(std::int32_t body) const;
 
   StagedScene scene_;
-  WorkMeter* meter_;
+  RegionSource regions_;
+  FixedWork fixed_;
+  std::optional<DeadlineWork> deadline_;
+  GazeInput gaze_;
   std::vector<BodyState> before_;
   std::vector<StepRecord> steps_;
   std::vector<CollisionRecord> collisions_;
 };
 
-/// The record of one step, from what the step reported.
-StepRecord record_of(std::int64_t step, StepReport report);
+/// The record of one step, from what it was told and what it reported.
+StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report);
 
 }  // namespace impetus

@@ -50,6 +50,10 @@ struct Picture {
   Progress progress;
 };
 
+/// The picture of the scene with its bodies in these poses; without poses, nothing but the ground.
+Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
+                   const Progress& progress);
+
 class Display {
  public:
   virtual ~Display() = default;
@@ -113,6 +117,10 @@ class Scenes {
   /// for every participant: the start follows from phase, condition and repetition alone.
   [[nodiscard]] virtual StagedScene stage(const PlannedTrial& trial,
                                           const ScreenGeometry& screen) const = 0;
+
+  /// The scene of one of the script's demonstrations, by its id.
+  [[nodiscard]] virtual StagedScene stage_demonstration(const std::string& id,
+                                                        const ScreenGeometry& screen) const = 0;
 };
 
 class Recorder {

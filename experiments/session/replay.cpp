@@ -21,13 +21,14 @@ Divergence locate(const StepRecord& recorded, const StateHash& actual,
 ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
                     const StepWatcher& watcher) {
   ReplayResult result;
-  const StepInput input{1.0 / scene.step_hz, scene.viewer};
   for (const StepRecord& then : recorded) {
     StepReport now;
     if (then.step == 0) {
       now.state = hash_state(scene.world.states());
     } else {
       FixedWork meter(then.work_granted);
+      const StepInput input{1.0 / scene.step_hz, scene.viewer, then.gaze.fixation,
+                            then.gaze.region};
       now = scene.world.step(input, meter);
       ++result.steps;
     }

@@ -29,7 +29,8 @@ struct ReplayResult {
 using StepWatcher =
     std::function<void(std::int64_t step, const World& world, const StepReport& report)>;
 
-/// Steps `scene` through `recorded`, granting each step the work that was granted then, and stops
+/// Steps `scene` through `recorded`, giving each step the gaze, the region and the work that it was
+/// given then, and stops
 /// at the first state whose hash differs. With a watcher it goes on to the end.
 ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
                     const StepWatcher& watcher = {});

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/session.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "experiments/session/demonstration.hpp"
+#include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/session_pages.hpp"
 
 namespace impetus {
@@ -15,14 +18,21 @@ constexpr const char* kConsentId = "consent";
 class Session {
  public:
   Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports)
-      : script_(script), plan_(plan), history_(history), ports_(ports) {}
+      : script_(script),
+        plan_(plan),
+        history_(history),
+        ports_(ports),
+        practice_(history.practice) {}
 
   SessionResult run() {
     const bool finished = welcome() && ask_consent() && ask_demographics() && instruct() &&
-                          run_phase(TrialPhase::kPractice) && run_phase(TrialPhase::kMain) &&
-                          ask_questions() && thank();
+                          practise() && run_phase(TrialPhase::kMain, 0) && ask_questions() &&
+                          thank();
     ports_.recorder.await_saved();
-    return {finished ? SessionEnding::kFinished : ending_, completed_count()};
+    result_.ending = finished ? SessionEnding::kFinished : ending_;
+    result_.completed_trials = completed_count();
+    result_.expected_trials = progress().total;
+    return result_;
   }
 
  private:
@@ -70,8 +80,82 @@ class Session {
     return true;
   }
 
-  bool run_phase(TrialPhase phase) {
-    const PhaseTrials trials = trials_of(phase);
+  /// Demonstrations, then rounds of practice until one was understood; nothing once main trials
+  /// have begun.
+  bool practise() {
+    if (main_has_begun()) {
+      return true;
+    }
+    if (!demonstrate()) {
+      return false;
+    }
+    for (round_ = 1; round_ <= last_round(); ++round_) {
+      if (!run_phase(TrialPhase::kPractice, round_)) {
+        return false;
+      }
+      const std::vector<std::string> missing = missing_in(round_);
+      if (missing.empty()) {
+        return summarise_practice();
+      }
+      if (round_ < last_round() && !ask(practice_again(missing, progress()))) {
+        return false;
+      }
+    }
+    return last_round() == 0 || ask_whether_to_go_on();
+  }
+
+  bool demonstrate() {
+    for (const Demonstration& demonstration : script_.demonstrations) {
+      if (!ask(text_page(demonstration.text, progress()))) {
+        return false;
+      }
+      std::optional<Answer> again;
+      do {
+        ports_.recorder.save(NoteRecord{"demonstration", demonstration.id});
+        const Interruption interruption =
+            show_demonstration(demonstration.id, script_, progress(), ports_);
+        if (interruption != Interruption::kNone && !handle(interruption)) {
+          return false;
+        }
+        again = ask(demonstration_over(demonstration.text, progress()));
+      } while (again && again->choice == kAgainChoice);
+      if (!again) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// What the round of practice lacks to be understood; nothing where nobody asks.
+  [[nodiscard]] std::vector<std::string> missing_in(std::int64_t round) const {
+    if (!script_.practice_rule) {
+      return {};
+    }
+    std::vector<PracticeResult> results;
+    for (const PlannedTrial& trial : plan_) {
+      const auto found = practice_.find(trial.slot);
+      if (trial.phase == TrialPhase::kPractice && trial.repetition == round &&
+          found != practice_.end()) {
+        results.push_back({trial.condition, found->second.rating, found->second.clicks});
+      }
+    }
+    return missing_in_practice(*script_.practice_rule, script_, results);
+  }
+
+  /// Practice was not understood in all its rounds: the experimenter decides.
+  bool ask_whether_to_go_on() {
+    ports_.recorder.save(NoteRecord{"practice not understood", ""});
+    const auto answer = ask(practice_not_understood(progress()));
+    if (answer && answer->choice != kContinueChoice) {
+      ports_.recorder.save(NoteRecord{"quit", ""});
+      ending_ = SessionEnding::kQuit;
+      return false;
+    }
+    return answer.has_value();
+  }
+
+  bool run_phase(TrialPhase phase, std::int64_t round) {
+    const PhaseTrials trials = trials_of(phase, round);
     if (trials.waiting.empty()) {
       return true;
     }
@@ -85,7 +169,7 @@ class Session {
         return false;
       }
     }
-    return phase == TrialPhase::kMain || summarise_practice();
+    return true;
   }
 
   /// Shows a trial until it is completed; after a pause it starts again from the interval.
@@ -95,8 +179,7 @@ class Session {
       AttemptResult attempt = run_attempt(trial, ++number, script_, here, ports_);
       const bool completed = attempt.record.outcome == AttemptOutcome::kCompleted;
       if (completed) {
-        last_rating_ = attempt.record.ratings.front().rating;
-        newly_completed_.insert(trial.slot);
+        note_completed(trial, attempt.record);
       }
       ports_.recorder.save(std::move(attempt.record));
       if (completed) {
@@ -108,10 +191,22 @@ class Session {
     }
   }
 
+  void note_completed(const PlannedTrial& trial, const AttemptRecord& record) {
+    newly_completed_.insert(trial.slot);
+    last_ = {trial.condition, record.ratings.front().rating,
+             static_cast<std::int64_t>(record.clicks.size())};
+    if (trial.phase == TrialPhase::kPractice) {
+      practice_[trial.slot] = last_;
+    }
+    const double latency_ms = record.gaze_latency_p95_ms.value_or(0.0);
+    result_.slow_gaze_trials += latency_ms > kWarnedGazeLatency_ms ? 1 : 0;
+    result_.late_gaze_trials += latency_ms > kMarkedGazeLatency_ms ? 1 : 0;
+  }
+
   bool after_trial(TrialPhase phase, std::int64_t done, std::int64_t total) {
     if (phase == TrialPhase::kPractice) {
-      ++practice_use_[last_rating_];
-      return ask(practice_feedback(script_.scale, last_rating_, progress())).has_value();
+      ++practice_use_[last_.rating];
+      return ask(practice_feedback(script_, last_.rating, last_.clicks, progress())).has_value();
     }
     const bool break_due = script_.break_every > 0 && done % script_.break_every == 0;
     if (!break_due || done == total) {
@@ -122,6 +217,9 @@ class Session {
   }
 
   bool summarise_practice() {
+    if (practice_use_.empty()) {
+      return true;  // all of it was done in an earlier session
+    }
     return ask(practice_summary(script_.scale, practice_use_, progress())).has_value();
   }
 
@@ -199,18 +297,36 @@ class Session {
     std::int64_t total{0};
   };
 
-  [[nodiscard]] PhaseTrials trials_of(TrialPhase phase) const {
+  /// `round` of practice; 0 for all rounds and for the main trials.
+  [[nodiscard]] PhaseTrials trials_of(TrialPhase phase, std::int64_t round) const {
     PhaseTrials trials;
     for (const PlannedTrial& trial : plan_) {
-      if (trial.phase != phase) {
+      if (trial.phase != phase || (round > 0 && trial.repetition != round)) {
         continue;
       }
       ++trials.total;
-      if (!history_.completed_slots.contains(trial.slot)) {
+      if (!is_completed(trial.slot)) {
         trials.waiting.push_back(&trial);
       }
     }
     return trials;
+  }
+
+  [[nodiscard]] bool is_completed(std::int64_t slot) const {
+    return history_.completed_slots.contains(slot) || newly_completed_.contains(slot);
+  }
+
+  [[nodiscard]] bool main_has_begun() const {
+    const PhaseTrials main = trials_of(TrialPhase::kMain, 0);
+    return static_cast<std::int64_t>(main.waiting.size()) < main.total;
+  }
+
+  [[nodiscard]] std::int64_t last_round() const {
+    std::int64_t last = 0;
+    for (const PlannedTrial& trial : plan_) {
+      last = trial.phase == TrialPhase::kPractice ? std::max(last, trial.repetition) : last;
+    }
+    return last;
   }
 
   [[nodiscard]] std::int64_t attempts_before(std::int64_t slot) const {
@@ -223,7 +339,11 @@ class Session {
   }
 
   [[nodiscard]] Progress progress() const {
-    const auto total = static_cast<std::int64_t>(plan_.size());
+    // Rounds of practice after the present one may never be needed.
+    const auto total = std::count_if(plan_.begin(), plan_.end(), [&](const PlannedTrial& trial) {
+      return trial.phase == TrialPhase::kMain ||
+             trial.repetition <= std::max<std::int64_t>(1, round_) || is_completed(trial.slot);
+    });
     return {completed_count(), total, ""};
   }
 
@@ -241,8 +361,11 @@ class Session {
   const Ports& ports_;
   SessionEnding ending_{SessionEnding::kQuit};
   std::set<std::int64_t> newly_completed_;
+  std::map<std::int64_t, PracticeResult> practice_;    ///< by slot, earlier sessions' too
   std::map<std::int64_t, std::int64_t> practice_use_;  ///< how often each rating was given
-  std::int64_t last_rating_{0};
+  std::int64_t round_{1};                              ///< of practice
+  PracticeResult last_;
+  SessionResult result_;
 };
 
 }  // namespace

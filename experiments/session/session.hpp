@@ -7,6 +7,7 @@
 #include <string>
 
 #include "experiments/session/plan.hpp"
+#include "experiments/session/practice.hpp"
 #include "experiments/session/script.hpp"
 #include "experiments/session/trial.hpp"
 
@@ -15,8 +16,9 @@ namespace impetus {
 /// What earlier sessions of this enrolment already have; empty for a first session.
 struct SessionHistory {
   std::set<std::int64_t> completed_slots;
-  std::map<std::int64_t, std::int64_t> attempts;  ///< made so far, by slot
-  std::set<std::string> answered;                 ///< ids of questions outside trials
+  std::map<std::int64_t, std::int64_t> attempts;    ///< made so far, by slot
+  std::set<std::string> answered;                   ///< ids of questions outside trials
+  std::map<std::int64_t, PracticeResult> practice;  ///< of completed ones by slot; no conditions
   bool resumed{false};
 };
 
@@ -25,9 +27,13 @@ enum class SessionEnding { kFinished, kQuit, kDeclined, kDisplayClosed };
 struct SessionResult {
   SessionEnding ending{SessionEnding::kQuit};
   std::int64_t completed_trials{0};  ///< practice included, earlier sessions included
+  std::int64_t expected_trials{0};   ///< in all; rounds of practice that nobody needs not included
+  std::int64_t slow_gaze_trials{0};  ///< of this session, with a gaze latency that warns
+  std::int64_t late_gaze_trials{0};  ///< of these, marked as late
 };
 
-/// Welcomes, asks consent and demographics, instructs, practises, runs the trials with breaks,
+/// Welcomes, asks consent and demographics, instructs, demonstrates, practises (until it is
+/// understood, where the script says so, or a person decides), runs the trials with breaks,
 /// asks the questions, thanks. What `history` has is not asked or shown again; instructions are.
 /// Everything acknowledged is on disk before the next trial is shown. Throws what the recorder
 /// throws.

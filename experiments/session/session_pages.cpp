@@ -69,12 +69,38 @@ Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress)
       progress);
 }
 
-Page practice_feedback(const RatingScale& scale, std::int64_t rating, const Progress& progress) {
-  return text_page(
-      {"You answered " + std::to_string(rating),
-       {"On the scale, " + std::to_string(rating) + " means " + meaning_of(scale, rating) + ".",
-        "There are no right or wrong answers: it is how it looked to you."}},
-      progress);
+Page demonstration_over(const Text& text, const Progress& progress) {
+  Page page = text_page({"That was: " + text.title, {}}, progress);
+  page.choices = {{"Continue", "space"}, {"See it again", "a"}};
+  return page;
+}
+
+Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
+                       const Progress& progress) {
+  Text text{"You answered " + std::to_string(rating), {}};
+  if (script.clicks) {
+    text.paragraphs.push_back(clicks == 0 ? "You did not click."
+                                          : "You clicked " + times(clicks) + ".");
+  }
+  text.paragraphs.push_back("On the scale, " + std::to_string(rating) + " means " +
+                            meaning_of(script.scale, rating) + ".");
+  text.paragraphs.emplace_back("There are no right or wrong answers: it is how it looked to you.");
+  return text_page(text, progress);
+}
+
+Page practice_again(const std::vector<std::string>& missing, const Progress& progress) {
+  Text text{"Once more", missing};
+  text.paragraphs.emplace_back("Please practise once more. Ask the experimenter if in doubt.");
+  return text_page(text, progress);
+}
+
+Page practice_not_understood(const Progress& progress) {
+  Page page = text_page({"Please call the experimenter",
+                         {"Practice is over, but something about the task may not be clear yet.",
+                          "The experimenter decides whether the study goes on."}},
+                        progress);
+  page.choices = {{"Go on with the study", "g"}, {"Stop here", "s"}};
+  return page;
 }
 
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,

@@ -12,6 +12,7 @@ namespace impetus {
 
 inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
+inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
 
 Text welcome_back(std::int64_t completed_trials);
 Page text_page(const Text& text, const Progress& progress);
@@ -19,8 +20,19 @@ Page consent_page(const Text& text, const Progress& progress);
 Page demographics_page(const std::vector<Field>& fields, const Progress& progress);
 Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress);
 
-/// After each practice trial: what the answer meant on the scale, never whether it was right.
-Page practice_feedback(const RatingScale& scale, std::int64_t rating, const Progress& progress);
+/// After a demonstration: on, or the same again.
+Page demonstration_over(const Text& text, const Progress& progress);
+
+/// After each practice trial: what the answer meant on the scale and how often was clicked (where
+/// clicks are asked for), never whether it was right.
+Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
+                       const Progress& progress);
+
+/// After a round of practice that was not understood, with another to come: what was missing.
+Page practice_again(const std::vector<std::string>& missing, const Progress& progress);
+
+/// After the last such round: the experimenter decides (kContinueChoice goes on).
+Page practice_not_understood(const Progress& progress);
 
 /// After practice: how often each point was used, and a reminder when only one was.
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,

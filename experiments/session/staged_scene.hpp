@@ -21,16 +21,40 @@ struct DrawnBody {
   std::shared_ptr<const TriangleMesh> mesh{};
 };
 
+/// Where collisions are of high priority, for schedules by region.
+enum class RegionKind {
+  kNone,     ///< the schedule is not by region
+  kAllGood,  ///< everywhere
+  kAllBad,   ///< nowhere
+  kTracked,  ///< about the gaze
+  kRandom,   ///< about places drawn within the enclosure's image
+};
+
+struct RegionRule {
+  RegionKind kind{RegionKind::kNone};
+  double radius_deg{0.0};
+  std::int64_t renewal_steps{0};  ///< of kRandom: how long a place lasts
+};
+
+/// How much a step may do; at most one of the two limits.
+struct WorkBudget {
+  std::int64_t tests_per_step{kUnlimitedTests};
+  std::int64_t ns_per_step{0};  ///< by the clock; 0: none
+};
+
 struct StagedScene {
   World world;
   Viewer viewer;
   std::vector<DrawnBody> looks;  ///< one per body of the world
   double step_hz{240.0};
   double duration_s{0.0};       ///< from onset to the end of the stimulus, an imposed hold included
-  double contact_s{0.0};        ///< when the bodies are to meet, from onset
+  double contact_s{0.0};        ///< when two bodies are to meet, from onset; 0: nothing is to
   double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
   bool no_spin{false};          ///< imposed: nothing turns
   double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
+  RegionRule region{};
+  WorkBudget budget{};
+  bool depends_on_gaze{false};  ///< the gaze decides the detail of collisions
 };
 
 }  // namespace impetus

@@ -5,10 +5,17 @@
 #include <string>
 #include <utility>
 
+#include "experiments/session/gaze_follower.hpp"
+#include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/playback.hpp"
+#include "experiments/session/region_coverage.hpp"
 
 namespace impetus {
 namespace {
+
+std::int64_t nanoseconds(double duration_ms) {
+  return static_cast<std::int64_t>(duration_ms * 1e6);
+}
 
 /// Runs the phases of one attempt in order; a phase returns false when it was interrupted.
 class Attempt {
@@ -18,8 +25,10 @@ class Attempt {
       : script_(script),
         ports_(ports),
         progress_(progress),
-        unlimited_(kUnlimitedTests),
-        playback_(ports.scenes.stage(trial.condition, ports.display.geometry()), unlimited_) {
+        playback_(ports.scenes.stage(trial, ports.display.geometry()), trial.seed,
+                  ports.work_clock),
+        follower_(script.gaze ? ports.gaze : nullptr, ports.clock,
+                  script.gaze ? nanoseconds(script.gaze->extra_latency_ms) : 0) {
     result_.record.slot = trial.slot;
     result_.record.number = number;
     for (const BodyModel& body : playback_.scene().world.models()) {
@@ -27,6 +36,9 @@ class Attempt {
     }
     result_.record.intended_hold_s = playback_.scene().intended_hold_s;
     result_.record.realised_hold_s = playback_.scene().realised_hold_s;
+    if (script.gaze && ports.gaze != nullptr) {
+      result_.record.gaze_source = ports.gaze->source();
+    }
   }
 
   AttemptResult run() {
@@ -67,12 +79,19 @@ class Attempt {
 
   bool show_stimulus() {
     const std::int64_t last_frame = whole_frames(playback_.scene().duration_s);
+    fixation_frames_ = static_cast<std::int64_t>(result_.record.frames.size());
+    follower_.begin();
+    if (script_.clicks) {
+      static_cast<void>(ports_.input.take_clicks());
+    }
     for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
       const double time_s = static_cast<double>(frame) / ports_.display.refresh_hz();
+      playback_.look_at(follower_.look());
       if (!show_timed(picture_at(time_s), FramePhase::kStimulus, time_s)) {
         take_simulation(frame);
         return false;
       }
+      take_clicks();
       if (frame == 0) {
         result_.record.onset_ns = result_.record.frames.back().flip.flipped_ns;
       }
@@ -83,6 +102,7 @@ class Attempt {
 
   bool ask_rating() {
     ports_.input.witnessed(result_.record, playback_.scene());
+    take_clicks();
     const RatingScale& scale = script_.scale;
     const Answer answer = ports_.input.ask(rating_page());
     result_.record.late_untimed_frames += answer.late_frames;
@@ -112,20 +132,14 @@ class Attempt {
     return page;
   }
 
-  [[nodiscard]] Picture picture() const {
-    Picture blank;
-    blank.viewer = playback_.scene().viewer;
-    blank.progress = progress_;
-    return blank;
-  }
+  [[nodiscard]] Picture picture() const { return with_pointer({}); }
 
-  Picture picture_at(double time_s) {
-    Picture scene = picture();
-    const std::vector<Pose> poses = playback_.poses_at(time_s);
-    for (std::size_t body = 0; body < poses.size(); ++body) {
-      scene.bodies.push_back({poses[body], playback_.scene().looks[body]});
-    }
-    return scene;
+  Picture picture_at(double time_s) { return with_pointer(playback_.poses_at(time_s)); }
+
+  [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses) const {
+    Picture picture = picture_of(playback_.scene(), poses, progress_);
+    picture.pointer = script_.gaze && ports_.gaze != nullptr && ports_.gaze->is_pointer();
+    return picture;
   }
 
   /// Shows and records one frame of a timed phase; false when that was interrupted.
@@ -135,19 +149,44 @@ class Attempt {
     if (result_.interruption != Interruption::kDisplayClosed) {  // else there was no flip
       const auto number = static_cast<std::int64_t>(result_.record.frames.size());
       result_.record.frames.push_back({number, phase, time_s, flip});
+      if (ports_.gaze != nullptr) {
+        ports_.gaze->shown(frame, flip);
+      }
     }
     return goes_on;
   }
 
-  void take_simulation(std::int64_t last_frame_shown) {
-    const double frames_per_step = ports_.display.refresh_hz() / playback_.scene().step_hz;
-    result_.record.steps = playback_.take_steps();
-    result_.record.collisions = playback_.take_collisions();
-    for (CollisionRecord& collision : result_.record.collisions) {
-      const double frame = std::ceil(static_cast<double>(collision.step) * frames_per_step - 1e-9);
-      const auto first = static_cast<std::int64_t>(frame);
-      collision.first_frame_shown = first <= last_frame_shown ? first : -1;
+  void take_clicks() {
+    if (script_.clicks) {
+      for (ClickRecord& click : ports_.input.take_clicks()) {
+        result_.record.clicks.push_back(std::move(click));
+      }
     }
+  }
+
+  void take_simulation(std::int64_t last_frame_shown) {
+    AttemptRecord& record = result_.record;
+    record.steps = playback_.take_steps();
+    for (StepRecord& step : record.steps) {
+      const std::int64_t first = first_frame(step.step, last_frame_shown);
+      step.shown_frame = first < 0 ? -1 : fixation_frames_ + first;
+    }
+    record.collisions = playback_.take_collisions();
+    for (CollisionRecord& collision : record.collisions) {
+      collision.first_frame_shown = first_frame(collision.step, last_frame_shown);
+    }
+    record.gaze = follower_.take_samples();
+    record.region_covered_share = mean_covered_share(playback_.scene(), record.steps);
+    if (playback_.scene().depends_on_gaze) {
+      record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames);
+    }
+  }
+
+  /// Of the stimulus, the first frame that shows the step whole; −1 when none did.
+  [[nodiscard]] std::int64_t first_frame(std::int64_t step, std::int64_t last_shown) const {
+    const double frames_per_step = ports_.display.refresh_hz() / playback_.scene().step_hz;
+    const double frame = std::ceil(static_cast<double>(step) * frames_per_step - 1e-9);
+    return static_cast<std::int64_t>(frame) <= last_shown ? static_cast<std::int64_t>(frame) : -1;
   }
 
   bool interrupted() {
@@ -163,8 +202,9 @@ class Attempt {
   const Script& script_;
   const Ports& ports_;
   const Progress& progress_;
-  FixedWork unlimited_;
   Playback playback_;
+  GazeFollower follower_;
+  std::int64_t fixation_frames_{0};
   AttemptResult result_;
 };
 

@@ -14,7 +14,9 @@ struct Ports {
   Input& input;
   const Scenes& scenes;
   Recorder& recorder;
-  Gaze* gaze{nullptr};  ///< none: gaze is not followed
+  Gaze* gaze{nullptr};               ///< none: gaze is not followed
+  const Clock* clock{nullptr};       ///< of the gaze's samples; needed with it
+  const Clock* work_clock{nullptr};  ///< real time; needed by scenes with a budget in milliseconds
 };
 
 struct AttemptResult {
@@ -24,7 +26,8 @@ struct AttemptResult {
 
 /// Shows the interval (during which the trial before is being saved), waits until it is saved,
 /// then shows fixation and stimulus and asks for the rating. Each frame shows the state for its
-/// scheduled time, so every participant sees the same frames. Throws what the recorder throws.
+/// scheduled time, so every participant sees the same frames. Where the script asks for it, clicks
+/// are kept and the gaze is followed during the stimulus. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
                           const Progress& progress, const Ports& ports);
 

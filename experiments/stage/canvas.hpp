@@ -6,13 +6,14 @@
 #include "experiments/stage/flip_pacer.hpp"
 #include "experiments/stage/gl_window.hpp"
 #include "experiments/stage/gui.hpp"
+#include "experiments/stage/mouse_input.hpp"
 #include "experiments/stage/scene_painter.hpp"
 
 namespace impetus {
 
 struct Canvas {
   Canvas(const WindowOptions& options, const Clock& clock)
-      : window(options), events(clock), pacer(window, events, clock), gui(window) {}
+      : window(options), events(clock), pacer(window, events, clock), gui(window), mouse(clock) {}
 
   [[nodiscard]] PixelArea whole() const { return {0, 0, window.width_px(), window.height_px()}; }
 
@@ -21,6 +22,7 @@ struct Canvas {
   FlipPacer pacer;
   Gui gui;
   ScenePainter painter;
+  MouseInput mouse;
 };
 
 }  // namespace impetus

@@ -49,6 +49,10 @@ void Window::set_geometry(const ScreenGeometry& geometry) {
   if (geometry_.height_px == 0) {
     geometry_.height_px = height_px();
   }
+  ScreenGeometry shown = geometry_;
+  shown.width_px = width_px();
+  shown.height_px = height_px();
+  canvas_->mouse.set_geometry(shown);
 }
 
 // Drivers finish compiling shaders when they are first used: not in front of a participant.
@@ -84,10 +88,13 @@ Flip Window::show(const Picture& picture) {
     draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
     canvas_->gui.end();
     flip = canvas_->pacer.flip();
-    canvas_->events.discard();
+    canvas_->mouse.take(canvas_->events.take());
   });
   return flip;
 }
+
+std::vector<ClickRecord> Window::take_clicks() { return canvas_->mouse.take_clicks(); }
+Gaze& Window::mouse_gaze() { return canvas_->mouse; }
 
 Answer Window::ask(const Page& page) {
   Answer answer;

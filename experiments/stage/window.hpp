@@ -44,6 +44,10 @@ class Window final : public Display, public Input {
 
   Answer ask(const Page& page) override;
   Interruption interruption() override;
+  std::vector<ClickRecord> take_clicks() override;
+
+  /// The mouse, in place of an eye-tracker, while pictures are shown.
+  [[nodiscard]] Gaze& mouse_gaze();
 
   /// The lab's measures in metres. Pixels are the window's own when they are 0.
   void set_geometry(const ScreenGeometry& geometry);

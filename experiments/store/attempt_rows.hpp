@@ -18,11 +18,9 @@ struct AttemptOwner {
   bool sync_overridden{false};
 };
 
-/// Inserts the attempt with its steps, collisions, frames and ratings. Throws SQLite::Exception.
+/// Inserts the attempt with its steps, collisions, frames, gaze, clicks and ratings. Throws
+/// SQLite::Exception.
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt);
-
-/// The steps of an attempt, in order. Throws SQLite::Exception.
-std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id);
 
 }  // namespace impetus

@@ -79,6 +79,18 @@ SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) 
       history.completed_slots.insert(slot);
     }
   }
+  SQLite::Statement practice(database,
+                             "SELECT slot, rating, (SELECT count(*) FROM click "
+                             "WHERE click.attempt_id = attempt.id) FROM trial "
+                             "JOIN attempt ON attempt.trial_id = trial.id "
+                             "JOIN rating ON rating.attempt_id = attempt.id "
+                             "WHERE enrolment_id = ? AND phase = 'practice' "
+                             "AND outcome = 'completed'");
+  practice.bind(1, enrolment);
+  while (practice.executeStep()) {
+    history.practice[practice.getColumn(0).getInt64()] = {
+        {}, practice.getColumn(1).getInt64(), practice.getColumn(2).getInt64()};
+  }
   SQLite::Statement answers(database,
                             "SELECT DISTINCT question FROM answer JOIN session "
                             "ON session.id = session_id WHERE enrolment_id = ? "

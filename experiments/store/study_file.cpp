@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/study_file.hpp"
 
+#include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fcntl.h>
@@ -9,17 +10,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
 #include "experiments/session/input_error.hpp"
-#include "experiments/store/embedded_schema.hpp"
+#include "experiments/store/migration.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr int kApplicationId = 0x494d5054;  // "IMPT"
-constexpr int kSchemaVersion = 1;
 
 std::int64_t pragma(SQLite::Database& database, const std::string& name) {
   return database.execAndGet("PRAGMA " + name).getInt64();
@@ -39,8 +40,8 @@ bool is_empty(SQLite::Database& database, const std::string& name) {
   }
 }
 
-/// Refuses what is not a study of this version.
-void require_study(SQLite::Database& database, const std::string& name) {
+/// Refuses what is not a study of a version that is known; returns that version.
+std::int64_t require_study(SQLite::Database& database, const std::string& name) {
   if (is_empty(database, name)) {
     throw InputError(name + ": expected an Impetus study, got an empty file");
   }
@@ -48,15 +49,46 @@ void require_study(SQLite::Database& database, const std::string& name) {
     throw InputError(name + ": expected an Impetus study, got a database of another program");
   }
   const std::int64_t version = pragma(database, "user_version");
-  if (version != kSchemaVersion) {
+  if (version < kOldestSchemaVersion || version > kSchemaVersion) {
     throw InputError(name + ": expected a study of schema version " +
+                     std::to_string(kOldestSchemaVersion) + " to " +
                      std::to_string(kSchemaVersion) + ", got version " + std::to_string(version));
   }
+  return version;
+}
+
+/// The file as it was, beside it: "study.schema-1.sqlite". Throws InputError when something else
+/// has that name.
+void keep_original(SQLite::Database& database, const std::filesystem::path& path,
+                   std::int64_t version) {
+  std::filesystem::path kept = path;
+  kept.replace_extension(".schema-" + std::to_string(version) + path.extension().string());
+  if (std::filesystem::exists(kept)) {
+    throw InputError(path.string() + ": expected to keep it, of schema version " +
+                     std::to_string(version) + ", as " + kept.string() +
+                     " before it is brought to version " + std::to_string(kSchemaVersion) +
+                     ", but there is such a file");
+  }
+  SQLite::Statement copy(database, "VACUUM INTO ?");
+  copy.bind(1, kept.string());
+  copy.exec();
+  std::fprintf(stderr, "note: %s is of schema version %lld; it is kept as %s and brought to %lld\n",
+               path.c_str(), static_cast<long long>(version), kept.c_str(),
+               static_cast<long long>(kSchemaVersion));
+}
+
+/// A copy of the study in memory, of the present schema.
+std::unique_ptr<SQLite::Database> migrated_copy(SQLite::Database& original, std::int64_t version) {
+  auto copy =
+      std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(*copy, original).executeStep();
+  migrate(*copy, version);
+  return copy;
 }
 
 void create_schema(SQLite::Database& database, const std::string& build) {
   SQLite::Transaction transaction(database);
-  database.exec(kStudySchemaSql);
+  create_tables_and_views(database);
   SQLite::Statement study(database,
                           "INSERT INTO study VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
   study.bind(1, build);
@@ -101,15 +133,17 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
     study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READWRITE);
     study.database_->setBusyTimeout(2000);
     const bool fresh = is_empty(*study.database_, study.name_);
-    if (!fresh) {
-      require_study(*study.database_, study.name_);
-    }
+    const std::int64_t version =
+        fresh ? kSchemaVersion : require_study(*study.database_, study.name_);
     study.writing_ = true;
     study.database_->exec("PRAGMA foreign_keys = ON");
     study.database_->exec("PRAGMA journal_mode = WAL");
     study.database_->exec("PRAGMA synchronous = FULL");
     if (fresh) {
       create_schema(*study.database_, build);
+    } else if (version < kSchemaVersion) {
+      keep_original(*study.database_, path, version);
+      migrate(*study.database_, version);
     }
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
@@ -129,7 +163,10 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }
-  require_study(*study.database_, study.name_);
+  const std::int64_t version = require_study(*study.database_, study.name_);
+  if (version < kSchemaVersion) {
+    study.database_ = migrated_copy(*study.database_, version);
+  }
   return study;
 }
 

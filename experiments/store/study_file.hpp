@@ -23,10 +23,11 @@ class StoreError : public std::runtime_error {
 class StudyFile {
  public:
   /// Opens a study for writing, or makes a new one; `build` goes into a new one. Throws InputError
-  /// when the file is no study, of another version, read-only, or in use by another process.
+  /// when the file is no study, of a later version, read-only, or in use by another process. A
+  /// study of an older schema is kept beside it as it was and brought to the present one.
   static StudyFile open_for_writing(const std::filesystem::path& path, const std::string& build);
 
-  /// Opens a study that exists, read-only. Throws InputError.
+  /// Opens a study that exists, read-only; of an older schema, a copy in memory. Throws InputError.
   static StudyFile open_for_reading(const std::filesystem::path& path);
 
   StudyFile(StudyFile&&) noexcept;

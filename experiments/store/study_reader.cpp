@@ -69,6 +69,17 @@ ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
           query.getColumn(2).getString(), query.getColumn(3).getString()};
 }
 
+std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(study.database(),
+                          "SELECT arrived_ns FROM click WHERE attempt_id = ? ORDER BY number");
+  query.bind(1, attempt_id);
+  std::vector<std::int64_t> arrived_ns;
+  while (query.executeStep()) {
+    arrived_ns.push_back(query.getColumn(0).getInt64());
+  }
+  return arrived_ns;
+}
+
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id) {
   SQLite::Statement query(study.database(),
                           "SELECT shown_time_s, missed_slots FROM frame WHERE attempt_id = ? "

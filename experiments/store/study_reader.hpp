@@ -38,6 +38,9 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study);
 /// A protocol's texts as they were stored. `protocol_id` must exist.
 ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id);
 
+/// When each click of an attempt arrived (nanoseconds), in order.
+std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id);
+
 /// Stimulus time (seconds) and missed slots of the frames of an attempt that were late.
 struct LateFrame {
   double shown_time_s{0.0};

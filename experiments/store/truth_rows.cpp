@@ -6,8 +6,23 @@
 #include <SQLiteCpp/VariadicBind.h>
 
 #include <algorithm>
+#include <optional>
+
+#include "experiments/session/wall_names.hpp"
 
 namespace impetus {
+namespace {
+
+std::optional<std::int32_t> body_of(const std::string& name,
+                                    const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) {
+    return static_cast<std::int32_t>(found - names.begin());
+  }
+  return wall_named(name);
+}
+
+}  // namespace
 
 std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
                                              const std::vector<std::string>& names) {
@@ -17,11 +32,11 @@ std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t atte
   query.bind(1, attempt_id);
   std::vector<StoredCollision> collisions;
   while (query.executeStep()) {
-    const auto a = std::find(names.begin(), names.end(), query.getColumn(2).getString());
-    const auto b = std::find(names.begin(), names.end(), query.getColumn(3).getString());
-    if (a != names.end() && b != names.end()) {
-      collisions.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
-                            a - names.begin(), b - names.begin()});
+    const auto a = body_of(query.getColumn(2).getString(), names);
+    const auto b = body_of(query.getColumn(3).getString(), names);
+    if (a && b) {
+      collisions.push_back(
+          {query.getColumn(0).getInt64(), query.getColumn(1).getInt64(), {*a, *b}});
     }
   }
   return collisions;

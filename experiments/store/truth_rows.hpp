@@ -11,12 +11,11 @@
 
 namespace impetus {
 
-/// A recorded collision; bodies by their index in the scene.
+/// A recorded collision; bodies by their index in the scene, b a wall where it is one.
 struct StoredCollision {
   std::int64_t id{0};
   std::int64_t step{0};
-  std::int64_t body_a{0};
-  std::int64_t body_b{0};
+  BodyPair bodies;
 };
 
 struct MeasuredCollision {
@@ -24,7 +23,7 @@ struct MeasuredCollision {
   CollisionTruth truth;
 };
 
-/// The collisions of an attempt between two bodies of `names`, in order; others are left out.
+/// The collisions of an attempt between bodies of `names` and walls, in order; others are left out.
 std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
                                              const std::vector<std::string>& names);
 

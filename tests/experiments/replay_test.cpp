@@ -7,7 +7,7 @@
 #include <bit>
 #include <filesystem>
 
-#include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "tests/experiments/fakes.hpp"
 

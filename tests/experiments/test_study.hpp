@@ -16,6 +16,7 @@
 
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "tests/experiments/fakes.hpp"

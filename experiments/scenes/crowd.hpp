@@ -1,0 +1,29 @@
+// Where a crowd starts: at random places within its enclosure, apart from each other, in random
+// directions and orientations. The same names of streams, the same start, on every machine.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/dynamics/body.hpp"
+#include "engine/shapes/closed_cube.hpp"
+
+namespace impetus {
+
+struct CrowdStart {
+  std::uint64_t seed{1};
+  std::string name;      ///< of the random stream: another name, another start
+  double radius_m{0.0};  ///< of a ball about the centre of mass that holds a body, at any level
+  double speed_m_s{0.0};
+  double spin_rad_s{0.0};
+};
+
+/// States of bodies alike, or none when no room was found for them all in 10,000 draws a body.
+std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>& models,
+                                                   const ClosedCube& enclosure,
+                                                   const CrowdStart& start);
+
+}  // namespace impetus

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/scenes/scene_bodies.hpp"
+
+#include <cstdlib>
+
+#include "engine/numerics/trigonometry.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+std::array<float, 3> parse_colour(const std::string& text) {
+  const auto number = static_cast<unsigned>(std::strtoul(text.c_str() + 1, nullptr, 16));
+  const auto channel = [number](unsigned shift) {
+    return static_cast<float>((number >> shift) & 0xffU) / 255.0F;
+  };
+  return {channel(16), channel(8), channel(0)};
+}
+
+void add_body(const std::string& name, const std::string& colour, double density,
+              const BodyShape& shape, bool no_spin, SceneBodies& bodies) {
+  BodyModel model;
+  model.name = name;
+  model.tree = shape.tree;
+  model.inverse_mass = 1.0 / (density * shape.unit_mass.mass_kg);
+  if (!no_spin) {
+    model.inverse_inertia = Matrix3(density * shape.unit_mass.inertia).inverse();
+  }
+  bodies.models.push_back(std::move(model));
+  bodies.looks.push_back({name, shape.radius_m, parse_colour(colour), shape.mesh});
+  bodies.shapes.push_back(&shape);
+}
+
+}  // namespace
+
+SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary& library) {
+  const int tree_depth = scene["engine"].value("tree_depth", 0);
+  const bool no_spin = scene.contains("imposed") && scene["imposed"].value("no_spin", false);
+  SceneBodies bodies;
+  if (scene.contains("crowd")) {
+    const json& crowd = scene["crowd"];
+    const BodyShape& shape = library.shape(crowd["shape"], metres_per_degree, tree_depth);
+    const json& colours = crowd["colours"];
+    for (std::size_t i = 0; i < crowd["count"].get<std::size_t>(); ++i) {
+      add_body(std::to_string(i + 1), colours[i % colours.size()].get<std::string>(),
+               crowd["density_kg_m3"].get<double>(), shape, no_spin, bodies);
+    }
+    return bodies;
+  }
+  for (const json& body : scene["bodies"]) {
+    add_body(body["name"].get<std::string>(), body["colour"].get<std::string>(),
+             body["density_kg_m3"].get<double>(),
+             library.shape(body["shape"], metres_per_degree, tree_depth), no_spin, bodies);
+  }
+  return bodies;
+}
+
+Quaternion orientation_of(const json& body) {
+  Quaternion orientation = Quaternion::Identity();
+  for (const json& turn : body.value("orientation", json::array())) {
+    const SineCosine half = sine_cosine_deg(0.5 * turn["angle_deg"].get<double>());
+    const auto axis = turn["axis"].get<std::string>();
+    const Quaternion one(half.cosine, axis == "x" ? half.sine : 0.0, axis == "y" ? half.sine : 0.0,
+                         axis == "z" ? half.sine : 0.0);
+    orientation = one * orientation;
+  }
+  return orientation;
+}
+
+Vector3 vector_of(const json& body, const char* key, double unit) {
+  const auto numbers = body.value(key, std::vector<double>{0.0, 0.0, 0.0});
+  return unit * Vector3(numbers[0], numbers[1], numbers[2]);
+}
+
+}  // namespace impetus

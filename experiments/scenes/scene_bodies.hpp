@@ -1,0 +1,31 @@
+// A scene's bodies as the engine's models and the stage's looks.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/scenes/shape_library.hpp"
+#include "experiments/session/staged_scene.hpp"
+
+namespace impetus {
+
+/// Bodies by index, each with the shape it has; the shapes are the library's.
+struct SceneBodies {
+  std::vector<BodyModel> models;
+  std::vector<DrawnBody> looks;
+  std::vector<const BodyShape*> shapes;
+};
+
+/// The bodies a scene names one by one, or its crowd: "1", "2", ... in the crowd's colours in turn.
+/// Precondition: `scene` is valid by the schema.
+SceneBodies bodies_of(const nlohmann::json& scene, double metres_per_degree, ShapeLibrary& library);
+
+/// A named body's turns about the world's axes.
+Quaternion orientation_of(const nlohmann::json& body);
+
+/// A vector in degrees as metres (or, where `unit` is radians per degree, as radians).
+Vector3 vector_of(const nlohmann::json& body, const char* key, double unit);
+
+}  // namespace impetus

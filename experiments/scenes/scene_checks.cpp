@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/scenes/scene_checks.hpp"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/starting_overlaps.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/session/wall_names.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+using Problems = std::vector<SceneProblem>;
+
+/// Each kind of shape needs its own measures and takes no other's.
+void add_shape_problems(const json& shape, const std::string& place, Problems& problems) {
+  static const std::map<std::string, std::vector<std::string>> kMeasures{
+      {"sphere", {"radius_deg"}},
+      {"box", {"width_deg", "height_deg", "depth_deg"}},
+      {"l-block", {"arm_deg", "thickness_deg"}}};
+  const auto kind = shape["kind"].get<std::string>();
+  const std::vector<std::string>& measures = kMeasures.at(kind);
+  for (const std::string& measure : measures) {
+    if (!shape.contains(measure)) {
+      problems.push_back(
+          {place, "expected the key \"" + measure + "\" for kind " + kind + ", which is missing"});
+      return;
+    }
+  }
+  if (shape.size() != measures.size() + 1) {
+    std::string names;
+    for (const std::string& measure : measures) {
+      names += ", " + measure;
+    }
+    problems.push_back({place, "expected the measures of kind " + kind + " alone" + names +
+                                   ", got " + std::to_string(shape.size() - 1)});
+  } else if (kind == "l-block" && shape["thickness_deg"] >= shape["arm_deg"]) {
+    problems.push_back({place + "/thickness_deg",
+                        "expected less than arm_deg, got " + shape["thickness_deg"].dump()});
+  }
+}
+
+void add_name_problems(const json& scene, Problems& problems) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
+    const auto name = scene["bodies"][i]["name"].get<std::string>();
+    const std::string place = "/bodies/" + std::to_string(i) + "/name";
+    if (!names.insert(name).second) {
+      problems.push_back(
+          {place, "expected a name of its own, got " + json(name).dump() + " again"});
+    }
+    if (name.starts_with(kWallPrefix)) {
+      problems.push_back({place, "expected a name that is no wall's, got " + json(name).dump()});
+    }
+  }
+}
+
+void require_key(const json& scene, const char* key, const std::string& why, Problems& problems) {
+  if (!scene.contains(key)) {
+    problems.push_back(
+        {"", "expected the key \"" + std::string(key) + "\" " + why + ", which is missing"});
+  }
+}
+
+void refuse_key(const json& scene, const char* key, const std::string& why, Problems& problems) {
+  if (scene.contains(key)) {
+    problems.push_back({"/" + std::string(key), "expected none " + why});
+  }
+}
+
+void add_meeting_problems(const json& scene, Problems& problems) {
+  const std::string why = "where bodies meet";
+  require_key(scene, "imposed", why, problems);
+  refuse_key(scene, "duration_s", why + ", which lasts from lead_s to follow_s", problems);
+  refuse_key(scene, "enclosure", why, problems);
+  if (scene["bodies"].size() != 2) {
+    problems.push_back({"/bodies", "expected two bodies that meet, got " +
+                                       std::to_string(scene["bodies"].size())});
+  }
+  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
+    for (const char* key : {"position_deg", "velocity_deg_s", "spin_deg_s"}) {
+      if (scene["bodies"][i].contains(key)) {
+        problems.push_back({"/bodies/" + std::to_string(i) + "/" + key, "expected none " + why});
+      }
+    }
+  }
+  const double step_hz = scene["engine"]["step_hz"].get<double>();
+  const double steps = scene["meeting"]["lead_s"].get<double>() * step_hz;
+  if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    problems.push_back({"/meeting/lead_s", "expected a whole number of steps of 1/" +
+                                               scene["engine"]["step_hz"].dump() + " s, got " +
+                                               scene["meeting"]["lead_s"].dump()});
+  }
+}
+
+void add_crowd_problems(const json& scene, Problems& problems) {
+  require_key(scene, "enclosure", "for a crowd", problems);
+  require_key(scene, "duration_s", "for a crowd", problems);
+  refuse_key(scene, "bodies", "beside a crowd", problems);
+  refuse_key(scene, "meeting", "beside a crowd", problems);
+  if (problems.empty() && !crowd_has_room(scene)) {
+    problems.push_back(
+        {"/crowd/count", "expected as many bodies as the enclosure has room for, got " +
+                             scene["crowd"]["count"].dump()});
+  }
+}
+
+void add_free_problems(const json& scene, Problems& problems) {
+  require_key(scene, "duration_s", "where nothing meets", problems);
+  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
+    if (!scene["bodies"][i].contains("position_deg")) {
+      problems.push_back(
+          {"/bodies/" + std::to_string(i),
+           "expected the key \"position_deg\" where nothing meets, which is missing"});
+    }
+  }
+  if (scene.contains("enclosure") && scene["enclosure"].contains("edge_at_count")) {
+    problems.push_back({"/enclosure/edge_at_count", "expected none without a crowd"});
+  }
+}
+
+/// Bodies named one by one must start apart, at the coarsest level at which they may stay.
+void add_overlap_problems(const json& scene, Problems& problems) {
+  for (const BodyPair& pair : starting_overlaps_of(scene)) {
+    const auto name = [&](std::int32_t body) {
+      return scene["bodies"][static_cast<std::size_t>(body)]["name"].dump();
+    };
+    problems.push_back({"/bodies/" + std::to_string(pair.a) + "/position_deg",
+                        "expected a place apart from all else at the start, but " + name(pair.a) +
+                            " overlaps " +
+                            (is_wall(pair.b) ? std::string("the enclosure") : name(pair.b))});
+  }
+}
+
+}  // namespace
+
+std::vector<SceneProblem> scene_problems(const json& scene) {
+  Problems problems = schedule_problems(scene["engine"]);
+  if (scene.contains("crowd")) {
+    add_shape_problems(scene["crowd"]["shape"], "/crowd/shape", problems);
+    if (problems.empty()) {
+      add_crowd_problems(scene, problems);
+    }
+    return problems;
+  }
+  if (!scene.contains("bodies")) {
+    problems.push_back({"", "expected the key \"bodies\" or \"crowd\", both are missing"});
+    return problems;
+  }
+  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
+    add_shape_problems(scene["bodies"][i]["shape"], "/bodies/" + std::to_string(i) + "/shape",
+                       problems);
+  }
+  add_name_problems(scene, problems);
+  if (scene.contains("meeting")) {
+    add_meeting_problems(scene, problems);
+    return problems;
+  }
+  add_free_problems(scene, problems);
+  if (problems.empty()) {
+    add_overlap_problems(scene, problems);
+  }
+  return problems;
+}
+
+}  // namespace impetus

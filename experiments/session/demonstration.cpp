@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/demonstration.hpp"
+
+#include "experiments/session/playback.hpp"
+
+namespace impetus {
+
+Interruption show_demonstration(const std::string& id, const Script& script,
+                                const Progress& progress, const Ports& ports) {
+  Playback playback(ports.scenes.stage_demonstration(id, ports.display.geometry()), 0,
+                    ports.work_clock);
+  const double hz = ports.display.refresh_hz();
+  const auto interval = static_cast<std::int64_t>(script.timing.interval_ms / 1e3 * hz);
+  const auto last = static_cast<std::int64_t>(playback.scene().duration_s * hz);
+  ports.display.restart_grid();
+  for (std::int64_t frame = -interval; frame <= last; ++frame) {
+    const std::vector<Pose> poses =
+        frame < 0 ? std::vector<Pose>{} : playback.poses_at(static_cast<double>(frame) / hz);
+    ports.display.show(picture_of(playback.scene(), poses, progress));
+    const Interruption interruption = ports.input.interruption();
+    if (interruption != Interruption::kNone) {
+      return interruption;
+    }
+  }
+  return Interruption::kNone;
+}
+
+}  // namespace impetus

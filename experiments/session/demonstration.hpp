@@ -1,0 +1,17 @@
+// A demonstration: a scene that is shown before practice, named beforehand, without a task.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiments/session/script.hpp"
+#include "experiments/session/trial.hpp"
+
+namespace impetus {
+
+/// Plays a demonstration once, after an interval; nothing of it is recorded. Returns what
+/// interrupted it.
+Interruption show_demonstration(const std::string& id, const Script& script,
+                                const Progress& progress, const Ports& ports);
+
+}  // namespace impetus

@@ -1,0 +1,39 @@
+// Follows the gaze through a stimulus: keeps every sample, and says where the viewer looks now.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "experiments/session/ports.hpp"
+#include "experiments/session/record.hpp"
+
+namespace impetus {
+
+class GazeFollower {
+ public:
+  /// Without `gaze` nothing is known of it. `clock` is the samples' own. Both must outlive this.
+  /// `extra_latency_ns`: samples younger than this are not used yet, a manipulation.
+  GazeFollower(Gaze* gaze, const Clock* clock, std::int64_t extra_latency_ns)
+      : gaze_(gaze), clock_(clock), extra_latency_ns_(extra_latency_ns) {}
+
+  /// Forgets what was sampled before the stimulus, but for where the viewer looked last.
+  void begin();
+
+  /// Takes the new samples; the newest valid one that is old enough is where the viewer looks, and
+  /// while samples are lost it stays so and ages.
+  GazeInput look();
+
+  std::vector<GazeSample> take_samples() { return std::move(samples_); }
+
+ private:
+  Gaze* gaze_;
+  const Clock* clock_;
+  std::int64_t extra_latency_ns_;
+  std::deque<GazeSample> waiting_;  ///< valid ones that are too young to be used
+  GazeSample used_;
+  std::vector<GazeSample> samples_;
+};
+
+}  // namespace impetus

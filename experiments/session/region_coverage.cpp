@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/region_coverage.hpp"
+
+#include "experiments/session/enclosure_image.hpp"
+#include "experiments/session/region_source.hpp"
+
+namespace impetus {
+
+std::optional<double> mean_covered_share(const StagedScene& scene,
+                                         const std::vector<StepRecord>& steps) {
+  const EnclosureImage image(scene.world.settings().enclosure, scene.viewer);
+  double sum = 0.0;
+  std::int64_t count = 0;
+  double share = 0.0;
+  const StepRecord* measured = nullptr;
+  for (const StepRecord& step : steps) {
+    if (!step.gaze.region || step.gaze.region->radius_deg >= kWholeView_deg) {
+      continue;
+    }
+    if (measured == nullptr || !(measured->gaze.region->centre == step.gaze.region->centre)) {
+      share = image.covered_share(*step.gaze.region);
+      measured = &step;
+    }
+    sum += share;
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+}
+
+}  // namespace impetus

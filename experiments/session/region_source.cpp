@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/region_source.hpp"
+
+namespace impetus {
+
+RegionSource::RegionSource(const StagedScene& scene, std::uint64_t seed)
+    : rule_(scene.region),
+      image_(scene.world.settings().enclosure, scene.viewer),
+      places_(seed, "random region") {}
+
+std::optional<GazeRegion> RegionSource::at(std::int64_t step, const Fixation& fixation) {
+  switch (rule_.kind) {
+    case RegionKind::kAllGood:
+      return GazeRegion{{}, kWholeView_deg};
+    case RegionKind::kTracked:
+      return fixation ? std::optional(GazeRegion{*fixation, rule_.radius_deg}) : std::nullopt;
+    case RegionKind::kRandom:
+      if ((step - 1) % rule_.renewal_steps == 0) {
+        place_ = image_.uniform_point(places_);
+      }
+      return GazeRegion{place_, rule_.radius_deg};
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace impetus

@@ -1,0 +1,38 @@
+// The region of high priority, step by step: about the gaze, at random, everywhere or nowhere.
+//
+//   all good   a region that holds all the view       all bad   none
+//   tracked    about the fixation                     random    about a place within the
+//                                                               enclosure's image, renewed
+//
+// All four are the same schedule with another region. (Dingliana 2002, sec. 6.3.1)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/numerics/random_stream.hpp"
+#include "experiments/session/enclosure_image.hpp"
+#include "experiments/session/staged_scene.hpp"
+
+namespace impetus {
+
+/// The radius of a region that holds all the view.
+inline constexpr double kWholeView_deg = 180.0;
+
+class RegionSource {
+ public:
+  /// Random places follow from `seed`, the trial's.
+  RegionSource(const StagedScene& scene, std::uint64_t seed);
+
+  /// The region of a step. Steps come in order, from 1; none may be left out.
+  std::optional<GazeRegion> at(std::int64_t step, const Fixation& fixation);
+
+ private:
+  RegionRule rule_;
+  EnclosureImage image_;
+  RandomStream places_;
+  ScreenPoint place_{};
+};
+
+}  // namespace impetus

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/store/migration.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+
+#include <string>
+#include <vector>
+
+#include "experiments/store/embedded_migration_1_2.hpp"
+#include "experiments/store/embedded_schema.hpp"
+#include "experiments/store/embedded_views.hpp"
+
+namespace impetus {
+namespace {
+
+void drop_views(SQLite::Database& database) {
+  std::vector<std::string> names;
+  SQLite::Statement query(database, "SELECT name FROM sqlite_master WHERE type = 'view'");
+  while (query.executeStep()) {
+    names.push_back(query.getColumn(0).getString());
+  }
+  query.reset();
+  for (const std::string& name : names) {
+    database.exec("DROP VIEW \"" + name + "\"");
+  }
+}
+
+}  // namespace
+
+void create_tables_and_views(SQLite::Database& database) {
+  database.exec(kStudySchemaSql);
+  database.exec(kStudyViewsSql);
+}
+
+void migrate(SQLite::Database& database, std::int64_t version) {
+  SQLite::Transaction transaction(database);
+  drop_views(database);
+  if (version < 2) {
+    database.exec(kMigrationFrom1To2Sql);
+  }
+  database.exec(kStudyViewsSql);
+  database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+  transaction.commit();
+}
+
+}  // namespace impetus

@@ -1,0 +1,21 @@
+// The steps of an attempt as rows: what a replay feeds the world, and the proof of what came out.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "experiments/session/record.hpp"
+
+namespace impetus {
+
+/// Throws SQLite::Exception.
+void insert_steps(SQLite::Database& database, std::int64_t attempt_id,
+                  const std::vector<StepRecord>& steps);
+
+/// In order. Throws SQLite::Exception.
+std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id);
+
+}  // namespace impetus

@@ -1,0 +1,200 @@
+-- What analysts read of a study. Tables may change with the schema version; views keep their columns
+-- and gain new ones at the end.
+
+-- One row per rated trial, practice included (phase tells).
+CREATE VIEW rated_trial AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       protocol.hash AS protocol_hash,
+       session.id AS session,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS phase,
+       trial.repetition AS repetition,
+       trial.condition AS condition,
+       attempt.number AS attempt,
+       rating.rating AS rating,
+       rating.minimum AS rating_minimum,
+       rating.maximum AS rating_maximum,
+       rating.best AS rating_best,
+       rating.low_anchor AS low_anchor,
+       rating.high_anchor AS high_anchor,
+       rating.device AS device,
+       (rating.arrived_ns - rating.question_shown_ns) / 1e6 AS reaction_time_ms,
+       attempt.intended_hold_ms AS intended_hold_ms,
+       attempt.realised_hold_ms AS realised_hold_ms,
+       attempt.timed_frames AS timed_frames,
+       attempt.late_timed_frames AS late_timed_frames,
+       attempt.sync_overridden AS sync_overridden,
+       attempt.gaze_source AS gaze_source,
+       attempt.gaze_latency_p95_ms AS gaze_latency_p95_ms,
+       attempt.gaze_late AS gaze_late,
+       attempt.region_covered_share AS region_covered_share
+FROM rating
+JOIN attempt ON attempt.id = rating.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN session ON session.id = attempt.session_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per collision of a completed attempt, with its truth where `replay --truth` filled it.
+CREATE VIEW seen_collision AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       collision.step AS step,
+       collision.body_a AS body_a,
+       collision.body_b AS body_b,
+       collision.level AS level,
+       collision.stopped AS stopped,
+       collision.imposed_hold_ms AS imposed_hold_ms,
+       collision.imposed_no_spin AS imposed_no_spin,
+       collision.eccentricity_deg AS eccentricity_deg,
+       collision.first_frame AS first_frame,
+       collision_truth.gap_m AS gap_m,
+       collision_truth.gap_px AS gap_px,
+       collision_truth.gap_arcmin AS gap_arcmin,
+       collision_truth.hidden_share AS hidden_share,
+       collision.list AS list,
+       collision.time_s AS time_s,
+       collision.gaze_eccentricity_deg AS gaze_eccentricity_deg,
+       collision.region_eccentricity_deg AS region_eccentricity_deg
+FROM collision
+JOIN attempt ON attempt.id = collision.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN collision_truth ON collision_truth.collision_id = collision.id;
+
+-- One row per completed trial of a protocol that asks for clicks: how many, in which time.
+CREATE VIEW click_trial AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS phase,
+       trial.repetition AS repetition,
+       trial.condition AS condition,
+       (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,
+       (SELECT max(frame.shown_time_s) FROM frame WHERE frame.attempt_id = attempt.id)
+         AS exposure_s,
+       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms
+FROM attempt
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE attempt.outcome = 'completed'
+  AND json_type(protocol.protocol_json, '$.clicks') IS NOT NULL;
+
+-- One row per click of a completed attempt, in the stimulus's own time.
+CREATE VIEW trial_click AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       click.number AS number,
+       (click.arrived_ns - attempt.onset_ns) / 1e9 AS time_s,
+       click.arrival_uncertainty_ns / 1e6 AS uncertainty_ms,
+       click.device AS device
+FROM click
+JOIN attempt ON attempt.id = click.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per gaze sample of a completed attempt, in the stimulus's own time.
+CREATE VIEW gaze_sample AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       attempt.gaze_source AS gaze_source,
+       (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,
+       gaze.x_m AS x_m,
+       gaze.y_m AS y_m,
+       gaze.loss AS loss
+FROM gaze
+JOIN attempt ON attempt.id = gaze.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per step of a completed attempt that knew the gaze or had a region: the sample used, its
+-- age, and how long it took from the sample to the flip that first showed the step.
+CREATE VIEW gaze_step AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       attempt.gaze_source AS gaze_source,
+       step.step AS step,
+       step.fixation_x_m AS fixation_x_m,
+       step.fixation_y_m AS fixation_y_m,
+       step.fixation_age_ns / 1e6 AS fixation_age_ms,
+       step.region_x_m AS region_x_m,
+       step.region_y_m AS region_y_m,
+       step.region_radius_deg AS region_radius_deg,
+       step.shown_frame AS shown_frame,
+       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms
+FROM step
+JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN frame AS shown
+  ON shown.attempt_id = step.attempt_id AND shown.frame = step.shown_frame
+WHERE step.fixation_x_m IS NOT NULL OR step.region_x_m IS NOT NULL;
+
+-- One row per trial and factor: the condition in long form. `level` keeps its type.
+CREATE VIEW trial_level AS
+SELECT trial.id AS trial, json_each.key AS factor, json_each.value AS level
+FROM trial, json_each(trial.condition);
+
+-- One row per participant and protocol: how far, how well timed.
+CREATE VIEW enrolment_summary AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       enrolment.seed AS seed,
+       enrolment.planned_utc AS planned_utc,
+       enrolment.finished_utc AS finished_utc,
+       (SELECT count(*) FROM trial
+        WHERE trial.enrolment_id = enrolment.id AND trial.phase = 'main') AS planned_trials,
+       (SELECT count(*) FROM trial JOIN attempt ON attempt.trial_id = trial.id
+        WHERE trial.enrolment_id = enrolment.id AND trial.phase = 'main'
+          AND attempt.outcome = 'completed') AS completed_trials,
+       (SELECT count(*) FROM session WHERE session.enrolment_id = enrolment.id) AS sessions,
+       (SELECT sum(attempt.timed_frames) FROM trial JOIN attempt ON attempt.trial_id = trial.id
+        WHERE trial.enrolment_id = enrolment.id) AS timed_frames,
+       (SELECT sum(attempt.late_timed_frames)
+        FROM trial JOIN attempt ON attempt.trial_id = trial.id
+        WHERE trial.enrolment_id = enrolment.id) AS late_timed_frames,
+       (SELECT max(session.sync_overridden) FROM session
+        WHERE session.enrolment_id = enrolment.id) AS sync_overridden
+FROM enrolment
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per question outside trials.
+CREATE VIEW questionnaire AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       session.id AS session,
+       answer.kind AS kind,
+       answer.question AS question,
+       answer.words AS words,
+       answer.answer AS answer
+FROM answer
+JOIN session ON session.id = answer.session_id
+JOIN enrolment ON enrolment.id = session.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
