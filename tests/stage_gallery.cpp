@@ -251,6 +251,27 @@ Picture balls_and_meshes(const Window& window, double time_s) {
                     {{Vector3(0.08, 0.05, 0), Quaternion::Identity()}, {"", 0.02, kBlue, ball}}});
 }
 
+/// A ball in each corner and three L-blocks within a closed cube; one ball sunk into a wall.
+Picture enclosed(const Window& window, double azimuth_deg, double half_edge_m) {
+  static const Mesh mesh = shared(l_block_mesh(0.06, 0.02));
+  Picture picture = meshes_of(
+      window, azimuth_deg,
+      {{{Vector3(-0.04, 0.02, 0), turned(30.0, Vector3(1, 1, 0))}, {"", 0.07, kRed, mesh}},
+       {{Vector3(0.05, -0.03, -0.06), turned(80.0, Vector3(0, 1, 1))}, {"", 0.07, kBlue, mesh}},
+       {{Vector3(0, 0, 0.06), turned(10.0, Vector3::UnitY())}, {"", 0.07, kBlue, mesh}},
+       {{Vector3(0, 0, -half_edge_m), Quaternion::Identity()}, {"", 0.015, kBlue}}});
+  constexpr double kRadius = 0.012;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double place = half_edge_m - kRadius;
+    const Vector3 centre((corner & 1) != 0 ? place : -place, (corner & 2) != 0 ? place : -place,
+                         (corner & 4) != 0 ? place : -place);
+    picture.bodies.push_back({{centre, Quaternion::Identity()}, {"", kRadius, kRed}});
+  }
+  picture.enclosure = ClosedCube{half_edge_m};
+  picture.pointer = true;
+  return picture;
+}
+
 /// Two balls that meet after a second, hold for 100 ms and part.
 ReplayView made_up_replay(const Window& window) {
   ReplayView replay;
@@ -345,6 +366,11 @@ const std::map<std::string, Screen>& screens() {
        showing(5, [](const Window& w, double t) { return two_l_blocks(w, 20.0, 72.0 * t); })},
       {"meshes", showing(60, [](const Window& w, double) { return balls_and_meshes(w, 0.0); })},
       {"meshes turning", showing(5, balls_and_meshes)},
+      {"enclosure", showing(60, [](const Window& w, double) { return enclosed(w, 0.0, 0.12); })},
+      {"enclosure aside",
+       showing(60, [](const Window& w, double t) { return enclosed(w, 30.0 + 5.0 * t, 0.12); })},
+      {"enclosure round the eye",
+       showing(60, [](const Window& w, double) { return enclosed(w, 20.0, 0.6); })},
       {"fixation", showing(60,
                            [](const Window& w, double) {
                              Picture picture = two_balls(w, 2.0, 0.0);

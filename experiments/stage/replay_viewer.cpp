@@ -95,7 +95,10 @@ class ReplayScreen {
 
   std::int64_t draw_and_flip() {
     canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
-    canvas_.painter.paint({false, playback_.bodies(), replay_.viewer, {}}, picture_area());
+    Picture picture;
+    picture.bodies = playback_.bodies();
+    picture.viewer = replay_.viewer;
+    canvas_.painter.paint(picture, picture_area());
     canvas_.gui.begin();
     draw_header();
     draw_footer();

@@ -103,8 +103,10 @@ void ScenePainter::fill(const PixelArea& area, float grey) {
 }
 
 void ScenePainter::paint(const Picture& picture, const PixelArea& area) {
-  if (std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh)) {
-    paint_with_meshes(picture, area);
+  const bool straight_edges =
+      picture.enclosure || std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh);
+  if (straight_edges) {
+    paint_multisampled(picture, area);
   } else {
     fill(area, palette::kPictureGrey);
     paint_spheres(picture, area);
@@ -114,13 +116,16 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area) {
   }
 }
 
-// Meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's samples
-// knows whether a mesh is in front.
-void ScenePainter::paint_with_meshes(const Picture& picture, const PixelArea& area) {
+// Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
+// samples knows whether one of them is in front.
+void ScenePainter::paint_multisampled(const Picture& picture, const PixelArea& area) {
   const PixelArea all{0, 0, area.width, area.height};
   target_.begin(area.width, area.height);
   fill(all, palette::kPictureGrey);
   glViewport(0, 0, area.width, area.height);
+  if (picture.enclosure) {
+    enclosure_.paint(*picture.enclosure, picture.viewer);
+  }
   meshes_.paint(picture);
   paint_spheres(picture, all);
   target_.end_onto(area);
