@@ -17,10 +17,12 @@
 #include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
+#include "experiments/stage/preview_view.hpp"
 #include "experiments/stage/replay_viewer.hpp"
 #include "experiments/stage/screen_setup.hpp"
 #include "experiments/stage/steady_clock.hpp"
 #include "experiments/stage/window.hpp"
+#include "tests/engine/builders.hpp"
 
 namespace impetus {
 namespace {
@@ -305,6 +307,34 @@ void show_replay(Window& window) {
   std::printf("left by %d\n", static_cast<int>(view_replay(window, replay)));
 }
 
+/// 27 tumbling L-blocks in a closed cube, at a size that fits the screen.
+StagedScene preview_scene(const Window& window) {
+  constexpr double kHalfEdgeM = 0.11;
+  constexpr int kDepth = 4;
+  const TriangleMesh block = about_centre_of_mass(l_block_mesh(0.036, 0.0126));
+  const Mesh mesh = shared(block);
+  const BodyModel model = solid_body(block, kDepth);
+  RandomStream random(3, "preview");
+  std::vector<BodyState> states;
+  std::vector<DrawnBody> looks;
+  for (int i = 0; i < 27; ++i) {
+    const Vector3 place(0.066 * (i % 3 - 1), 0.066 * (i / 3 % 3 - 1), 0.066 * (i / 9 % 3 - 1));
+    states.push_back(moving(model, place, random_in_cube(random, 0.08)));
+    states.back().pose.orientation = random_turn(random);
+    states.back().angular_momentum = model.inverse_inertia.inverse() * random_in_cube(random, 3.0);
+    looks.push_back({"block", 0.03, i % 2 == 0 ? kRed : kBlue, mesh});
+  }
+  WorldSettings settings;
+  settings.enclosure = ClosedCube{kHalfEdgeM};
+  return {World(std::vector<BodyModel>(states.size(), model), states, settings),
+          viewer_at(lab_screen(window), 0.0), looks};
+}
+
+void show_preview(Window& window) {
+  const SteadyClock clock;
+  view_preview(window, preview_scene(window), clock);
+}
+
 void show_setup(Window& window) {
   const auto geometry = ask_screen_geometry(window, lab_screen(window));
   if (geometry) {
@@ -381,6 +411,7 @@ const std::map<std::string, Screen>& screens() {
       {"watched", [](Window& window) { window.show_page_for(rating(), 3.0, 3); }},
       {"trial", show_trial},
       {"replay", show_replay},
+      {"preview", show_preview},
       {"setup", show_setup},
       {"sync", check_sync}};
   return all;

@@ -11,11 +11,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "experiments/session/ports.hpp"
 #include "experiments/stage/enclosure_painter.hpp"
 #include "experiments/stage/mesh_painter.hpp"
 #include "experiments/stage/multisampled_target.hpp"
 #include "experiments/stage/pixel_area.hpp"
+#include "experiments/stage/sphere_painter.hpp"
 
 namespace impetus {
 
@@ -23,25 +26,25 @@ class ScenePainter {
  public:
   /// Needs a current OpenGL 3.3 context, now and for every call.
   ScenePainter();
-  ~ScenePainter();
-  ScenePainter(const ScenePainter&) = delete;
-  ScenePainter& operator=(const ScenePainter&) = delete;
 
   /// Fills the area with a grey (sRGB, 0–1).
   void fill(const PixelArea& area, float grey);
 
   /// Paints ground, enclosure, bodies and fixation cross; the viewer's screen fills the area
   /// exactly.
-  void paint(const Picture& picture, const PixelArea& area);
+  /// `volumes` are drawn over it, translucent, where nothing is in front of them.
+  void paint(const Picture& picture, const PixelArea& area,
+             const std::vector<ColouredSphere>& volumes = {});
 
  private:
-  void paint_multisampled(const Picture& picture, const PixelArea& area);
-  void paint_spheres(const Picture& picture, const PixelArea& area);
+  void paint_multisampled(const Picture& picture, const std::vector<ColouredSphere>& volumes,
+                          const PixelArea& area);
+  void paint_spheres(const Picture& picture, const std::vector<ColouredSphere>& volumes,
+                     const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
-  unsigned program_{0};
-  unsigned arrangement_{0};
-  unsigned instances_{0};
+  SpherePainter balls_;
+  SpherePainter volumes_;
   EnclosurePainter enclosure_;
   MeshPainter meshes_;
   MultisampledTarget target_;
