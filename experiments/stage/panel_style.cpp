@@ -14,6 +14,7 @@ struct ColourOf {
 };
 
 constexpr ImU32 kPressed = IM_COL32(190, 202, 214, 255);
+constexpr ImU32 kGrab = IM_COL32(148, 170, 192, 255);  ///< a number can be read on it
 
 constexpr std::array<ColourOf, 18> kColours{{{ImGuiCol_ChildBg, palette::kPage},
                                              {ImGuiCol_PopupBg, palette::kSurfaceHovered},
@@ -21,8 +22,8 @@ constexpr std::array<ColourOf, 18> kColours{{{ImGuiCol_ChildBg, palette::kPage},
                                              {ImGuiCol_ButtonHovered, palette::kSurfaceHovered},
                                              {ImGuiCol_ButtonActive, kPressed},
                                              {ImGuiCol_CheckMark, palette::kAccent},
-                                             {ImGuiCol_SliderGrab, palette::kAccent},
-                                             {ImGuiCol_SliderGrabActive, palette::kAccent},
+                                             {ImGuiCol_SliderGrab, kGrab},
+                                             {ImGuiCol_SliderGrabActive, kGrab},
                                              {ImGuiCol_Header, kPressed},
                                              {ImGuiCol_HeaderHovered, kPressed},
                                              {ImGuiCol_HeaderActive, kPressed},

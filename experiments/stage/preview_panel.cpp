@@ -88,7 +88,7 @@ class Panel {
       number("collisions", "%.0f", static_cast<double>(run_.collision_count()));
       number("energy", "%.1f %%", 100.0 * run_.energy_share());
       panel_tooltip("Kinetic energy, as a share of that at the onset");
-      number("a step takes", "%.2f ms", run_.step_ms());
+      number("a step takes", "%.3f ms", run_.step_ms());
       number("pace", "%.0f %%", 100.0 * run_.pace());
       panel_tooltip(
           "Scene time gone by, as a share of what the speed asks for. Below 100 %, this "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,10 @@ class PreviewScreen {
   void take_events() {
     for (const StampedEvent& event : canvas_.events.take()) {
       canvas_.gui.feed(event.event);
-      if (event.event.type == SDL_KEYDOWN) {
+      if (event.event.type == SDL_MOUSEMOTION) {
+        mouse_ = {static_cast<float>(event.event.motion.x),
+                  static_cast<float>(event.event.motion.y)};
+      } else if (event.event.type == SDL_KEYDOWN) {
         press(event.event.key.keysym.sym, event.event.key.repeat != 0);
       }
     }
@@ -105,8 +109,8 @@ class PreviewScreen {
 
   /// Beside the picture the mouse works the panel: the gaze stays where it was.
   void follow_mouse(const PictureMap& map) {
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    if (const auto point = map.glass_under({mouse.x, mouse.y})) {
+    const auto point = mouse_ ? map.glass_under(*mouse_) : std::nullopt;
+    if (point) {
       run_.look_at(*point);
     }
   }
@@ -152,6 +156,7 @@ class PreviewScreen {
   PreviewRun run_;
   PreviewOverlays overlays_;
   VolumeLevels volumes_;
+  std::optional<WindowPoint> mouse_;  ///< none: it has not moved yet
   bool panel_shown_{true};
   bool left_{false};
 };
