@@ -18,9 +18,11 @@
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
 #include "experiments/session/steady_clock.hpp"
+#include "experiments/stage/preview_view.hpp"
 #include "experiments/stage/replay_viewer.hpp"
 #include "experiments/stage/screen_setup.hpp"
 #include "experiments/stage/window.hpp"
+#include "tests/engine/builders.hpp"
 
 namespace impetus {
 namespace {
@@ -251,6 +253,27 @@ Picture balls_and_meshes(const Window& window, double time_s) {
                     {{Vector3(0.08, 0.05, 0), Quaternion::Identity()}, {"", 0.02, kBlue, ball}}});
 }
 
+/// A ball in each corner and three L-blocks within a closed cube; one ball sunk into a wall.
+Picture enclosed(const Window& window, double azimuth_deg, double half_edge_m) {
+  static const Mesh mesh = shared(l_block_mesh(0.06, 0.02));
+  Picture picture = meshes_of(
+      window, azimuth_deg,
+      {{{Vector3(-0.04, 0.02, 0), turned(30.0, Vector3(1, 1, 0))}, {"", 0.07, kRed, mesh}},
+       {{Vector3(0.05, -0.03, -0.06), turned(80.0, Vector3(0, 1, 1))}, {"", 0.07, kBlue, mesh}},
+       {{Vector3(0, 0, 0.06), turned(10.0, Vector3::UnitY())}, {"", 0.07, kBlue, mesh}},
+       {{Vector3(0, 0, -half_edge_m), Quaternion::Identity()}, {"", 0.015, kBlue}}});
+  constexpr double kRadius = 0.012;
+  for (int corner = 0; corner < 8; ++corner) {
+    const double place = half_edge_m - kRadius;
+    const Vector3 centre((corner & 1) != 0 ? place : -place, (corner & 2) != 0 ? place : -place,
+                         (corner & 4) != 0 ? place : -place);
+    picture.bodies.push_back({{centre, Quaternion::Identity()}, {"", kRadius, kRed}});
+  }
+  picture.enclosure = ClosedCube{half_edge_m};
+  picture.pointer = true;
+  return picture;
+}
+
 /// Two balls that meet after a second, hold for 100 ms and part.
 ReplayView made_up_replay(const Window& window) {
   ReplayView replay;
@@ -282,6 +305,34 @@ ReplayView made_up_replay(const Window& window) {
 void show_replay(Window& window) {
   const ReplayView replay = made_up_replay(window);
   std::printf("left by %d\n", static_cast<int>(view_replay(window, replay)));
+}
+
+/// 27 tumbling L-blocks in a closed cube, at a size that fits the screen.
+StagedScene preview_scene(const Window& window) {
+  constexpr double kHalfEdgeM = 0.11;
+  constexpr int kDepth = 4;
+  const TriangleMesh block = about_centre_of_mass(l_block_mesh(0.036, 0.0126));
+  const Mesh mesh = shared(block);
+  const BodyModel model = solid_body(block, kDepth);
+  RandomStream random(3, "preview");
+  std::vector<BodyState> states;
+  std::vector<DrawnBody> looks;
+  for (int i = 0; i < 27; ++i) {
+    const Vector3 place(0.066 * (i % 3 - 1), 0.066 * (i / 3 % 3 - 1), 0.066 * (i / 9 % 3 - 1));
+    states.push_back(moving(model, place, random_in_cube(random, 0.08)));
+    states.back().pose.orientation = random_turn(random);
+    states.back().angular_momentum = model.inverse_inertia.inverse() * random_in_cube(random, 3.0);
+    looks.push_back({"block", 0.03, i % 2 == 0 ? kRed : kBlue, mesh});
+  }
+  WorldSettings settings;
+  settings.enclosure = ClosedCube{kHalfEdgeM};
+  return {World(std::vector<BodyModel>(states.size(), model), states, settings),
+          viewer_at(lab_screen(window), 0.0), looks};
+}
+
+void show_preview(Window& window) {
+  const SteadyClock clock;
+  view_preview(window, preview_scene(window), clock);
 }
 
 void show_setup(Window& window) {
@@ -345,6 +396,11 @@ const std::map<std::string, Screen>& screens() {
        showing(5, [](const Window& w, double t) { return two_l_blocks(w, 20.0, 72.0 * t); })},
       {"meshes", showing(60, [](const Window& w, double) { return balls_and_meshes(w, 0.0); })},
       {"meshes turning", showing(5, balls_and_meshes)},
+      {"enclosure", showing(60, [](const Window& w, double) { return enclosed(w, 0.0, 0.12); })},
+      {"enclosure aside",
+       showing(60, [](const Window& w, double t) { return enclosed(w, 30.0 + 5.0 * t, 0.12); })},
+      {"enclosure round the eye",
+       showing(60, [](const Window& w, double) { return enclosed(w, 20.0, 0.6); })},
       {"fixation", showing(60,
                            [](const Window& w, double) {
                              Picture picture = two_balls(w, 2.0, 0.0);
@@ -355,6 +411,7 @@ const std::map<std::string, Screen>& screens() {
       {"watched", [](Window& window) { window.show_page_for(rating(), 3.0, 3); }},
       {"trial", show_trial},
       {"replay", show_replay},
+      {"preview", show_preview},
       {"setup", show_setup},
       {"sync", check_sync}};
   return all;

@@ -9,8 +9,8 @@
 
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/validation.hpp"
-#include "experiments/scenes/scene_file.hpp"
 
 namespace impetus {
 namespace {
@@ -188,10 +188,7 @@ json demonstration_scene(const Protocol& protocol, const std::string& id) {
 
 Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   require_schema(document, protocol_schema());
-  require_schema(scene, scene_schema());
-  for (const SceneProblem& problem : scene_problems(scene.value)) {
-    refuse(scene, problem.pointer, problem.message);
-  }
+  require_scene(scene);
   Protocol protocol;
   protocol.name = document.value["name"].get<std::string>();
   protocol.title = document.value["title"].get<std::string>();

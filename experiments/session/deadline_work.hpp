@@ -1,4 +1,10 @@
-// A budget in milliseconds: work is granted while the clock is before the step's deadline.
+// A budget in time: work is granted in slices while the clock is before the step's deadline.
+//
+//   |slice|slice|slice|slice|slice          the clock is read once before each slice
+//   start                  deadline|refused for the rest of the step
+//
+// The clock decides only how much is granted. That total, logged, replays the step with FixedWork.
+// (Dingliana 2002, sec. 3.3.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,27 +17,22 @@ namespace impetus {
 
 class DeadlineWork final : public WorkMeter {
  public:
+  /// `clock` must outlive it. Grants nothing before the first start_step().
   DeadlineWork(const Clock& clock, std::int64_t ns_per_step)
       : clock_(&clock), ns_per_step_(ns_per_step) {}
-  void start_step() {
-    deadline_ns_ = clock_->now_ns() + ns_per_step_;
-    granted_ = 0;
-    refused_ = false;
-  }
-  std::int64_t request(std::int64_t total_tests) override {
-    refused_ = refused_ || clock_->now_ns() >= deadline_ns_;
-    if (!refused_) {
-      granted_ = total_tests;
-    }
-    return granted_;
-  }
+
+  /// Starts the next step's time; call it just before World::step().
+  void start_step();
+
+  std::int64_t request(std::int64_t total_tests) override;
 
  private:
   const Clock* clock_;
   std::int64_t ns_per_step_;
   std::int64_t deadline_ns_{0};
   std::int64_t granted_{0};
-  bool refused_{false};
+  std::int64_t slice_end_{0};  ///< granted without another look at the clock
+  bool refused_{true};
 };
 
 }  // namespace impetus

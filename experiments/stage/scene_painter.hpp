@@ -1,18 +1,24 @@
-// Paints a picture: spheres and meshes in exact perspective, lit, on a neutral mid-grey ground.
+// Paints a picture: spheres, meshes and the walls round them in exact perspective, lit, on a
+// neutral mid-grey ground.
 //
 //   eye ──── ray through a pixel of the glass ────> sphere      every pixel asks the sphere itself,
 //                     |<- bounds of its image ->|               so it is round at any size
 //
 // The screen is the plane through the world's origin that faces the eye: a metre there is a metre
 // on the glass. Edges of spheres are blended by the share of the pixel that is covered; a picture
-// with meshes is drawn with four samples per pixel, one without goes straight to the window.
+// with straight edges (meshes, walls) is drawn with four samples per pixel, one without goes
+// straight to the window.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "experiments/session/ports.hpp"
+#include "experiments/stage/enclosure_painter.hpp"
 #include "experiments/stage/mesh_painter.hpp"
 #include "experiments/stage/multisampled_target.hpp"
 #include "experiments/stage/pixel_area.hpp"
+#include "experiments/stage/sphere_painter.hpp"
 
 namespace impetus {
 
@@ -20,24 +26,26 @@ class ScenePainter {
  public:
   /// Needs a current OpenGL 3.3 context, now and for every call.
   ScenePainter();
-  ~ScenePainter();
-  ScenePainter(const ScenePainter&) = delete;
-  ScenePainter& operator=(const ScenePainter&) = delete;
 
   /// Fills the area with a grey (sRGB, 0–1).
   void fill(const PixelArea& area, float grey);
 
-  /// Paints ground, bodies and fixation cross; the viewer's screen fills the area exactly.
-  void paint(const Picture& picture, const PixelArea& area);
+  /// Paints ground, enclosure, bodies and fixation cross; the viewer's screen fills the area
+  /// exactly.
+  /// `volumes` are drawn over it, translucent, where nothing is in front of them.
+  void paint(const Picture& picture, const PixelArea& area,
+             const std::vector<ColouredSphere>& volumes = {});
 
  private:
-  void paint_with_meshes(const Picture& picture, const PixelArea& area);
-  void paint_spheres(const Picture& picture, const PixelArea& area);
+  void paint_multisampled(const Picture& picture, const std::vector<ColouredSphere>& volumes,
+                          const PixelArea& area);
+  void paint_spheres(const Picture& picture, const std::vector<ColouredSphere>& volumes,
+                     const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
-  unsigned program_{0};
-  unsigned arrangement_{0};
-  unsigned instances_{0};
+  SpherePainter balls_;
+  SpherePainter volumes_;
+  EnclosurePainter enclosure_;
   MeshPainter meshes_;
   MultisampledTarget target_;
 };

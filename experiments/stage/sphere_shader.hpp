@@ -1,4 +1,5 @@
-// The shaders that cast a sphere: light, shade and edge for every pixel of its image.
+// The shaders that cast a sphere: light, shade and edge for every pixel of its image, or a
+// translucent volume.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -46,6 +47,32 @@ void main() {
   vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
   vec3 normal = normalize(hit - body.xyz);
   seen = vec4(light(normal, -direction, paint), covered);
+  gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
+}
+)";
+
+/// Follows kLightingShader: a translucent ball with a rim of a pixel or two.
+inline constexpr const char* kVolumeFragmentShader = R"(
+const float kInside = 0.09;
+const float kRim = 0.75;
+in vec3 ray;
+flat in vec4 body;
+flat in vec3 paint;
+out vec4 seen;
+
+void main() {
+  vec3 direction = normalize(ray);
+  float radius = body.w;
+  float beside = length(cross(body.xyz, direction));  // of the ray from the centre
+  float pixel = max(length(vec2(dFdx(beside), dFdy(beside))), 1e-9);
+  float within = (radius - beside) / pixel;  // pixels from the rim
+  if (within <= 0.0) {
+    discard;
+  }
+  float rim = clamp(within, 0.0, 1.0) * clamp(2.2 - within, 0.0, 1.0);
+  float along = dot(body.xyz, direction);
+  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
+  seen = vec4(paint, mix(kInside, kRim, rim));
   gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
 }
 )";

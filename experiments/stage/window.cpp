@@ -65,6 +65,7 @@ void Window::warm_up() {
   canvas_->window.show_cursor(false);
   Picture with_mesh = picture;
   with_mesh.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}, tiny_triangle()}});
+  with_mesh.enclosure = ClosedCube{0.1};
   constexpr int kFrames = 3;
   for (int frame = 0; frame < kFrames; ++frame) {
     canvas_->painter.paint(with_mesh, canvas_->whole());
@@ -82,7 +83,7 @@ void Window::warm_up() {
 Flip Window::show(const Picture& picture) {
   Flip flip;
   while_display_lasts([&] {
-    canvas_->window.show_cursor(false);
+    canvas_->window.show_cursor(picture.pointer);
     canvas_->painter.paint(picture, canvas_->whole());
     canvas_->gui.begin();
     draw_progress(canvas_->gui, picture.progress, Ground::kPicture);

@@ -1,0 +1,84 @@
+// `impetus preview`: a scene runs in a window, beside a panel that changes its schedule.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/protocol/scene_loading.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/window_size.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/stage/preview_view.hpp"
+#include "experiments/session/steady_clock.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+struct PreviewOptions {
+  std::string scene;
+  std::string screen_file;
+  std::string window_size;
+};
+
+#ifdef IMPETUS_WINDOW
+
+/// The lab's screen; what is assumed, and said, where none was entered.
+ScreenGeometry screen_of(const PreviewOptions& options) {
+  if (!options.screen_file.empty()) {
+    return load_screen(options.screen_file);
+  }
+  if (std::filesystem::exists(default_screen_file())) {
+    return load_screen(default_screen_file());
+  }
+  ScreenGeometry screen = assumed_screen();
+  std::printf(
+      "No screen was entered: %.1f cm x %.1f cm seen from %.0f cm is assumed; `impetus screen` "
+      "asks.\n",
+      screen.width_m * 100.0, screen.height_m * 100.0, screen.viewing_distance_m * 100.0);
+  screen.width_px = screen.height_px = 0;
+  return screen;
+}
+
+void show(const JsonDocument& scene, const PreviewOptions& options) {
+  const WindowOptions asked = window_options(options.window_size);
+  const ScreenGeometry screen = screen_of(options);
+  const SteadyClock clock;
+  Window window(asked, clock);
+  window.set_geometry(screen);
+  ShapeLibrary shapes;
+  constexpr double kExactHold = 0.0;
+  view_preview(window, build_scene(scene.value, window.geometry(), kExactHold, shapes), clock);
+}
+
+#else
+
+void show(const JsonDocument& scene, const PreviewOptions& /*options*/) {
+  throw InputError("this build has no window; " + scene.name + " can be checked, but not shown");
+}
+
+#endif
+
+int preview(const PreviewOptions& options) {
+  show(load_scene(options.scene), options);
+  return kDone;
+}
+
+}  // namespace
+
+void add_preview(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<PreviewOptions>();
+  CLI::App* command = app.add_subcommand(
+      "preview", "Run a scene in a window, and change its schedule while it runs");
+  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("--screen", options->screen_file,
+                      "Screen file instead of the user's settings");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
+}
+
+}  // namespace impetus

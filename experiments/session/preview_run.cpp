@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/preview_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/dynamics/motion.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr double kContactInView_s = 0.25;
+constexpr double kWorkInView_s = 4.0;
+
+/// A pause of the program (a window moved, a debugger) is not caught up with.
+constexpr double kMostCaughtUp_s = 0.1;
+/// What the steps of one frame may take by the clock; then the run falls behind.
+constexpr std::int64_t kMostPerFrameNs = 30'000'000;
+
+constexpr double kStepsAveraged = 30.0;
+constexpr double kPaceAveraged_s = 0.5;
+
+double energy_J(const World& world) {
+  double sum = 0.0;
+  for (std::size_t body = 0; body < world.models().size(); ++body) {
+    sum += kinetic_energy(world.models()[body], world.states()[body]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
+    : clock_(&clock),
+      start_(scene),
+      scene_(std::move(scene)),
+      settings_(settings_of(scene_)),
+      start_energy_J_(energy_J(scene_.world)),
+      before_(scene_.world.states()),
+      levels_(before_.size()) {}
+
+void PreviewRun::advance(double real_s) {
+  if (!playing_) {
+    return;
+  }
+  const double asked_s = std::min(real_s, kMostCaughtUp_s) * speed_;
+  const double target = position_ + asked_s * scene_.step_hz;
+  const std::int64_t started_ns = clock_->now_ns();
+  while (static_cast<double>(step_) < target && clock_->now_ns() - started_ns < kMostPerFrameNs) {
+    step_once();
+  }
+  const double reached = std::min(target, static_cast<double>(step_));
+  if (real_s > 0.0) {
+    const double share = (reached - position_) / (real_s * speed_ * scene_.step_hz);
+    pace_ += std::min(1.0, real_s / kPaceAveraged_s) * (share - pace_);
+  }
+  position_ = reached;
+  find_pairs();
+}
+
+void PreviewRun::step() {
+  playing_ = false;
+  if (position_ >= static_cast<double>(step_)) {
+    step_once();
+  }
+  position_ = static_cast<double>(step_);
+  find_pairs();
+}
+
+void PreviewRun::restart() {
+  const Schedule schedule = scene_.world.settings().schedule;
+  scene_ = start_;
+  scene_.world.set_schedule(schedule);
+  before_ = scene_.world.states();
+  levels_.assign(before_.size(), {});
+  position_ = 0.0;
+  step_ = 0;
+  pace_ = 1.0;
+  collision_count_ = 0;
+  pairs_.clear();
+  contacts_.clear();
+  work_.clear();
+}
+
+void PreviewRun::change(const PreviewSettings& settings) {
+  settings_ = settings;
+  Schedule schedule = schedule_of(settings_);
+  problem_ = problem_of(schedule);
+  if (problem_.empty()) {
+    scene_.world.set_schedule(std::move(schedule));
+  }
+}
+
+std::optional<GazeRegion> PreviewRun::region() const {
+  if (scene_.world.settings().schedule.rule != ListRule::kRegion) {
+    return std::nullopt;
+  }
+  return GazeRegion{gaze_.value_or(ScreenPoint{}), settings_.region_radius_deg};
+}
+
+void PreviewRun::step_once() {
+  before_ = scene_.world.states();
+  input_ = {1.0 / scene_.step_hz, scene_.viewer, gaze_, region()};
+  const std::int64_t started_ns = clock_->now_ns();
+  const StepReport report = step_world(input_);
+  const double taken_ms = static_cast<double>(clock_->now_ns() - started_ns) / 1e6;
+  step_ms_ += (step_ == 0 ? 1.0 : 1.0 / kStepsAveraged) * (taken_ms - step_ms_);
+  ++step_;
+  keep(report);
+  forget_old();
+}
+
+StepReport PreviewRun::step_world(const StepInput& input) {
+  if (settings_.budget == BudgetUnit::kMilliseconds) {
+    DeadlineWork meter(*clock_, std::llround(settings_.ms_per_step * 1e6));
+    meter.start_step();
+    return scene_.world.step(input, meter);
+  }
+  const bool limited = settings_.budget == BudgetUnit::kTests;
+  FixedWork meter(limited ? settings_.tests_per_step : kUnlimitedTests);
+  return scene_.world.step(input, meter);
+}
+
+void PreviewRun::keep(const StepReport& report) {
+  for (const CollisionReport& collision : report.collisions) {
+    collision_count_ += collision.began ? 1 : 0;
+    contacts_.push_back({collision.contact.touch, collision.list, step_});
+    for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
+      if (is_wall(body)) {
+        continue;
+      }
+      BodyLevel& last = levels_[static_cast<std::size_t>(body)];
+      const bool same_step = last.step == step_;
+      last = {same_step ? std::max(last.level, collision.level) : collision.level, step_};
+    }
+  }
+  const bool by_tests = settings_.budget == BudgetUnit::kTests;
+  work_.push_back({report.work_spent, report.work_floor,
+                   by_tests ? settings_.tests_per_step : report.work_granted});
+}
+
+void PreviewRun::find_pairs() {
+  if (step_ > 0) {
+    pairs_ = pairs_of_step(scene_.world, before_, input_);
+  }
+}
+
+void PreviewRun::forget_old() {
+  while (!contacts_.empty() && freshness(contacts_.front()) <= 0.0) {
+    contacts_.pop_front();
+  }
+  while (work_.size() > work_span()) {
+    work_.pop_front();
+  }
+}
+
+double PreviewRun::energy_share() const {
+  return start_energy_J_ > 0.0 ? energy_J(scene_.world) / start_energy_J_ : 0.0;
+}
+
+std::vector<PosedBody> PreviewRun::bodies() const {
+  const double fraction = std::clamp(position_ - static_cast<double>(step_) + 1.0, 0.0, 1.0);
+  std::vector<PosedBody> bodies;
+  for (std::size_t body = 0; body < before_.size(); ++body) {
+    bodies.push_back(
+        {between(before_[body], scene_.world.states()[body], fraction), scene_.looks[body]});
+  }
+  return bodies;
+}
+
+double PreviewRun::freshness(const ShownContact& contact) const {
+  const double age_s = static_cast<double>(step_ - contact.step) / scene_.step_hz;
+  return std::max(0.0, 1.0 - age_s / kContactInView_s);
+}
+
+std::optional<int> PreviewRun::level_in_use(std::int32_t body) const {
+  const BodyLevel& last = levels_[static_cast<std::size_t>(body)];
+  const double age_s = static_cast<double>(step_ - last.step) / scene_.step_hz;
+  if (last.step >= 0 && age_s < kContactInView_s) {
+    return last.level;
+  }
+  const bool paired = std::any_of(pairs_.begin(), pairs_.end(), [body](const ScheduledPair& pair) {
+    return pair.pair.a == body || pair.pair.b == body;
+  });
+  return paired ? std::optional<int>(0) : std::nullopt;
+}
+
+std::size_t PreviewRun::work_span() const {
+  return static_cast<std::size_t>(std::lround(kWorkInView_s * scene_.step_hz));
+}
+
+}  // namespace impetus

@@ -1,0 +1,67 @@
+// What a preview's controls say: scheduler, lists and budget, as plain data.
+//
+//   controls -> PreviewSettings -> Schedule, for the next step
+//
+// A combination that no schedule allows is kept as it is, with the sentence that says why.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/session/staged_scene.hpp"
+
+namespace impetus {
+
+inline constexpr int kMostPreviewLists = 4;
+
+enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
+
+struct PreviewList {
+  double share{1.0};      ///< relative to the other lists'
+  int least_level{0};     ///< done whatever the budget
+  int greatest_level{0};  ///< at the finest level: no limit
+  double threshold{0.0};  ///< in the scheduler's unit; the last list needs none
+};
+
+struct PreviewSettings {
+  std::string scheduler{"distance"};  ///< one of scheduler_names()
+  int list_count{1};                  ///< 1 to kMostPreviewLists; two for "region"
+  std::array<PreviewList, kMostPreviewLists> lists{};
+  int finest_level{0};  ///< of all trees of the scene
+  double region_radius_deg{5.0};
+  BudgetUnit budget{BudgetUnit::kUnlimited};
+  int tests_per_step{500};
+  double ms_per_step{0.2};
+};
+
+/// The names of the metrics, and "region".
+std::vector<std::string> scheduler_names();
+
+/// Thresholds of a scheduler: their unit, and from where to where they make sense, from the most
+/// urgent to the least.
+struct ThresholdRange {
+  std::string unit;
+  double urgent{0.0};
+  double relaxed{0.0};
+};
+ThresholdRange threshold_range(const std::string& scheduler);
+
+/// As the scene's own schedule is, where it fits the controls; otherwise one list.
+PreviewSettings settings_of(const StagedScene& scene);
+
+/// Another scheduler, with thresholds spread over its range; "region" brings its two lists.
+void choose_scheduler(PreviewSettings& settings, const std::string& scheduler);
+
+/// Another number of lists, with thresholds spread anew.
+void choose_list_count(PreviewSettings& settings, int count);
+
+/// The schedule they ask for, which may be impossible: see problem_of().
+Schedule schedule_of(const PreviewSettings& settings);
+
+/// One sentence when no world would take the schedule; otherwise empty.
+std::string problem_of(const PreviewSettings& settings);
+
+}  // namespace impetus

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/stage/preview_overlays.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/trigonometry.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr float kPaleShare = 0.65F;
+constexpr float kPaleGrey = 0.62F;
+constexpr float kTintShare = 0.85F;
+
+/// A normal's arrow, as a share of the largest body's radius.
+constexpr double kArrowShare = 0.7;
+
+ImVec2 pixel(const WindowPoint& point) { return {point.x, point.y}; }
+
+ImU32 colour(const std::array<float, 3>& rgb, double opacity) {
+  return ImGui::ColorConvertFloat4ToU32(
+      ImVec4(rgb[0], rgb[1], rgb[2], static_cast<float>(opacity)));
+}
+
+std::array<float, 3> mixed(const std::array<float, 3>& from, const std::array<float, 3>& to,
+                           float share) {
+  std::array<float, 3> result{};
+  for (std::size_t channel = 0; channel < result.size(); ++channel) {
+    result[channel] = from[channel] + share * (to[channel] - from[channel]);
+  }
+  return result;
+}
+
+/// The most urgent list that a body has a pair in; −1 when it has none.
+std::vector<int> lists_of_bodies(const PreviewRun& run) {
+  std::vector<int> lists(run.scene().looks.size(), -1);
+  for (const ScheduledPair& pair : run.pairs()) {
+    for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
+      if (!is_wall(body)) {
+        int& list = lists[static_cast<std::size_t>(body)];
+        list = list < 0 ? pair.list : std::min(list, pair.list);
+      }
+    }
+  }
+  return lists;
+}
+
+class OverlayDrawing {
+ public:
+  OverlayDrawing(const PreviewRun& run, const PictureMap& map)
+      : run_(run), map_(map), draw_(*ImGui::GetWindowDrawList()) {}
+
+  void pair(const ScheduledPair& pair, const std::vector<PosedBody>& bodies) {
+    const Vector3& from = bodies[static_cast<std::size_t>(pair.pair.a)].pose.position;
+    if (!is_wall(pair.pair.b)) {
+      line(from, bodies[static_cast<std::size_t>(pair.pair.b)].pose.position, pair.list);
+      return;
+    }
+    const ClosedCube& walls = *run_.scene().world.settings().enclosure;
+    const BodyModel& model = run_.scene().world.models()[static_cast<std::size_t>(pair.pair.a)];
+    const Sphere bound{from, model.tree->bounding_radius_m()};
+    for (int wall = 0; wall < kWallCount; ++wall) {
+      if (reach_beyond(walls, wall, bound) >= 0.0) {
+        line(from, touch_wall(walls, wall, bound).point, pair.list);
+      }
+    }
+  }
+
+  void contact(const ShownContact& contact, double arrow_m) {
+    const double opacity = run_.freshness(contact);
+    const auto from = map_.seen(contact.touch.point);
+    const auto to = map_.seen(contact.touch.point + arrow_m * contact.touch.normal);
+    if (!from || !to) {
+      return;
+    }
+    const ImU32 ink = IM_COL32(20, 20, 20, static_cast<int>(255.0 * opacity));
+    const ImU32 halo = IM_COL32(255, 255, 255, static_cast<int>(190.0 * opacity));
+    arrow(pixel(*from), pixel(*to), 5.0F, halo);
+    arrow(pixel(*from), pixel(*to), 2.0F, ink);
+    draw_.AddCircleFilled(pixel(*from), 6.5F, halo);
+    draw_.AddCircleFilled(pixel(*from), 5.0F, colour(colour_of_list(contact.list), opacity));
+  }
+
+  void gaze(const ScreenPoint& point) {
+    constexpr float kArm = 7.0F;
+    const ImVec2 at = pixel(map_.at(point));
+    draw_.AddLine(ImVec2(at.x - kArm, at.y), ImVec2(at.x + kArm + 1, at.y), kGazeColour, 1.5F);
+    draw_.AddLine(ImVec2(at.x, at.y - kArm), ImVec2(at.x, at.y + kArm + 1), kGazeColour, 1.5F);
+  }
+
+  /// Where the cone of the region's angle about the line of sight meets the glass.
+  void region(const GazeRegion& region) {
+    constexpr int kCorners = 72;
+    const Viewer& viewer = run_.scene().viewer;
+    const Vector3 ahead = (on_screen(viewer, region.centre) - viewer.eye).normalized();
+    const Vector3 across = ahead.cross(viewer.up).normalized();
+    const Vector3 along = across.cross(ahead);
+    const SineCosine radius = sine_cosine_deg(region.radius_deg);
+    for (int corner = 0; corner < kCorners; ++corner) {
+      const SineCosine round = sine_cosine_deg(360.0 * corner / kCorners);
+      const Vector3 direction =
+          radius.cosine * ahead + radius.sine * (round.cosine * across + round.sine * along);
+      if (const auto point = map_.seen(viewer.eye + direction)) {
+        draw_.PathLineTo(pixel(*point));
+      }
+    }
+    draw_.PathStroke(kGazeColour, ImDrawFlags_Closed, 1.5F);
+  }
+
+ private:
+  static constexpr ImU32 kGazeColour = IM_COL32(20, 70, 30, 255);
+
+  void line(const Vector3& from, const Vector3& to, int list) {
+    const auto begin = map_.seen(from);
+    const auto end = map_.seen(to);
+    if (begin && end) {
+      draw_.AddLine(pixel(*begin), pixel(*end), IM_COL32(255, 255, 255, 150), 4.5F);
+      draw_.AddLine(pixel(*begin), pixel(*end), colour(colour_of_list(list), 1.0), 2.5F);
+    }
+  }
+
+  void arrow(ImVec2 from, ImVec2 to, float thickness, ImU32 ink) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y);
+    draw_.AddLine(from, to, ink, thickness);
+    if (length < 4.0F) {
+      return;  // towards the eye or away from it
+    }
+    const float head = std::min(9.0F, 0.5F * length);
+    const ImVec2 back((from.x - to.x) / length * head, (from.y - to.y) / length * head);
+    const ImVec2 side(-0.55F * back.y, 0.55F * back.x);
+    draw_.AddLine(to, ImVec2(to.x + back.x + side.x, to.y + back.y + side.y), ink, thickness);
+    draw_.AddLine(to, ImVec2(to.x + back.x - side.x, to.y + back.y - side.y), ink, thickness);
+  }
+
+  const PreviewRun& run_;
+  const PictureMap& map_;
+  ImDrawList& draw_;
+};
+
+double arrow_length_m(const PreviewRun& run) {
+  double largest_m = 0.0;
+  for (const BodyModel& body : run.scene().world.models()) {
+    largest_m = std::max(largest_m, body.tree->bounding_radius_m());
+  }
+  return kArrowShare * largest_m;
+}
+
+}  // namespace
+
+std::array<float, 3> colour_of_list(int list) {
+  constexpr std::array<float, 3> kHigh{0.86F, 0.10F, 0.08F};
+  constexpr std::array<float, 3> kLow{0.08F, 0.28F, 0.88F};
+  return list == 0 ? kHigh : kLow;
+}
+
+std::vector<PosedBody> shown_bodies(const PreviewRun& run, const PreviewOverlays& overlays) {
+  std::vector<PosedBody> bodies = run.bodies();
+  if (!overlays.shown || !overlays.tint) {
+    return bodies;
+  }
+  const std::vector<int> lists = lists_of_bodies(run);
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    std::array<float, 3>& look = bodies[body].look.colour;
+    look = lists[body] < 0 ? mixed(look, {kPaleGrey, kPaleGrey, kPaleGrey}, kPaleShare)
+                           : mixed(look, colour_of_list(lists[body]), kTintShare);
+  }
+  return bodies;
+}
+
+void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const PictureMap& map,
+                   const std::vector<PosedBody>& bodies) {
+  if (!overlays.shown) {
+    return;
+  }
+  OverlayDrawing drawing(run, map);
+  if (overlays.pairs) {
+    // Those of high priority last, so that they stay visible.
+    for (auto pair = run.pairs().rbegin(); pair != run.pairs().rend(); ++pair) {
+      drawing.pair(*pair, bodies);
+    }
+  }
+  if (overlays.contacts) {
+    const double arrow_m = arrow_length_m(run);
+    for (const ShownContact& contact : run.contacts()) {
+      drawing.contact(contact, arrow_m);
+    }
+  }
+  if (overlays.gaze && run.gaze()) {
+    drawing.gaze(*run.gaze());
+  }
+  if (overlays.gaze && run.region()) {
+    drawing.region(*run.region());
+  }
+}
+
+}  // namespace impetus

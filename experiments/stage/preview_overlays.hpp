@@ -1,0 +1,39 @@
+// What a preview draws over the scene: pairs by priority, contacts, and where the viewer looks.
+//
+//   red    pairs of list 0          ●──▶  a contact and its normal, fading for a quarter second
+//   blue   pairs of lower lists     ◯     the gaze and, for schedules by region, the region
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "experiments/session/preview_run.hpp"
+#include "experiments/stage/picture_map.hpp"
+
+namespace impetus {
+
+/// What is shown, as the panel's boxes say.
+struct PreviewOverlays {
+  bool shown{true};  ///< false: none of them
+  bool pairs{true};
+  bool tint{true};
+  bool volumes{false};
+  bool contacts{true};
+  bool gaze{true};
+  int volume_level{-1};  ///< −1: the level in use
+};
+
+/// Red for list 0, blue for the others (sRGB, 0–1).
+[[nodiscard]] std::array<float, 3> colour_of_list(int list);
+
+/// The bodies as they are drawn: in the colour of their most urgent pair, paler without one.
+[[nodiscard]] std::vector<PosedBody> shown_bodies(const PreviewRun& run,
+                                                  const PreviewOverlays& overlays);
+
+/// Draws into the current ImGui window, within the picture.
+void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const PictureMap& map,
+                   const std::vector<PosedBody>& bodies);
+
+}  // namespace impetus

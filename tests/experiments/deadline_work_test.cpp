@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/deadline_work.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/builders.hpp"
+
+namespace impetus {
+namespace {
+
+/// Goes on by the same time at every look.
+class TickingClock final : public Clock {
+ public:
+  explicit TickingClock(std::int64_t tick_ns) : tick_ns_(tick_ns) {}
+  [[nodiscard]] std::int64_t now_ns() const override { return now_ns_ += tick_ns_; }
+
+ private:
+  std::int64_t tick_ns_;
+  mutable std::int64_t now_ns_{0};
+};
+
+TEST(DeadlineWork, GrantsWhatIsAskedBeforeTheDeadline) {
+  const TickingClock clock(1);
+  DeadlineWork meter(clock, 1'000'000);
+  meter.start_step();
+  for (std::int64_t total = 100; total <= 10'000; total += 100) {
+    EXPECT_EQ(meter.request(total), total);
+  }
+}
+
+TEST(DeadlineWork, OnceRefusedTheAnswerNeverRises) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock,
+                     30);  // from 10 on: the looks at 20 and 30 are before it, that at 40 is not
+  meter.start_step();
+  EXPECT_EQ(meter.request(1'000), 1'000);
+  EXPECT_EQ(meter.request(2'000), 2'000);
+  // The third look is too late; what the slice before had left over is lost with it.
+  for (std::int64_t total : {3'000, 2'001, 100'000, 10}) {
+    EXPECT_EQ(meter.request(total), 2'000) << total;
+  }
+}
+
+TEST(DeadlineWork, ARequestAfterTheDeadlineIsRefused) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock, 5);
+  meter.start_step();
+  EXPECT_EQ(meter.request(1), 0);
+}
+
+TEST(DeadlineWork, NothingIsGrantedBeforeTheFirstStep) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock, 1'000'000'000);
+  EXPECT_EQ(meter.request(1), 0);
+}
+
+TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock, 15);
+  for (int step = 0; step < 3; ++step) {
+    meter.start_step();
+    EXPECT_EQ(meter.request(500), 500);
+    EXPECT_EQ(meter.request(50'000), 500);
+  }
+}
+
+TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {
+  constexpr int kSteps = 240;
+  constexpr int kDepth = 4;
+  World timed = enclosed_l_blocks(27, kDepth);
+  World again = timed;
+  const TickingClock clock(1'000);
+  int short_of_work = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    // From no time at all to plenty, so that every kind of cut occurs.
+    DeadlineWork meter(clock, 1'000 * (step % 40));
+    meter.start_step();
+    const StepReport report = timed.step(step_of(kStep_s), meter);
+    FixedWork recorded(report.work_granted);
+    const StepReport replayed = again.step(step_of(kStep_s), recorded);
+    ASSERT_EQ(replayed.state.hash, report.state.hash) << "step " << step;
+    ASSERT_EQ(replayed.work_granted, report.work_granted) << "step " << step;
+    ASSERT_EQ(replayed.work_spent, report.work_spent) << "step " << step;
+    for (const CollisionReport& collision : report.collisions) {
+      short_of_work += collision.stop == StopReason::kBudgetSpent ? 1 : 0;
+    }
+  }
+  EXPECT_GT(short_of_work, 0) << "the deadline cut nothing";
+}
+
+}  // namespace
+}  // namespace impetus
