@@ -30,9 +30,8 @@ struct Played {
 
 Played play(const Condition& cell) {
   static const ProtocolScenes scenes(gap(), 0.0);
-  FixedWork unlimited(kUnlimitedTests);
   const StagedScene staged = scenes.stage(cell, assumed_screen());
-  Playback playback(staged, unlimited);
+  Playback playback(staged, 1);
   Played played;
   const auto frames = static_cast<std::int64_t>(staged.duration_s * kHz);
   for (std::int64_t frame = 0; frame <= frames; ++frame) {

@@ -39,10 +39,9 @@ struct Shown {
 Shown show(const Protocol& protocol, const Condition& of, double hz = kHz,
            bool round_to_frames = false) {
   const ProtocolScenes scenes(protocol, round_to_frames ? hz : 0.0);
-  FixedWork unlimited(kUnlimitedTests);
   StagedScene staged = scenes.stage(of, assumed_screen());
   Shown shown{staged, {}, {}};
-  Playback playback(std::move(staged), unlimited);
+  Playback playback(std::move(staged), 1);
   const auto frames = static_cast<std::int64_t>(shown.scene.duration_s * hz);
   for (std::int64_t frame = 0; frame <= frames; ++frame) {
     shown.frames.push_back(playback.poses_at(static_cast<double>(frame) / hz));
