@@ -1,0 +1,165 @@
+# The planned contrast, the clicks and the exposure in words. Two rules as in report_words.R: a large
+# p is never "no difference", and every p is the one adjusted within its family.
+# SPDX-License-Identifier: MIT
+
+# "overall", "at 5 bodies" of a contrast's label.
+place_of <- function(effect) sub("^.*, ", "", effect)
+
+# "overall 1.92, 95 % CI [1.20, 3.05], p = .012; at 5 bodies ..."
+estimates_words <- function(rows, format = "%.2f") {
+  number <- function(x) sprintf(format, x)
+  paste0(place_of(rows$effect), " ", number(rows$effect_size), ", ",
+    round(100 * rows$interval_level), " % CI [", number(rows$interval_low), ", ",
+    number(rows$interval_high), "]", ifelse(is.na(rows$p_holm), "", paste0(", ",
+      p_words(rows$p_holm))), collapse = "; ")
+}
+
+# What the primary tests of a contrast allow to be said. `better`, `worse`: "rated better" ...;
+# `good`: per row, is tracked the better one?
+verdict_words <- function(rows, good, better, worse) {
+  found <- !is.na(rows$p_holm) & rows$p_holm < kSignificance
+  said <- function(chosen, words) {
+    if (any(chosen)) sprintf("Tracked was %s than random %s.", words,
+      and_words(place_of(rows$effect[chosen])))
+  }
+  paste(c(
+    said(found & good, better), said(found & !good, worse),
+    if (any(!found)) sprintf(
+      "A difference was not detected %s, which is not evidence of its absence.",
+      and_words(place_of(rows$effect[!found])))
+  ), collapse = " ")
+}
+
+and_words <- function(words) {
+  n <- length(words)
+  if (n < 2) words else paste(paste(words[-n], collapse = ", "), "and", words[n])
+}
+
+# Which of the equivalence tests showed it; `margin`: the margin in words.
+equivalence_verdict <- function(rows, margin) {
+  if (nrow(rows) == 0) return(character())
+  shown <- rows$p_holm < kSignificance
+  places <- function(chosen) and_words(place_of(rows$effect[chosen]))
+  paste(c(
+    if (any(shown)) sprintf("Equivalence within %s was shown %s.", margin, places(shown)),
+    if (any(!shown)) sprintf("Equivalence within %s was not shown %s.", margin, places(!shown))
+  ), collapse = " ")
+}
+
+# The contrast of ratings: model, means, equivalence, the thesis's test.
+rating_contrast_words <- function(tests, scale) {
+  up_is_good <- scale$rating_best == scale$rating_maximum
+  rows <- tests_of(tests, kContrastFamily)
+  means <- tests_of(tests, kContrastMeansFamily)
+  c(
+    if (nrow(rows) > 0) c(
+      sprintf(paste("Planned contrast, tracked against random (cumulative-link mixed model of these",
+        "two kinds, %s; Holm over %d tests): odds ratio of a higher rating %s."),
+        random_words(rows$method[1]), nrow(rows), estimates_words(rows)),
+      verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse")),
+    if (nrow(means) > 0) sprintf(
+      "The same in rating points (tracked − random, paired t tests of participants' means): %s.",
+      estimates_words(means, "%+.2f")),
+    equivalence_verdict(tests_of(tests, kEquivalenceFamily),
+      sprintf("±%.2f points", equivalence_margin(scale))),
+    thesis_words(tests, kPooledFamily)
+  )
+}
+
+random_words <- function(method) {
+  sprintf("random %s for each participant", if (grepl("slope", method)) "intercept and slope" else
+    "intercept")
+}
+
+# The thesis quoted 1 − p of this test as "significance": > 70 %, > 55 % and > 80 % for ratings.
+thesis_words <- function(tests, family) {
+  rows <- tests_of(tests, family)
+  if (nrow(rows) == 0) return(character())
+  place <- ifelse(grepl(" at bodies ", rows$effect),
+    paste("at", sub("^.* at bodies ", "", rows$effect), "bodies"), kOverall)
+  sprintf(paste(
+    "As in the thesis, a single-factor ANOVA of tracked against random (treats trials as",
+    "independent; uncorrected p): %s."
+  ), paste0(place, ", F(", rows$df1, ", ", rows$df2, ") = ", sprintf("%.1f", rows$statistic), ", ",
+    p_words(rows$p), collapse = "; "))
+}
+
+click_words <- function(tests, trials) {
+  known <- trials_with_exposure(trials)
+  totals <- tapply(known$clicks, droplevels(known$scheduling), sum)
+  rates <- totals / tapply(known$exposure_s, droplevels(known$scheduling), sum)
+  effects <- tests_of(tests, kClickFamily)
+  ratios <- tests_of(tests, kClickRatioFamily)
+  c(
+    sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(totals), ": ",
+      sprintf("%.2f (%d)", 10 * rates, as.integer(totals)), collapse = "; ")),
+    if (nrow(effects) > 0) sprintf(
+      "In the %s (log exposure as offset; %s): %s.",
+      sub(" mixed model.*$", " mixed model of clicks", effects$method[1]),
+      random_words(effects$method[1]), paste(click_effect_words(effects), collapse = "; ")),
+    if (nrow(ratios) > 0) sprintf("Rate ratios: %s.", paste0(sub("^.*: ", "", ratios$effect), " ",
+      sprintf("%.2f, 95 %% CI [%.2f, %.2f]", ratios$effect_size, ratios$interval_low,
+        ratios$interval_high), collapse = "; ")),
+    click_contrast_words(tests)
+  )
+}
+
+click_effect_words <- function(rows) {
+  vapply(seq_len(nrow(rows)), function(i) {
+    name <- sub(":", " × ", rows$effect[i], fixed = TRUE)
+    sprintf("%s %s, %s", if (rows$p_holm[i] < kSignificance) "an effect of" else
+      "no evidence found for or against an effect of", name, chi_squared_words(rows[i, ]))
+  }, "")
+}
+
+click_contrast_words <- function(tests) {
+  rows <- tests_of(tests, kClickContrastFamily)
+  bootstrap <- tests_of(tests, kClickBootstrapFamily)
+  c(
+    if (nrow(rows) > 0) c(
+      sprintf(paste("Planned contrast of clicks (%s of tracked and random trials, %s; Holm over %d",
+        "tests): rate ratio tracked / random %s."),
+        sub(" mixed model.*$", " mixed model", rows$method[1]), random_words(rows$method[1]),
+        nrow(rows), estimates_words(rows)),
+      verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often")),
+    if (nrow(bootstrap) > 0) sprintf("By bootstrap over participants: %s.",
+      estimates_words(bootstrap)),
+    equivalence_verdict(tests_of(tests, kClickEquivalenceFamily),
+      sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
+    thesis_words(tests, kClickPooledFamily)
+  )
+}
+
+# Did tracked and random differ in what they showed? Their look cannot be compared if they did.
+exposure_words <- function(tests) {
+  rows <- tests_of(tests, kExposureFamily)
+  if (nrow(rows) == 0) return(character())
+  found <- rows$p_holm < kSignificance
+  describe <- function(rows) paste0(rows$effect, " ", sprintf("%+.3g, 95 %% CI [%.3g, %.3g], ",
+    rows$effect_size, rows$interval_low, rows$interval_high), p_words(rows$p_holm),
+    collapse = "; ")
+  c(
+    if (any(found)) sprintf(paste(
+      "Tracked and random differed in what they showed (tracked − random, paired t tests over",
+      "participants, Holm over %d): %s. A difference between their ratings or clicks is therefore",
+      "not one of the place of good collisions alone."), nrow(rows), describe(rows[found, ])) else
+      sprintf("Of %d measures of exposure none was found to differ between tracked and random.",
+        nrow(rows)),
+    if (any(!found)) sprintf(paste("Not detected, which is not evidence of its absence, was a",
+      "difference in: %s."), describe(rows[!found, ]))
+  )
+}
+
+# The primary contrasts again without the trials marked late; nothing when there are none.
+sensitivity_words <- function(tests, late, without) {
+  if (late == 0) return(character())
+  ratings <- tests_of(tests, paste0(kContrastFamily, without))
+  clicks <- tests_of(tests, paste0(kClickContrastFamily, without))
+  what <- c(
+    if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
+    if (nrow(clicks) > 0) sprintf("rate ratio of clicks %s", estimates_words(clicks))
+  )
+  sprintf("Sensitivity: without the %s marked late, tracked against random: %s.",
+    count_of(late, "trial"), if (length(what) == 0) "too few trials are left" else
+      paste(what, collapse = ". For clicks, "))
+}
