@@ -18,8 +18,8 @@ kClickPooledFamily <- "clicks, pooled ANOVA, as in the thesis"
 kRateMargin <- c(0.8, 1.25)
 
 kCountAttempts <- list(
-  c("negative binomial", "(1 + slope | participant)"),
-  c("negative binomial", "(1 | participant)"),
+  c("negative-binomial", "(1 + slope | participant)"),
+  c("negative-binomial", "(1 | participant)"),
   c("Poisson", "(1 + slope | participant)"),
   c("Poisson", "(1 | participant)")
 )
@@ -46,7 +46,7 @@ click_model_tests <- function(trials) {
   result <- outcome(do.call(rbind, rows), c(models$remarks, dispersion_remark(models)))
   if (length(factors) < 2 || has_cell_without_clicks(trials)) return(result)
   both <- fit_count_family(trials, c(factors, "scheduling:bodies"), "scheduling:bodies",
-    "model of clicks with the interaction")
+    "mixed model of clicks with interaction")
   if (!is.null(both$failure)) return(all_outcomes(result, outcome(remarks = both$remarks)))
   all_outcomes(result, outcome(count_effect_row(both, "scheduling:bodies", trials), both$remarks))
 }
@@ -105,7 +105,7 @@ has_cell_without_clicks <- function(trials) {
 
 # The full model and, for each tested term, the model without it, by the first of kCountAttempts
 # that converges for all: list(full, reduced, distribution, random, remarks), or failure and remarks.
-fit_count_family <- function(trials, terms, tested, kind = "model of clicks") {
+fit_count_family <- function(trials, terms, tested, kind = "mixed model of clicks") {
   trials$scheduling <- droplevels(trials$scheduling)
   trials$bodies <- droplevels(trials$bodies)
   trials$slope <- as.numeric(scale(values_of(trials$scheduling)))
@@ -118,8 +118,8 @@ fit_count_family <- function(trials, terms, tested, kind = "model of clicks") {
       return(list(full = fits[[1]], reduced = stats::setNames(fits[-1], tested),
         distribution = attempt[1], random = attempt[2], remarks = remarks))
     }
-    remarks <- c(remarks, sprintf("The %s %s with %s for each participant did not converge (%s).",
-      attempt[1], kind, if (grepl("slope", attempt[2])) "intercept and slope" else "an intercept",
+    remarks <- c(remarks, sprintf("The %s (%s, %s for each participant) did not converge: %s.",
+      kind, attempt[1], if (grepl("slope", attempt[2])) "intercept and slope" else "intercept",
       failures[1]))
   }
   list(failure = failures[1], remarks = c(remarks, sprintf("No %s is reported.", kind)))
@@ -135,7 +135,8 @@ fit_count_model <- function(trials, terms, random, distribution) {
   fit <- listen_to(glmmTMB::glmmTMB(formula, trials, family = glmmTMB::nbinom2))
   model <- fit$value
   if (is.null(model) || model$fit$convergence != 0 || !isTRUE(model$sdr$pdHess)) {
-    return(list(failure = first_words(c(fit$complaints, "its Hessian is singular"))))
+    words <- first_words(c(fit$complaints, "its Hessian is singular"))
+    return(list(failure = gsub("^Model convergence problem; |[.] See vignette.*$", "", words)))
   }
   described_fit(model, glmmTMB::fixef(model)$cond, stats::vcov(model)$cond, stats::sigma(model))
 }

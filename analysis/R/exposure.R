@@ -1,14 +1,18 @@
 # What a participant was exposed to: how many collisions, how many of them bad, how visible, how far
-# from the gaze. Two kinds of scheduling that differ here cannot be compared by their look alone.
+# from the gaze. Tracked is meant to differ from random in one of these, how far bad collisions are
+# from the gaze; if the two differ in others too, the contrast of their ratings is no fair one.
 #
 #   collisions of one participant and kind ─> exposure_of() ─> mean over participants: the table
 #                                                         └─> tracked − random, paired t tests
 #
 # Bad: resolved at the bounding sphere. Events: collisions of one sort (bad or good) closer than
-# the protocol's merge_within_ms are one. Visible gap: the gap as projected without its hidden share.
+# the protocol's merge_within_ms are one. Visible gap: the gap as projected without its hidden share,
+# of collisions between bodies; `replay --truth` measures none at walls.
 # SPDX-License-Identifier: MIT
 
 kExposureFamily <- "exposure, tracked − random"
+kManipulationFamily <- "manipulation check, tracked − random"
+kManipulated <- "bad_eccentricity_deg"
 
 # Columns of the exposure table, in their order, with the words for each.
 kExposureMeasures <- c(
@@ -18,7 +22,7 @@ kExposureMeasures <- c(
   wall_bad_share = "share of bad ones with walls",
   bad_events_per_trial = "bad events per trial",
   good_events_per_trial = "good events per trial",
-  bad_visible_gap_arcmin = "visible gap of bad collisions, median (′)",
+  bad_visible_gap_arcmin = "visible gap of bad ones between bodies, median (′)",
   eccentricity_deg = "eccentricity of collisions from the gaze, median (°)",
   bad_eccentricity_deg = "eccentricity of bad collisions from the gaze, median (°)",
   covered_share = "share of the enclosure inside the region"
@@ -60,7 +64,7 @@ exposure_of <- function(trials, collisions) {
     wall_bad_share = share_bad(collisions[collisions$wall, ]),
     bad_events_per_trial = mean(trials$bad_events),
     good_events_per_trial = mean(trials$good_events),
-    bad_visible_gap_arcmin = middle(bad$visible_gap_arcmin),
+    bad_visible_gap_arcmin = middle(bad$visible_gap_arcmin[!bad$wall]),
     eccentricity_deg = middle(collisions$gaze_eccentricity_deg),
     bad_eccentricity_deg = middle(bad$gaze_eccentricity_deg),
     covered_share = mean_known(trials$region_covered_share)
@@ -97,7 +101,8 @@ exposure_table <- function(each) {
 exposure_tests <- function(each) {
   outcomes <- lapply(names(kExposureMeasures), function(measure) {
     differences <- contrast_differences(each, measure)[, kOverall]
-    paired_test(differences[!is.na(differences)], kExposureFamily, kExposureMeasures[[measure]],
+    family <- if (measure == kManipulated) kManipulationFamily else kExposureFamily
+    paired_test(differences[!is.na(differences)], family, kExposureMeasures[[measure]],
       kExposureMeasures[[measure]])
   })
   do.call(all_outcomes, outcomes)

@@ -44,9 +44,11 @@ kinds_panel <- function(trials, of, simulated) {
   }
   mean <- place(mean)
   each <- place(long_cell_means(participant_means(trials, cells, of), cells))
-  each$x <- each$x + spread(each$participant) * 0.6 * kKindSpacing
+  # The mean at the left of its place, participants at its right: neither hides the other.
+  mean$x <- mean$x - 0.2 * kKindSpacing
+  each$x <- each$x + (0.25 + 0.5 * spread(each$participant)) * kKindSpacing
   ggplot2::ggplot(mean, ggplot2::aes(x, mean, colour = kind, shape = kind)) +
-    ggplot2::geom_point(data = each, size = 0.7, stroke = 0, alpha = 0.35, shape = 16,
+    ggplot2::geom_point(data = each, size = 0.8, stroke = 0, alpha = 0.45, shape = 16,
       show.legend = FALSE) +
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.6, na.rm = TRUE,
       show.legend = FALSE) +
@@ -66,11 +68,11 @@ contrast_panel <- function(trials, of, margin, simulated) {
     difference = as.vector(differences), x = rep(seq_along(places), each = nrow(differences))
   )
   each <- each[!is.na(each$difference), ]
-  each$x <- each$x + spread(each$participant) * 0.5
+  each$x <- each$x + 0.15 + spread(each$participant) * 0.4
   mean <- as.data.frame(t(apply(differences, 2, function(x) t_interval(x[!is.na(x)]))))
-  mean$x <- seq_along(places)
+  mean$x <- seq_along(places) - 0.15
   mean <- mean[!is.na(mean$mean), ]
-  who <- c("mean, 95 % CI", who_words(simulated))
+  who <- c(if (all(is.na(mean$low))) "mean" else "mean, 95 % CI", who_words(simulated))
   band <- if (!is.null(margin)) {
     ggplot2::annotate("rect", xmin = -Inf, xmax = Inf, ymin = -margin, ymax = margin,
       fill = "grey92")
@@ -119,7 +121,8 @@ click_axes <- function() {
   )
 }
 
-# Room for 0 and equally far on both sides is not asked for: only that 0 is there.
+# 0 is always on it, and below it stands a minus sign, not a hyphen.
 difference_axis <- function(title) {
-  list(ggplot2::scale_y_continuous(title), ggplot2::expand_limits(y = 0))
+  signed <- function(x) gsub("-", "−", format(x, trim = TRUE, drop0trailing = TRUE), fixed = TRUE)
+  list(ggplot2::scale_y_continuous(title, labels = signed), ggplot2::expand_limits(y = 0))
 }

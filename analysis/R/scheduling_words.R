@@ -107,8 +107,9 @@ click_words <- function(tests, trials) {
 click_effect_words <- function(rows) {
   vapply(seq_len(nrow(rows)), function(i) {
     name <- sub(":", " × ", rows$effect[i], fixed = TRUE)
-    sprintf("%s %s, %s", if (rows$p_holm[i] < kSignificance) "an effect of" else
-      "no evidence found for or against an effect of", name, chi_squared_words(rows[i, ]))
+    sprintf(if (rows$p_holm[i] < kSignificance) "clicks depended on %s, %s" else
+      "an effect of %s was not detected, which is not evidence of its absence, %s", name,
+      chi_squared_words(rows[i, ]))
   }, "")
 }
 
@@ -130,24 +131,40 @@ click_contrast_words <- function(tests) {
   )
 }
 
-# Did tracked and random differ in what they showed? Their look cannot be compared if they did.
+# Did the manipulation work, and did tracked and random differ in more than it?
 exposure_words <- function(tests) {
   rows <- tests_of(tests, kExposureFamily)
   if (nrow(rows) == 0) return(character())
   found <- rows$p_holm < kSignificance
-  describe <- function(rows) paste0(rows$effect, " ", sprintf("%+.3g, 95 %% CI [%.3g, %.3g], ",
-    rows$effect_size, rows$interval_low, rows$interval_high), p_words(rows$p_holm),
-    collapse = "; ")
   c(
+    manipulation_words(tests),
     if (any(found)) sprintf(paste(
-      "Tracked and random differed in what they showed (tracked − random, paired t tests over",
-      "participants, Holm over %d): %s. A difference between their ratings or clicks is therefore",
-      "not one of the place of good collisions alone."), nrow(rows), describe(rows[found, ])) else
+      "Tracked and random differed in exposure too (tracked − random; paired t tests over",
+      "participants, Holm over %d): %s. A difference between their ratings or clicks may come from",
+      "this as much as from where the good collisions were."), nrow(rows),
+      differences_words(rows[found, ])) else
       sprintf("Of %d measures of exposure none was found to differ between tracked and random.",
         nrow(rows)),
-    if (any(!found)) sprintf(paste("Not detected, which is not evidence of its absence, was a",
-      "difference in: %s."), describe(rows[!found, ]))
+    if (any(!found)) sprintf(paste("A difference was not detected, which is not evidence of its",
+      "absence, in: %s."), differences_words(rows[!found, ]))
   )
+}
+
+manipulation_words <- function(tests) {
+  row <- tests_of(tests, kManipulationFamily)
+  if (nrow(row) == 0) return("The distance of bad collisions from the gaze is not known.")
+  words <- differences_words(row)
+  if (row$p_holm < kSignificance && row$effect_size > 0) {
+    return(sprintf("Tracking kept bad collisions away from the gaze (tracked − random): %s.", words))
+  }
+  sprintf(paste("That tracking kept bad collisions farther from the gaze than random places did was",
+    "not detected: %s."), words)
+}
+
+differences_words <- function(rows) {
+  signed <- function(x) gsub("-", "−", formatC(x, digits = 3, format = "fg", flag = "+#"))
+  paste0(rows$effect, " ", signed(rows$effect_size), ", 95 % CI [", signed(rows$interval_low), ", ",
+    signed(rows$interval_high), "], ", p_words(rows$p_holm), collapse = "; ")
 }
 
 # The primary contrasts again without the trials marked late; nothing when there are none.
@@ -157,9 +174,9 @@ sensitivity_words <- function(tests, late, without) {
   clicks <- tests_of(tests, paste0(kClickContrastFamily, without))
   what <- c(
     if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
-    if (nrow(clicks) > 0) sprintf("rate ratio of clicks %s", estimates_words(clicks))
+    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks))
   )
   sprintf("Sensitivity: without the %s marked late, tracked against random: %s.",
     count_of(late, "trial"), if (length(what) == 0) "too few trials are left" else
-      paste(what, collapse = ". For clicks, "))
+      paste(what, collapse = "; "))
 }
