@@ -83,9 +83,10 @@ late_gaze_sentence <- function(trials, quality) {
   late <- sum(quality$trials_late)
   if (over == 0) return("In no trial did that percentile exceed 70 ms.")
   sprintf(paste(
-    "That percentile exceeds 70 ms in %s; %s of %d marked late (above 80 ms). Marked trials are in",
-    "every analysis%s."
-  ), count_of(over, "trial"), if (late == 1) "1 is" else paste(late, "are"), nrow(trials),
+    "That percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials are",
+    "in every analysis%s."
+  ), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
+  if (late == 1) "is" else "are",
   if (late > 0) "; the planned contrast is given without them too" else "")
 }
 

@@ -89,7 +89,8 @@ contrast_panel <- function(trials, of, margin, simulated) {
         size = c(1.9, 0.9)))) +
     ggplot2::scale_x_continuous("Number of bodies", breaks = seq_along(places),
       labels = places, limits = c(0.5, length(places) + 0.5)) +
-    rating_theme()
+    rating_theme() +
+    ggplot2::theme(axis.title.y = ggplot2::element_text(margin = ggplot2::margin(r = 4)))
 }
 
 # A place between -.5 and .5 for each participant, so that equal values do not hide each other.
@@ -113,10 +114,12 @@ rating_axes <- function(scale) {
   list(means = axis_of_rating(scale, words = TRUE), differences = difference_axis(title))
 }
 
+# An interval that would reach below 0 clicks ends there.
 click_axes <- function() {
   list(
     means = list(ggplot2::scale_y_continuous("Clicks per trial (\"a bad collision\")",
-      limits = c(0, NA), expand = ggplot2::expansion(mult = c(0.02, 0.05)))),
+      limits = c(0, NA), oob = scales::oob_squish,
+      expand = ggplot2::expansion(mult = c(0.02, 0.05)))),
     differences = difference_axis("Clicks per trial, tracked − random\n(below 0: tracked is better)")
   )
 }

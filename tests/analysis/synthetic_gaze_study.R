@@ -29,6 +29,16 @@ gaze_trials <- function(seed, participants = 10, repetitions = 3, difference = T
   plan
 }
 
+kFivePoints <- data.frame(rating_minimum = 1L, rating_maximum = 5L, rating_best = 5L,
+  low_anchor = "not believable", high_anchor = "very believable")
+
+# The trials as read_studies gives them, without a file.
+as_read <- function(trials) {
+  trials$scheduling <- factor(trials$scheduling, kSchedulingKinds)
+  trials$bodies <- factor(trials$bodies)
+  trials
+}
+
 # Writes a study file of these trials, each of 10 s. Columns of `trials` beside the design:
 # clicks, and those of attempts that only this study has, with defaults here.
 write_gaze_study <- function(path, trials, merge_within_ms = 100, ...) {
@@ -43,10 +53,8 @@ write_gaze_study <- function(path, trials, merge_within_ms = 100, ...) {
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   on.exit(DBI::dbDisconnect(study))
   execute <- function(statement, ...) DBI::dbExecute(study, statement, params = list(...))
-  if (!is.na(merge_within_ms)) {
-    execute("UPDATE protocol SET protocol_json = json_object('clicks',
-      json_object('merge_within_ms', ?))", merge_within_ms)
-  }
+  execute("UPDATE protocol SET protocol_json = json_object('clicks',
+    json_object('merge_within_ms', ?))", merge_within_ms)
   trials$trial <- seq_len(nrow(trials))
   done <- trials[!is.na(trials$rating), ]
   execute("UPDATE attempt SET gaze_source = ?, gaze_latency_p95_ms = ?, gaze_late = ?,
@@ -111,4 +119,26 @@ random_collisions <- function(trials, truth = TRUE) {
     body_b = ifelse(runif(n) < 0.25, "enclosure", "b"), time_s = runif(n, 0, 10),
     gaze_eccentricity_deg = eccentricity_deg,
     gap_arcmin = if (truth) ifelse(bad, rexp(n, 1 / 30), 0.5) else NA, hidden_share = 0.25)
+}
+
+# `expression` with models of an intercept alone, which is what was planted: those with a slope take
+# ten times as long and are tested in test_rating_models.R.
+without_slopes <- function(expression) {
+  real <- fit_rating_model
+  on.exit(assign("fit_rating_model", real, globalenv()))
+  assign("fit_rating_model", function(trials, factors, random, ...) {
+    if (grepl("slope", random)) list(failure = "left out") else real(trials, factors, random, ...)
+  }, globalenv())
+  expression
+}
+
+# `expression` with some attempts of the count models made to fail; those that fail match `failing`.
+with_failing <- function(failing, expression) {
+  real <- fit_count_model
+  on.exit(assign("fit_count_model", real, globalenv()))
+  assign("fit_count_model", function(trials, terms, random, distribution) {
+    if (grepl(failing, paste(distribution, random))) return(list(failure = "planted"))
+    real(trials, terms, random, distribution)
+  }, globalenv())
+  expression
 }

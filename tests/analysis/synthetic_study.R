@@ -128,7 +128,7 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
     first <- first[rep(seq_len(nrow(first)), each = practice), ]
     first$phase <- "practice"
     first$rating <- first$maximum  # would shift every mean if it were pooled
-    trials <- rbind(first, trials)
+    trials <- rbind(trials, first)  # last, so that a main trial's number is its row
   }
   trials$id <- seq_len(nrow(trials))
   conditions <- vapply(trials$id, function(i) {
