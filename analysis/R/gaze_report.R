@@ -17,9 +17,10 @@ report_gaze_study <- function(study) {
   tests <- gaze_study_tests(study, each)
   data <- c(study_sentences(study), design_sentence(study$trials),
     gaze_sentences(study, tables$gaze), exposure_sentences(study))
-  results <- paste(rating_paragraph(study, tests), collapse = " ")
-  clicks <- paste(click_words(tests, study$trials), collapse = " ")
-  exposure <- paste(exposure_words(tests), collapse = " ")
+  results <- rating_paragraphs(study, tests)
+  clicks <- paragraphs(click_rate_words(study$trials), click_contrast_words(tests),
+    click_model_words(tests))
+  exposure <- paragraphs(exposure_words(tests))
 
   say_progress("drawing the figures (about 10 s) ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
@@ -73,15 +74,22 @@ thesis_tests <- function(trials) {
   )
 }
 
-rating_paragraph <- function(study, tests) {
-  c(
-    scale_words(study$scale), means_words(study$trials, "scheduling"),
-    model_words(tests, "scheduling"), odds_words(tests, "scheduling", study$scale),
-    other_factor_words(tests, "bodies"), interaction_words(tests),
+# Paragraphs of sentences: the planned contrast first, for it is the study's question.
+rating_paragraphs <- function(study, tests) {
+  paragraphs(
+    c(scale_words(study$scale), means_words(study$trials, "scheduling")),
     rating_contrast_words(tests, study$scale),
     sensitivity_words(tests, sum(study$trials$gaze_late), kWithoutLate),
-    anova_words(tests, "scheduling"), friedman_words(tests, "scheduling")
+    c(model_words(tests, "scheduling"), odds_words(tests, "scheduling", study$scale),
+      other_factor_words(tests, "bodies"), interaction_words(tests),
+      anova_words(tests, "scheduling"), friedman_words(tests, "scheduling"))
   )
+}
+
+# Each argument's sentences as one line, empty lines between them; what says nothing is left out.
+paragraphs <- function(...) {
+  lines <- vapply(Filter(length, list(...)), paste, "", collapse = " ")
+  utils::head(as.vector(rbind(lines, rep("", length(lines)))), -1)
 }
 
 # Has every participant as many ratings in each cell as the plan has repetitions?

@@ -18,14 +18,12 @@ kKindSpacing <- 0.2  # between two kinds, in units of the distance of two groups
 # band, or NULL.
 write_scheduling_figure <- function(trials, of, axes, margin, simulated, stem) {
   write_figure(function() {
-    panels <- list(
-      kinds_panel(trials, of, simulated) + axes$means + ggplot2::labs(tag = "a"),
-      contrast_panel(trials, of, margin, simulated) + axes$differences + ggplot2::labs(tag = "b")
-    )
-    grobs <- lapply(panels, ggplot2::ggplotGrob)
-    whole <- grobs[[1]]
+    kinds <- kinds_panel(trials, of, simulated) + axes$means
+    if (!has_contrast(trials)) return(ggplot2::ggplotGrob(kinds))
+    contrast <- contrast_panel(trials, of, margin, simulated) + axes$differences
+    whole <- ggplot2::ggplotGrob(kinds + ggplot2::labs(tag = "a"))
     whole$widths[whole$layout$l[whole$layout$name == "panel"]] <- grid::unit(1.7, "null")
-    cbind(whole, grobs[[2]], size = "first")
+    cbind(whole, ggplot2::ggplotGrob(contrast + ggplot2::labs(tag = "b")), size = "first")
   }, stem)
 }
 

@@ -84,23 +84,26 @@ thesis_words <- function(tests, family) {
     p_words(rows$p), collapse = "; "))
 }
 
-click_words <- function(tests, trials) {
+click_rate_words <- function(trials) {
   known <- trials_with_exposure(trials)
+  if (nrow(known) == 0) return("No trial's exposure is known, so there is no rate of clicks.")
   totals <- tapply(known$clicks, droplevels(known$scheduling), sum)
   rates <- totals / tapply(known$exposure_s, droplevels(known$scheduling), sum)
+  sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(totals), ": ",
+    sprintf("%.2f (%d)", 10 * rates, as.integer(totals)), collapse = "; "))
+}
+
+click_model_words <- function(tests) {
   effects <- tests_of(tests, kClickFamily)
   ratios <- tests_of(tests, kClickRatioFamily)
   c(
-    sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(totals), ": ",
-      sprintf("%.2f (%d)", 10 * rates, as.integer(totals)), collapse = "; ")),
     if (nrow(effects) > 0) sprintf(
-      "In the %s (log exposure as offset; %s): %s.",
+      "In the %s of all kinds (log exposure as offset; %s): %s.",
       sub(" mixed model.*$", " mixed model of clicks", effects$method[1]),
       random_words(effects$method[1]), paste(click_effect_words(effects), collapse = "; ")),
     if (nrow(ratios) > 0) sprintf("Rate ratios: %s.", paste0(sub("^.*: ", "", ratios$effect), " ",
       sprintf("%.2f, 95 %% CI [%.2f, %.2f]", ratios$effect_size, ratios$interval_low,
-        ratios$interval_high), collapse = "; ")),
-    click_contrast_words(tests)
+        ratios$interval_high), collapse = "; "))
   )
 }
 

@@ -44,7 +44,7 @@ test_that("events are merged within a trial and a sort", {
 
 test_that("without merge_within_ms every collision is an event, and it is said", {
   study <- exposure_study(merge_within_ms = NA)
-  expect_equal(study$trials$merge_within_ms, rep(NA_real_, 4))
+  expect_true(all(is.na(study$trials$merge_within_ms)))
   expect_equal(study$trials$bad_events, c(4, 1, 0, 0))
   expect_true("The protocol names no merge_within_ms, so every collision is an event of its own." %in%
     exposure_sentences(study))
