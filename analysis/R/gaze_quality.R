@@ -81,9 +81,10 @@ latency_sentence <- function(quality) {
 late_gaze_sentence <- function(trials, quality) {
   over <- sum(quality$trials_over_70_ms)
   late <- sum(quality$trials_late)
-  if (over == 0) return("In no trial did that percentile exceed 70 ms.")
+  if (all(is.na(trials$gaze_latency_p95_ms))) return(character())
+  if (over == 0) return("In no trial did the 95th percentile exceed 70 ms.")
   sprintf(paste(
-    "That percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials are",
+    "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials are",
     "in every analysis%s."
   ), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
   if (late == 1) "is" else "are",

@@ -98,8 +98,8 @@ design_sentence <- function(trials) {
   most <- max(trials$repetition)
   short <- apply(cells < most, 1, any)
   absent <- setdiff(kSchedulingKinds, levels(droplevels(trials$scheduling)))
-  design <- sprintf("%d kinds of scheduling × %d numbers of bodies × %d repetitions",
-    dim(cells)[2], dim(cells)[3], most)
+  design <- paste(count_of(dim(cells)[2], "kind"), "of scheduling ×",
+    count_of(dim(cells)[3], "number"), "of bodies ×", count_of(most, "repetition"))
   c(
     if (length(absent) > 0) sprintf("The design lacks scheduling %s.", and_words(absent)),
     if (!any(short)) sprintf("Every participant has all of the design: %s.", design) else
@@ -177,9 +177,13 @@ scheduling_captions <- function(study) {
   people <- count_of(max(shown, 1), who_words(study$all_simulated))
   bars <- "bars: within-participant 95 % confidence intervals (Cousineau–Morey)"
   faint <- paste0("faint points: ", who_words(study$all_simulated), "s")
-  beside <- "b: tracked − random of each; black, the mean and its 95 % t interval"
-  caption <- function(what, more) sprintf("a: mean %s by kind of scheduling, %s; %s; %s. %s%s.",
-    what, people, bars, faint, beside, more)
+  beside <- if (has_contrast(study$trials)) {
+    " b: tracked − random of each; black, the mean and its 95 % t interval"
+  }
+  caption <- function(what, more) {
+    paste0("a: mean ", what, " by kind of scheduling, ", people, "; ", if (shown > 1)
+      paste0(bars, "; "), faint, ".", if (!is.null(beside)) paste0(beside, more, "."))
+  }
   c(
     paste("Ratings (thesis fig. 6.18).", caption("rating",
       sprintf("; grey band, the equivalence margin of ±%.2f points",

@@ -35,6 +35,9 @@ contrast_differences <- function(trials, of = "rating") {
   differences
 }
 
+# Has any participant rated tracked and random at one number of bodies?
+has_contrast <- function(trials) any(!is.na(contrast_differences(trials)))
+
 # "tracked − random, overall", "tracked − random, at 5 bodies"
 contrast_label <- function(place) {
   paste("tracked − random,", ifelse(place == kOverall, place, paste("at", place, "bodies")))

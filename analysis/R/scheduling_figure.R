@@ -13,7 +13,8 @@ kKindColours <- c(
 kKindShapes <- c("all-good" = 15, tracked = 16, random = 17, "all-bad" = 18)
 kKindSpacing <- 0.2  # between two kinds, in units of the distance of two groups
 
-# Writes <stem>.png and <stem>.pdf. `of`: the column, rating or clicks; `axes`: list(means,
+# Writes <stem>.png and <stem>.pdf; panel b is left out when nobody rated both tracked and random.
+# `of`: the column, rating or clicks; `axes`: list(means,
 # differences), ggplot2 parts for the two vertical axes; `margin`: half width of the equivalence
 # band, or NULL.
 write_scheduling_figure <- function(trials, of, axes, margin, simulated, stem) {

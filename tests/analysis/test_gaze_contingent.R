@@ -88,6 +88,27 @@ test_that("one participant gives figures, tables and words, no test", {
   expect_equal(nrow(read.csv(files[7])), 12)
 })
 
+test_that("without a pair of tracked and random there are figures and words, and no contrast", {
+  trials <- gaze_trials(162, participants = 2, repetitions = 1)
+  path <- gaze_file(trials[trials$scheduling %in% c("all-good", "all-bad") & trials$bodies == 5, ])
+  run <- run_script("gaze-contingent.R", path, "--out", new_folder())
+  expect_equal(run$status, 0)
+  expect_match(paste(run$stdout, collapse = " "), "The design lacks scheduling tracked and random")
+})
+
+test_that("without recorded frames there is no rate of clicks, and everything else", {
+  path <- gaze_file(gaze_trials(163, participants = 2, repetitions = 1))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "DELETE FROM frame")
+  DBI::dbDisconnect(study)
+  out <- new_folder()
+  run <- run_script("gaze-contingent.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  expect_true("No trial's exposure is known, so there is no rate of clicks." %in% run$stdout)
+  expect_match(paste(run$stdout, collapse = " "),
+    "No frame was recorded of 24 trials, left out of the rates of clicks.", fixed = TRUE)
+})
+
 test_that("missing trials are named by participant, absent kinds by name", {
   trials <- gaze_trials(158, participants = 3)
   trials$rating[trials$participant == "P02"][1:2] <- NA

@@ -53,7 +53,7 @@ test_that("mouse gaze, missing gaze and late trials are said in words", {
     "Gaze was not followed in 1 trial of 1 participant.",
     paste("The 95th percentile from gaze sample to flip was 68 to 85 ms by participant; it was at",
       "most 60 ms, which is good, for 0 of 2 participants."),
-    paste("That percentile exceeds 70 ms in 2 trials; 1 of 4 trials is marked late (above 80 ms).",
+    paste("The 95th percentile exceeds 70 ms in 2 trials; 1 of 4 trials is marked late (above 80 ms).",
       "Marked trials are in every analysis; the planned contrast is given without them too.")
   ))
 })
@@ -66,5 +66,5 @@ test_that("a study whose gaze was never sampled has dashes, and no latency", {
   expect_equal(table$samples, 0)
   expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| – \\| – \\| 0 \\| 0 \\|$")
   expect_equal(gaze_sentences(study, table)[2:3], c("No latency from sample to flip is known.",
-    "In no trial did that percentile exceed 70 ms."))
+    "In no trial did the 95th percentile exceed 70 ms."))
 })
