@@ -66,6 +66,15 @@ test_that("Poisson stands in when the negative binomial does not converge, and s
   expect_true("No mixed model of clicks is reported." %in% none$remarks)
 })
 
+test_that("without the package glmmTMB the models are Poisson, and why is said", {
+  assign("requireNamespace", function(...) FALSE, globalenv())
+  on.exit(rm("requireNamespace", envir = globalenv()))
+  result <- with_failing("Poisson .*slope", click_contrast_tests(click_trials(128, participants = 4)))
+  expect_match(result$rows$method[1], "^Poisson mixed model")
+  expect_match(result$remarks[1], "did not converge: the package glmmTMB is not installed.",
+    fixed = TRUE)
+})
+
 test_that("the Poisson model agrees with a closed form: a ratio of totals", {
   # Equal exposures and every participant in every cell: the estimate is log(sum / sum).
   trials <- click_trials(125, participants = 8)
