@@ -6,7 +6,12 @@
 # SPDX-License-Identifier: MIT
 
 kEquivalenceFamily <- "equivalence"
-kEquivalenceMargin <- 0.15  # rating points
+kEquivalenceMargin <- 0.15  # rating points, of a scale from 1 to 3
+
+# The margin that is the same share of this scale: ±.30 points from 1 to 5.
+equivalence_margin <- function(scale) {
+  kEquivalenceMargin * (scale$rating_maximum - scale$rating_minimum) / 2
+}
 
 # Every pair of levels of every factor, as an outcome. The unit is the participant.
 equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {

@@ -99,12 +99,9 @@ shown_table <- function(trials, level, viewpoint) {
 table_lines <- function(table) {
   heads <- c("level", "viewpoint (°)", "trials", "gap as projected (′)", "hidden share",
     "level of tree used", "mean rating")
-  c(
-    sprintf("| %s |", paste(heads, collapse = " | ")),
-    paste0("|", strrep("---|", length(heads))),
-    sprintf("| %s | %s | %d | %.1f | %.2f | %s | %.2f |", table$level, table$viewpoint,
-      table$trials, table$gap_arcmin, table$hidden_share, table$level_used, table$rating)
-  )
+  markdown_table(heads, sprintf("%s | %s | %d | %.1f | %.2f | %s | %.2f", table$level,
+    table$viewpoint, table$trials, table$gap_arcmin, table$hidden_share, table$level_used,
+    table$rating))
 }
 
 # The mixed model of rating on log10(gap in minutes of arc + 1), a slope of it per participant.

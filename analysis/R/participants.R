@@ -26,12 +26,12 @@ varying_factors <- function(trials, factors) {
   factors[vapply(factors, function(f) nlevels(droplevels(trials[[f]])) > 1, logical(1))]
 }
 
-# Mean ratings as a matrix: participants by cells of `factors`, the last factor varying fastest.
-# NA where a participant has no rating. Columns are named by their levels, "100 : 5".
-participant_means <- function(trials, factors) {
+# Means of the column `of` as a matrix: participants by cells of `factors`, the last factor varying
+# fastest. NA where a participant has no trial. Columns are named by their levels, "100 : 5".
+participant_means <- function(trials, factors, of = "rating") {
   cell <- interaction(trials[rev(factors)], drop = FALSE)
   cells <- expand.grid(lapply(trials[rev(factors)], levels))
-  means <- tapply(trials$rating, list(as.character(trials$participant), cell), mean)
+  means <- tapply(trials[[of]], list(as.character(trials$participant), cell), mean)
   colnames(means) <- do.call(paste, c(unname(as.list(rev(cells))), sep = " : "))
   means
 }
@@ -41,9 +41,9 @@ complete_participants <- function(means) means[stats::complete.cases(means), , d
 
 # Means with within-participant intervals over the participants who have every cell; without
 # intervals, over everybody, when nobody has.
-means_with_intervals <- function(trials, factors) {
+means_with_intervals <- function(trials, factors, of = "rating") {
   trials[factors] <- lapply(trials[factors], droplevels)
-  means <- participant_means(trials, factors)
+  means <- participant_means(trials, factors, of)
   complete <- complete_participants(means)
   rows <- if (nrow(complete) > 0) cousineau_morey(complete) else data.frame(
     cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_

@@ -16,15 +16,20 @@ kLevelShapes <- c(16, 17, 15, 18, 3, 4, 8)
 # `beside`: columns for the panels beside it, those of a single level left out. `simulated`: no
 # participant is a person, and the figure says so.
 write_rating_figure <- function(trials, scale, main, beside, simulated, stem) {
-  draw <- function() grid::grid.draw(rating_figure(trials, scale, main, beside, simulated))
+  write_figure(function() rating_figure(trials, scale, main, beside, simulated), stem)
+}
+
+# Writes <stem>.png and <stem>.pdf of the grob that `figure` returns when a device is open to measure
+# text on, and returns their paths.
+write_figure <- function(figure, stem, height_mm = kFigureHeightMm) {
   inch <- function(mm) mm / 25.4
   png <- paste0(stem, ".png")
   pdf <- paste0(stem, ".pdf")
-  grDevices::png(png, inch(kFigureWidthMm), inch(kFigureHeightMm), "in", res = 600, type = "cairo")
-  draw()
+  grDevices::png(png, inch(kFigureWidthMm), inch(height_mm), "in", res = 600, type = "cairo")
+  grid::grid.draw(figure())
   grDevices::dev.off()
-  grDevices::cairo_pdf(pdf, inch(kFigureWidthMm), inch(kFigureHeightMm))
-  draw()
+  grDevices::cairo_pdf(pdf, inch(kFigureWidthMm), inch(height_mm))
+  grid::grid.draw(figure())
   grDevices::dev.off()
   c(png, pdf)
 }

@@ -7,10 +7,11 @@
 kPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
 
 # Reads what the command line names; refuses before anything is written. Adds `out`, the folder.
-open_rating_study <- function(words, usage, protocol, factors) {
+# `views`: those that the script needs beyond the ones of every rating study.
+open_rating_study <- function(words, usage, protocol, factors, views = character()) {
   arguments <- read_arguments(words, usage)
   need_packages(kPackages)
-  study <- keep_people_apart(read_studies(arguments$studies, protocol, factors))
+  study <- keep_people_apart(read_studies(arguments$studies, protocol, factors, views))
   prepare_folder(arguments$out)
   c(study, out = arguments$out)
 }

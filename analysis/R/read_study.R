@@ -14,11 +14,12 @@ kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_ancho
 # Returns list(protocol, trials, enrolments, factors, scale, hashes, files).
 #
 # `factors`: names without unit; "delay" finds the factor delay or delay_<unit>. In `trials` they
-# are R factors with their levels in rising order; study$factors maps name to column.
-read_studies <- function(paths, protocol, factors) {
+# are R factors with their levels in rising order; study$factors maps name to column. `views`:
+# further views that every file must have.
+read_studies <- function(paths, protocol, factors, views = character()) {
   repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
   if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
-  parts <- lapply(paths, read_one_study, protocol = protocol)
+  parts <- lapply(paths, read_one_study, protocol = protocol, views = c(kViews, views))
   trials <- do.call(rbind, lapply(parts, `[[`, "trials"))
   levels <- do.call(rbind, lapply(parts, `[[`, "levels"))
   enrolments <- do.call(rbind, lapply(parts, `[[`, "enrolments"))
@@ -35,8 +36,8 @@ read_studies <- function(paths, protocol, factors) {
   )
 }
 
-read_one_study <- function(path, protocol) {
-  study <- open_study(path)
+read_one_study <- function(path, protocol, views) {
+  study <- open_study(path, views)
   on.exit(DBI::dbDisconnect(study))
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")

@@ -20,6 +20,13 @@ test_row <- function(family, method, effect, statistic_name, statistic, df1, df2
   )
 }
 
+# All outcomes as one, rows and remarks in their order.
+all_outcomes <- function(...) {
+  outcomes <- list(...)
+  outcome(do.call(rbind, lapply(outcomes, `[[`, "rows")),
+    as.character(unlist(lapply(outcomes, `[[`, "remarks"))))
+}
+
 # All outcomes as one: rows with Holm's p within each family, remarks without repeats.
 combine_outcomes <- function(...) {
   outcomes <- list(...)
@@ -38,12 +45,22 @@ tests_of <- function(tests, family, effect = NULL) {
   if (is.null(effect)) rows else rows[rows$effect == effect, ]
 }
 
-# Writes the table, numbers with six significant digits; NA is left empty.
-write_test_table <- function(tests, path) {
-  rows <- tests$rows
+# Writes the table of tests.
+write_test_table <- function(tests, path) write_table(tests$rows, path)
+
+# Writes any table as CSV, numbers with six significant digits; NA is left empty.
+write_table <- function(rows, path) {
   numeric <- vapply(rows, is.numeric, logical(1))
   six_digits <- function(x) ifelse(is.na(x), NA, vapply(x, format, "", digits = 6))
   rows[numeric] <- lapply(rows[numeric], six_digits)
   utils::write.csv(rows, path, row.names = FALSE, na = "", quote = which(!numeric),
     fileEncoding = "UTF-8")
+}
+
+# A table as Markdown; `rows` have " | " between their cells.
+markdown_table <- function(heads, rows) {
+  c(
+    sprintf("| %s |", paste(heads, collapse = " | ")), paste0("|", strrep("---|", length(heads))),
+    sprintf("| %s |", rows)
+  )
 }

@@ -69,23 +69,23 @@ anova_row <- function(effect, trials) {
 }
 
 # Single-factor ANOVA over all trials as if they were independent, which they are not: the thesis's
-# own analysis, overall and at each level of `by`. For comparison only.
-pooled_tests <- function(trials, factor, by = character()) {
+# own analysis of the column `of`, overall and at each level of `by`. For comparison only.
+pooled_tests <- function(trials, factor, by = character(), of = "rating", family = kPooledFamily) {
   parts <- list(trials)
   labels <- factor
   if (length(by) == 1) {
     parts <- c(parts, split(trials, droplevels(trials[[by]])))
     labels <- c(factor, paste0(factor, " at ", by, " ", levels(droplevels(trials[[by]]))))
   }
-  outcomes <- Map(pooled_test, parts, labels, factor)
+  outcomes <- Map(pooled_test, parts, labels, factor, of, family)
   outcome(
     do.call(rbind, lapply(outcomes, `[[`, "rows")),
     unlist(lapply(outcomes, `[[`, "remarks"), use.names = FALSE)
   )
 }
 
-pooled_test <- function(trials, label, factor) {
-  table <- listen_to(stats::anova(stats::lm(stats::reformulate(factor, "rating"), trials)))$value
+pooled_test <- function(trials, label, factor, of, family) {
+  table <- listen_to(stats::anova(stats::lm(stats::reformulate(factor, of), trials)))$value
   residual <- if (is.null(table)) 0 else table[["Sum Sq"]][2]
   # lm leaves rounding errors, not zeros, where the ratings do not vary within levels.
   if (is.na(residual) || residual < 1e-9) {
@@ -93,7 +93,7 @@ pooled_test <- function(trials, label, factor) {
   }
   F <- table[["F value"]][1]
   df <- table[["Df"]]
-  outcome(test_row(kPooledFamily, "single-factor ANOVA; treats trials as independent", label, "F",
+  outcome(test_row(family, "single-factor ANOVA; treats trials as independent", label, "F",
     F, df[1], df[2], table[["Pr(>F)"]][1], "eta squared", table[["Sum Sq"]][1] /
       sum(table[["Sum Sq"]]), eta_squared_interval(F, df[1], df[2]), 0.90,
     participant_count(trials), nrow(trials)))

@@ -128,7 +128,7 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
     first <- first[rep(seq_len(nrow(first)), each = practice), ]
     first$phase <- "practice"
     first$rating <- first$maximum  # would shift every mean if it were pooled
-    trials <- rbind(first, trials)
+    trials <- rbind(trials, first)  # last, so that a main trial's number is its row
   }
   trials$id <- seq_len(nrow(trials))
   conditions <- vapply(trials$id, function(i) {
@@ -160,17 +160,23 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
 }
 
 # Adds collisions to the study file at `path`: rows of trial (its number in the order written),
-# step, level, and gap_arcmin and hidden_share, NA where `replay --truth` has not been run.
+# step, level, and gap_arcmin and hidden_share, NA where `replay --truth` has not been run. Optional
+# columns take their defaults below.
 add_collisions <- function(path, collisions) {
+  defaults <- list(body_a = "a", body_b = "b", time_s = NA, gaze_eccentricity_deg = NA)
+  for (column in setdiff(names(defaults), names(collisions))) {
+    collisions[[column]] <- defaults[[column]]
+  }
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   on.exit(DBI::dbDisconnect(study))
   collisions$id <- seq_len(nrow(collisions))
   DBI::dbAppendTable(study, "collision", data.frame(
-    id = collisions$id, attempt_id = collisions$trial, step = collisions$step, body_a = "a",
-    body_b = "b", level = collisions$level, stopped = "greatest level", point_x_m = 0,
+    id = collisions$id, attempt_id = collisions$trial, step = collisions$step,
+    body_a = collisions$body_a, body_b = collisions$body_b, level = collisions$level, stopped = "greatest level", point_x_m = 0,
     point_y_m = 0, point_z_m = 0, normal_x = 1, normal_y = 0, normal_z = 0, depth_m = 0,
     approach_m_s = 1, impulse_Ns = 1, imposed_hold_ms = 0, imposed_no_spin = 1,
-    eccentricity_deg = 0
+    eccentricity_deg = 0, time_s = collisions$time_s,
+    gaze_eccentricity_deg = collisions$gaze_eccentricity_deg
   ))
   measured <- collisions[!is.na(collisions$gap_arcmin), ]
   DBI::dbAppendTable(study, "collision_truth", data.frame(

@@ -1,0 +1,67 @@
+# How often participants clicked: rates with intervals by bootstrap over participants, which assume
+# no distribution of counts, and the thesis's totals.
+# SPDX-License-Identifier: MIT
+
+kClickBootstrapFamily <- "clicks, bootstrap over participants"
+
+# One row per kind of scheduling and number of bodies, and per kind alone ("all"): total clicks (the
+# thesis's fig. 6.19), clicks per trial, clicks per second with a 95 % interval, clicks per bad event.
+click_table <- function(trials) {
+  trials <- trials_with_exposure(trials)
+  cells <- c(split(trials, trials[c("bodies", "scheduling")], drop = TRUE),
+    split(trials, droplevels(trials$scheduling)))
+  rows <- lapply(cells, function(cell) {
+    bodies <- unique(as.character(cell$bodies))
+    interval <- bootstrap_of_totals(list(cell), function(totals) totals[[1]])
+    data.frame(
+      scheduling = cell$scheduling[1], bodies = if (length(bodies) == 1) bodies else "all",
+      participants = participant_count(cell), trials = nrow(cell), clicks = sum(cell$clicks),
+      clicks_per_trial = mean(cell$clicks), exposure_s = sum(cell$exposure_s),
+      clicks_per_s = sum(cell$clicks) / sum(cell$exposure_s), interval_low = interval[["low"]],
+      interval_high = interval[["high"]], bad_events_per_trial = mean(cell$bad_events),
+      clicks_per_bad_event = if (!isTRUE(sum(cell$bad_events) > 0)) NA_real_ else
+        sum(cell$clicks) / sum(cell$bad_events)
+    )
+  })
+  # A study of one number of bodies has each row twice.
+  unique(do.call(rbind, unname(rows)))
+}
+
+# Rate ratios tracked / random with their 95 % intervals, overall and at each number of bodies, as
+# rows without p.
+click_bootstrap <- function(trials) {
+  two <- contrast_trials(trials_with_exposure(trials))
+  if (participant_count(two) < 2) return(outcome())
+  places <- c(kOverall, levels(two$bodies))
+  outcomes <- lapply(places, function(place) {
+    here <- if (place == kOverall) two else two[two$bodies == place, ]
+    parts <- split(here, here$scheduling)[c("tracked", "random")]
+    ratio <- function(rates) rates[[1]] / rates[[2]]
+    if (any(vapply(parts, function(part) sum(part$clicks) == 0, NA))) {
+      return(outcome(remarks = sprintf(
+        "No bootstrap of %s: a kind has no clicks there.", contrast_label(place))))
+    }
+    outcome(test_row(kClickBootstrapFamily, "percentile bootstrap over participants, 2000 draws",
+      contrast_label(place), NA, NA, NA, p = NA, size_name = "rate ratio",
+      size = ratio(lapply(parts, rate_of)), interval = bootstrap_of_totals(parts, ratio),
+      interval_level = 0.95, participants = participant_count(here), trials = nrow(here)))
+  })
+  do.call(all_outcomes, outcomes)
+}
+
+rate_of <- function(trials) sum(trials$clicks) / sum(trials$exposure_s)
+
+# Percentile interval of statistic(rates), where `parts` are sets of trials and rates their clicks
+# per second; participants are drawn, with all their trials of every part.
+bootstrap_of_totals <- function(parts, statistic) {
+  people <- unique(unlist(lapply(parts, function(part) as.character(part$participant))))
+  if (length(people) < 2) return(c(low = NA_real_, high = NA_real_))
+  totals <- do.call(cbind, lapply(parts, function(part) {
+    who <- factor(as.character(part$participant), people)
+    cbind(tapply(part$clicks, who, sum, default = 0), tapply(part$exposure_s, who, sum, default = 0))
+  }))
+  bootstrap_interval(totals, function(drawn) {
+    sums <- colSums(drawn)
+    statistic(as.list(sums[c(TRUE, FALSE)] / sums[c(FALSE, TRUE)]))
+  })
+}

@@ -1,0 +1,109 @@
+# What a participant was exposed to: how many collisions, how many of them bad, how visible, how far
+# from the gaze. Tracked is meant to differ from random in one of these, how far bad collisions are
+# from the gaze; if the two differ in others too, the contrast of their ratings is no fair one.
+#
+#   collisions of one participant and kind ─> exposure_of() ─> mean over participants: the table
+#                                                         └─> tracked − random, paired t tests
+#
+# Bad: resolved at the bounding sphere. Events: collisions of one sort (bad or good) closer than
+# the protocol's merge_within_ms are one. Visible gap: the gap as projected without its hidden share,
+# of collisions between bodies; `replay --truth` measures none at walls.
+# SPDX-License-Identifier: MIT
+
+kExposureFamily <- "exposure, tracked − random"
+kManipulationFamily <- "manipulation check, tracked − random"
+kManipulated <- "bad_eccentricity_deg"
+
+# Columns of the exposure table, in their order, with the words for each.
+kExposureMeasures <- c(
+  body_per_trial = "collisions between bodies per trial",
+  body_bad_share = "share of bad ones between bodies",
+  wall_per_trial = "collisions with walls per trial",
+  wall_bad_share = "share of bad ones with walls",
+  bad_events_per_trial = "bad events per trial",
+  good_events_per_trial = "good events per trial",
+  bad_visible_gap_arcmin = "visible gap of bad ones between bodies, median (′)",
+  eccentricity_deg = "eccentricity of collisions from the gaze, median (°)",
+  bad_eccentricity_deg = "eccentricity of bad collisions from the gaze, median (°)",
+  covered_share = "share of the enclosure inside the region"
+)
+
+# How many events these times are: one that follows another of its sort within less than `within_s`
+# belongs to it, so a quick series is one event. NA where a time is not known.
+event_count <- function(time_s, within_s) {
+  if (anyNA(time_s)) return(NA_integer_)
+  # 1 ns: the clock's own grain, so that a distance of exactly `within_s` parts two events.
+  as.integer(length(time_s) > 0) + sum(diff(sort(time_s)) > within_s - 1e-9)
+}
+
+# The trials with bad_events and good_events. Without merge_within_ms every collision is an event.
+with_events <- function(study) {
+  trials <- study$trials
+  within_s <- ifelse(is.na(trials$merge_within_ms), 0, trials$merge_within_ms / 1000)
+  count <- function(chosen) {
+    times <- split(study$collisions$time_s[chosen],
+      factor(study$collisions$row[chosen], seq_len(nrow(trials))))
+    unname(mapply(event_count, times, within_s))
+  }
+  study$trials$bad_events <- count(study$collisions$bad)
+  study$trials$good_events <- count(!study$collisions$bad)
+  study
+}
+
+# The measures of one participant's trials of one kind, as a one-row data frame; NA: not known.
+exposure_of <- function(trials, collisions) {
+  bad <- collisions[collisions$bad, ]
+  share_bad <- function(some) if (nrow(some) > 0) mean(some$bad) else NA_real_
+  middle <- function(x) stats::median(as.numeric(x), na.rm = TRUE)
+  mean_known <- function(x) if (all(is.na(x))) NA_real_ else mean(x, na.rm = TRUE)
+  data.frame(
+    trials = nrow(trials),
+    body_per_trial = sum(!collisions$wall) / nrow(trials),
+    body_bad_share = share_bad(collisions[!collisions$wall, ]),
+    wall_per_trial = sum(collisions$wall) / nrow(trials),
+    wall_bad_share = share_bad(collisions[collisions$wall, ]),
+    bad_events_per_trial = mean(trials$bad_events),
+    good_events_per_trial = mean(trials$good_events),
+    bad_visible_gap_arcmin = middle(bad$visible_gap_arcmin[!bad$wall]),
+    eccentricity_deg = middle(collisions$gaze_eccentricity_deg),
+    bad_eccentricity_deg = middle(bad$gaze_eccentricity_deg),
+    covered_share = mean_known(trials$region_covered_share)
+  )
+}
+
+# exposure_of every participant, kind of scheduling and number of bodies that has a trial.
+exposure_by_participant <- function(study) {
+  columns <- c("participant", "scheduling", "bodies")
+  rows <- lapply(split(seq_len(nrow(study$trials)), study$trials[columns], drop = TRUE),
+    function(rows) {
+      cbind(study$trials[rows[1], columns],
+        exposure_of(study$trials[rows, ], study$collisions[study$collisions$row %in% rows, ]))
+    })
+  do.call(rbind, unname(rows))
+}
+
+# One row per kind and number of bodies: trials, and each measure's mean over the participants who
+# have it.
+exposure_table <- function(each) {
+  cells <- split(each, each[c("bodies", "scheduling")], drop = TRUE)
+  rows <- lapply(cells, function(cell) {
+    measures <- lapply(cell[names(kExposureMeasures)], function(x) {
+      if (all(is.na(x))) NA_real_ else mean(x, na.rm = TRUE)
+    })
+    data.frame(scheduling = cell$scheduling[1], bodies = cell$bodies[1],
+      participants = nrow(cell), trials = sum(cell$trials), measures)
+  })
+  do.call(rbind, unname(rows))
+}
+
+# Paired t tests over participants of every measure, tracked − random, as an outcome. A participant's
+# value for a kind is the mean over the numbers of bodies, and is missing where one of them is.
+exposure_tests <- function(each) {
+  outcomes <- lapply(names(kExposureMeasures), function(measure) {
+    differences <- contrast_differences(each, measure)[, kOverall]
+    family <- if (measure == kManipulated) kManipulationFamily else kExposureFamily
+    paired_test(differences[!is.na(differences)], family, kExposureMeasures[[measure]],
+      kExposureMeasures[[measure]])
+  })
+  do.call(all_outcomes, outcomes)
+}

@@ -1,0 +1,108 @@
+# How good the gaze was and how fast the display followed it, one row per participant.
+#
+#   gaze_sample ─> samples per second, share lost by reason
+#   gaze_step ───> sample to flip: median, 95th percentile over steps
+#   rated_trial ─> source, trials over the limits
+#
+# Limits of a trial's 95th percentile from sample to flip: 60 ms is good, above 70 warns, above 80
+# the trial is marked gaze_late (after Loschky and Wolverton 2007, who found 60 ms to go unnoticed).
+# SPDX-License-Identifier: MIT
+
+kGoodLatencyMs <- 60
+kWarnLatencyMs <- 70
+
+gaze_quality <- function(study) {
+  rows <- lapply(sort(unique(as.character(study$trials$participant))), function(who) {
+    of <- function(rows) rows[as.character(rows$participant) == who, ]
+    gaze_quality_of(of(study$trials), of(study$gaze), of(study$flips)$sample_to_flip_ms)
+  })
+  do.call(rbind, rows)
+}
+
+# One participant: the trials, the samples counted by trial, the latencies of the steps.
+gaze_quality_of <- function(trials, gaze, latency_ms) {
+  source <- unique(trials$gaze_source[!is.na(trials$gaze_source)])
+  samples <- sum(gaze$samples)
+  share <- function(count) if (samples > 0) sum(count) / samples else NA_real_
+  percentile <- function(at) {
+    if (length(latency_ms) == 0) return(NA_real_)
+    stats::quantile(latency_ms, at, names = FALSE)
+  }
+  # n samples span n - 1 intervals.
+  intervals <- sum(gaze$samples - 1)
+  data.frame(
+    participant = as.character(trials$participant[1]),
+    gaze_source = if (length(source) > 0) paste(sort(source), collapse = " and ") else "none",
+    trials = nrow(trials), trials_followed = sum(!is.na(trials$gaze_source)), samples = samples,
+    samples_per_s = if (intervals > 0) intervals / sum(gaze$span_s) else NA_real_,
+    blink_share = share(gaze$blink), off_screen_share = share(gaze$off_screen),
+    lost_share = share(gaze$lost), latency_median_ms = percentile(0.5),
+    latency_p95_ms = percentile(0.95),
+    trials_over_70_ms = sum(trials$gaze_latency_p95_ms > kWarnLatencyMs, na.rm = TRUE),
+    trials_late = sum(trials$gaze_late)
+  )
+}
+
+# What a reader must know of the gaze before believing a result.
+gaze_sentences <- function(study, quality) {
+  trials <- study$trials
+  c(source_sentences(trials), latency_sentence(quality), late_gaze_sentence(trials, quality))
+}
+
+source_sentences <- function(trials) {
+  of <- function(source) trials[trials$gaze_source %in% source, ]
+  where <- function(some) {
+    sprintf("%s of %s", count_of(nrow(some), "trial"),
+      count_of(participant_count(some), "participant"))
+  }
+  mouse <- of("mouse")
+  eye <- of("simulated eye")
+  none <- of(NA)
+  c(
+    if (nrow(mouse) > 0) sprintf(paste(
+      "GAZE FROM THE MOUSE in %s: the pointer stood in for the eye, and mouse data cannot support",
+      "claims about gaze."), where(mouse)),
+    if (nrow(eye) > 0) sprintf("Gaze from a simulated eye in %s: it describes a model of the eye.",
+      where(eye)),
+    if (nrow(none) > 0) sprintf("Gaze was not followed in %s.", where(none))
+  )
+}
+
+latency_sentence <- function(quality) {
+  known <- quality$latency_p95_ms[!is.na(quality$latency_p95_ms)]
+  if (length(known) == 0) return("No latency from sample to flip is known.")
+  sprintf(paste(
+    "The 95th percentile from gaze sample to flip was %s ms by participant; it was at most %d ms,",
+    "which is good, for %d of %s."
+  ), paste(sprintf("%.0f", unique(range(known))), collapse = " to "), kGoodLatencyMs,
+  sum(known <= kGoodLatencyMs), count_of(length(known), "participant"))
+}
+
+late_gaze_sentence <- function(trials, quality) {
+  over <- sum(quality$trials_over_70_ms)
+  late <- sum(quality$trials_late)
+  if (all(is.na(trials$gaze_latency_p95_ms))) return(character())
+  if (over == 0) return("In no trial did the 95th percentile exceed 70 ms.")
+  sprintf(paste(
+    "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials are",
+    "in every analysis%s."
+  ), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
+  if (late == 1) "is" else "are",
+  if (late > 0) "; the planned contrast is given without them too" else "")
+}
+
+gaze_quality_lines <- function(quality) {
+  number <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))
+  percent <- function(x) number(100 * x, "%.1f")
+  markdown_table(
+    c("participant", "gaze source", "trials followed", "samples per second", "blink (%)",
+      "off screen (%)", "lost (%)", "sample to flip, median (ms)", "95th percentile (ms)",
+      "trials > 70 ms", "trials marked late"),
+    sprintf("%s | %s | %d of %d | %s | %s | %s | %s | %s | %s | %d | %d", quality$participant,
+      quality$gaze_source, quality$trials_followed, quality$trials,
+      number(quality$samples_per_s, "%.0f"), percent(quality$blink_share),
+      percent(quality$off_screen_share), percent(quality$lost_share),
+      number(quality$latency_median_ms, "%.1f"), number(quality$latency_p95_ms, "%.1f"),
+      quality$trials_over_70_ms, quality$trials_late)
+  )
+}

@@ -1,0 +1,97 @@
+# The gaze-contingent study from its views: each rated trial with its clicks, its collisions, its gaze.
+#
+#   rated_trial, trial_level ─> trials     seen_collision ─> collisions
+#   click_trial ──────────────> + clicks   gaze_sample, gaze_step ─> gaze, flips (gaze_quality.R)
+#
+# Invariant: every row of collisions, gaze and flips belongs to a row of trials, by `row`, so what is
+# left out of the trials is left out everywhere.
+# SPDX-License-Identifier: MIT
+
+# From the fewest bad collisions to the most; the trials' levels keep this order.
+kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
+
+# Reads what the command line names, as open_rating_study does, and adds what only this study has.
+# The two factors become the columns scheduling and bodies, whatever unit their names carry.
+open_gaze_study <- function(words, usage) {
+  study <- open_rating_study(words, usage, "gaze-contingent",
+    factors = c(scheduling = "scheduling", bodies = "bodies"),
+    views = c("click_trial", "seen_collision", "gaze_sample", "gaze_step"))
+  study$trials[names(study$factors)] <- study$trials[study$factors]
+  study$factors <- c(scheduling = "scheduling", bodies = "bodies")
+  with_gaze(with_collisions(with_clicks(with_kinds_in_order(study))))
+}
+
+with_kinds_in_order <- function(study) {
+  present <- levels(study$trials$scheduling)
+  unknown <- setdiff(present, kSchedulingKinds)
+  if (length(unknown) > 0) {
+    refuse(paste(study$files, collapse = ", "), ": expected scheduling to be one of ",
+      paste(kSchedulingKinds, collapse = ", "), ", got ", paste(unknown, collapse = ", "))
+  }
+  study$trials$scheduling <- factor(as.character(study$trials$scheduling),
+    intersect(kSchedulingKinds, present))
+  study
+}
+
+# Adds clicks, exposure_s and merge_within_ms to the trials. exposure_s is NA where no frame was
+# recorded; merge_within_ms where the protocol names none.
+with_clicks <- function(study) {
+  rows <- read_main_phase(study, paste(
+    "SELECT trial, clicks, CAST(exposure_s AS REAL) AS exposure_s,",
+    "CAST(merge_within_ms AS REAL) AS merge_within_ms FROM click_trial"))
+  columns <- c("clicks", "exposure_s", "merge_within_ms")
+  study$trials[columns] <- rows[match(seq_len(nrow(study$trials)), rows$row), columns]
+  silent <- is.na(study$trials$clicks)
+  if (any(silent)) {
+    refuse(study$trials$file[silent][1], ": expected a protocol that asks for clicks, got '",
+      study$protocol, "' without them")
+  }
+  study
+}
+
+# Adds study$collisions: a wall or not, bad (resolved at the bounding sphere, level 0) or not, the
+# gap that could be seen of it, where the gaze was.
+with_collisions <- function(study) {
+  rows <- read_main_phase(study, paste(
+    "SELECT trial, body_a, body_b, level, CAST(time_s AS REAL) AS time_s,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share,",
+    "CAST(gaze_eccentricity_deg AS REAL) AS gaze_eccentricity_deg FROM seen_collision"))
+  rows$wall <- is_wall(rows$body_a) | is_wall(rows$body_b)
+  rows$bad <- rows$level == 0
+  rows$visible_gap_arcmin <- rows$gap_arcmin * (1 - rows$hidden_share)
+  study$collisions <- rows
+  study
+}
+
+is_wall <- function(name) name == "enclosure" | startsWith(name, "wall")
+
+# Adds study$gaze, the samples of each trial counted, and study$flips, one row per step that a
+# sample decided and a frame showed.
+with_gaze <- function(study) {
+  study$gaze <- read_main_phase(study, paste(
+    "SELECT trial, count(*) AS samples, sum(loss IS 'blink') AS blink,",
+    "sum(loss IS 'off screen') AS off_screen, sum(loss IS 'lost') AS lost,",
+    "CAST(max(time_s) - min(time_s) AS REAL) AS span_s FROM gaze_sample"), "GROUP BY trial")
+  study$flips <- read_main_phase(study,
+    "SELECT trial, CAST(sample_to_flip_ms AS REAL) AS sample_to_flip_ms FROM gaze_step",
+    "AND sample_to_flip_ms IS NOT NULL")
+  study
+}
+
+# The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
+# row in study$trials, and participant, scheduling and bodies are that row's.
+read_main_phase <- function(study, select, ending = "") {
+  query <- paste(select, "WHERE protocol = ? AND phase = 'main'", ending)
+  parts <- lapply(unique(study$trials$path), function(path) {
+    file <- open_study(path)
+    on.exit(DBI::dbDisconnect(file))
+    rows <- DBI::dbGetQuery(file, query, params = list(study$protocol))
+    mine <- which(study$trials$path == path)
+    rows$row <- mine[match(rows$trial, study$trials$trial[mine])]
+    rows[!is.na(rows$row), ]
+  })
+  rows <- do.call(rbind, parts)
+  columns <- c("participant", "scheduling", "bodies")
+  rows[columns] <- study$trials[rows$row, columns]
+  rows
+}

@@ -1,0 +1,185 @@
+# The planned contrast, the clicks and the exposure in words. Two rules as in report_words.R: a large
+# p is never "no difference", and every p is the one adjusted within its family.
+# SPDX-License-Identifier: MIT
+
+# "overall", "at 5 bodies" of a contrast's label.
+place_of <- function(effect) sub("^.*, ", "", effect)
+
+# "overall 1.92, 95 % CI [1.20, 3.05], p = .012; at 5 bodies ..."
+estimates_words <- function(rows, format = "%.2f") {
+  number <- function(x) sprintf(format, x)
+  paste0(place_of(rows$effect), " ", number(rows$effect_size), ", ",
+    round(100 * rows$interval_level), " % CI [", number(rows$interval_low), ", ",
+    number(rows$interval_high), "]", ifelse(is.na(rows$p_holm), "", paste0(", ",
+      p_words(rows$p_holm))), collapse = "; ")
+}
+
+# What the primary tests of a contrast allow to be said. `better`, `worse`: "rated better" ...;
+# `good`: per row, is tracked the better one?
+verdict_words <- function(rows, good, better, worse) {
+  found <- !is.na(rows$p_holm) & rows$p_holm < kSignificance
+  said <- function(chosen, words) {
+    if (any(chosen)) sprintf("Tracked was %s than random %s.", words,
+      and_words(place_of(rows$effect[chosen])))
+  }
+  paste(c(
+    said(found & good, better), said(found & !good, worse),
+    if (any(!found)) sprintf(
+      "A difference was not detected %s, which is not evidence of its absence.",
+      and_words(place_of(rows$effect[!found])))
+  ), collapse = " ")
+}
+
+and_words <- function(words) {
+  n <- length(words)
+  if (n < 2) words else paste(paste(words[-n], collapse = ", "), "and", words[n])
+}
+
+# Which of the equivalence tests showed it; `margin`: the margin in words.
+equivalence_verdict <- function(rows, margin) {
+  if (nrow(rows) == 0) return(character())
+  shown <- rows$p_holm < kSignificance
+  places <- function(chosen) and_words(place_of(rows$effect[chosen]))
+  paste(c(
+    if (any(shown)) sprintf("Equivalence within %s was shown %s.", margin, places(shown)),
+    if (any(!shown)) sprintf("Equivalence within %s was not shown %s.", margin, places(!shown))
+  ), collapse = " ")
+}
+
+# The contrast of ratings: model, means, equivalence, the thesis's test.
+rating_contrast_words <- function(tests, scale) {
+  up_is_good <- scale$rating_best == scale$rating_maximum
+  rows <- tests_of(tests, kContrastFamily)
+  means <- tests_of(tests, kContrastMeansFamily)
+  c(
+    if (nrow(rows) > 0) c(
+      sprintf(paste("Planned contrast, tracked against random (cumulative-link mixed model of these",
+        "two kinds, %s; Holm over %d tests): odds ratio of a higher rating %s."),
+        random_words(rows$method[1]), nrow(rows), estimates_words(rows)),
+      verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse")),
+    if (nrow(means) > 0) sprintf(
+      "The same in rating points (tracked − random, paired t tests of participants' means): %s.",
+      estimates_words(means, "%+.2f")),
+    equivalence_verdict(tests_of(tests, kEquivalenceFamily),
+      sprintf("±%.2f points", equivalence_margin(scale))),
+    thesis_words(tests, kPooledFamily)
+  )
+}
+
+random_words <- function(method) {
+  sprintf("random %s for each participant", if (grepl("slope", method)) "intercept and slope" else
+    "intercept")
+}
+
+# The thesis quoted 1 − p of this test as "significance": > 70 %, > 55 % and > 80 % for ratings.
+thesis_words <- function(tests, family) {
+  rows <- tests_of(tests, family)
+  if (nrow(rows) == 0) return(character())
+  place <- ifelse(grepl(" at bodies ", rows$effect),
+    paste("at", sub("^.* at bodies ", "", rows$effect), "bodies"), kOverall)
+  sprintf(paste(
+    "As in the thesis, a single-factor ANOVA of tracked against random (treats trials as",
+    "independent; uncorrected p): %s."
+  ), paste0(place, ", F(", rows$df1, ", ", rows$df2, ") = ", sprintf("%.1f", rows$statistic), ", ",
+    p_words(rows$p), collapse = "; "))
+}
+
+click_rate_words <- function(trials) {
+  known <- trials_with_exposure(trials)
+  if (nrow(known) == 0) return("No trial's exposure is known, so there is no rate of clicks.")
+  totals <- tapply(known$clicks, droplevels(known$scheduling), sum)
+  rates <- totals / tapply(known$exposure_s, droplevels(known$scheduling), sum)
+  sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(totals), ": ",
+    sprintf("%.2f (%d)", 10 * rates, as.integer(totals)), collapse = "; "))
+}
+
+click_model_words <- function(tests) {
+  effects <- tests_of(tests, kClickFamily)
+  ratios <- tests_of(tests, kClickRatioFamily)
+  c(
+    if (nrow(effects) > 0) sprintf(
+      "In the %s of all kinds (log exposure as offset; %s): %s.",
+      sub(" mixed model.*$", " mixed model of clicks", effects$method[1]),
+      random_words(effects$method[1]), paste(click_effect_words(effects), collapse = "; ")),
+    if (nrow(ratios) > 0) sprintf("Rate ratios: %s.", paste0(sub("^.*: ", "", ratios$effect), " ",
+      sprintf("%.2f, 95 %% CI [%.2f, %.2f]", ratios$effect_size, ratios$interval_low,
+        ratios$interval_high), collapse = "; "))
+  )
+}
+
+click_effect_words <- function(rows) {
+  vapply(seq_len(nrow(rows)), function(i) {
+    name <- sub(":", " × ", rows$effect[i], fixed = TRUE)
+    sprintf(if (rows$p_holm[i] < kSignificance) "clicks depended on %s, %s" else
+      "an effect of %s was not detected, which is not evidence of its absence, %s", name,
+      chi_squared_words(rows[i, ]))
+  }, "")
+}
+
+click_contrast_words <- function(tests) {
+  rows <- tests_of(tests, kClickContrastFamily)
+  bootstrap <- tests_of(tests, kClickBootstrapFamily)
+  c(
+    if (nrow(rows) > 0) c(
+      sprintf(paste("Planned contrast of clicks (%s of tracked and random trials, %s; Holm over %d",
+        "tests): rate ratio tracked / random %s."),
+        sub(" mixed model.*$", " mixed model", rows$method[1]), random_words(rows$method[1]),
+        nrow(rows), estimates_words(rows)),
+      verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often")),
+    if (nrow(bootstrap) > 0) sprintf("By bootstrap over participants: %s.",
+      estimates_words(bootstrap)),
+    equivalence_verdict(tests_of(tests, kClickEquivalenceFamily),
+      sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
+    thesis_words(tests, kClickPooledFamily)
+  )
+}
+
+# Did the manipulation work, and did tracked and random differ in more than it?
+exposure_words <- function(tests) {
+  rows <- tests_of(tests, kExposureFamily)
+  if (nrow(rows) == 0) return(character())
+  found <- rows$p_holm < kSignificance
+  c(
+    manipulation_words(tests),
+    if (any(found)) sprintf(paste(
+      "Tracked and random differed in exposure too (tracked − random; paired t tests over",
+      "participants, Holm over %d): %s. A difference between their ratings or clicks may come from",
+      "this as much as from where the good collisions were."), nrow(rows),
+      differences_words(rows[found, ])) else
+      sprintf("Of %d measures of exposure none was found to differ between tracked and random.",
+        nrow(rows)),
+    if (any(!found)) sprintf(paste("A difference was not detected, which is not evidence of its",
+      "absence, in: %s."), differences_words(rows[!found, ]))
+  )
+}
+
+manipulation_words <- function(tests) {
+  row <- tests_of(tests, kManipulationFamily)
+  if (nrow(row) == 0) return("The distance of bad collisions from the gaze is not known.")
+  words <- differences_words(row)
+  if (row$p_holm < kSignificance && row$effect_size > 0) {
+    return(sprintf("Tracking kept bad collisions away from the gaze (tracked − random): %s.", words))
+  }
+  sprintf(paste("That tracking kept bad collisions farther from the gaze than random places did was",
+    "not detected: %s."), words)
+}
+
+differences_words <- function(rows) {
+  signed <- function(x) gsub("-", "−", formatC(x, digits = 3, format = "fg", flag = "+#"))
+  paste0(rows$effect, " ", signed(rows$effect_size), ", 95 % CI [", signed(rows$interval_low), ", ",
+    signed(rows$interval_high), "], ", p_words(rows$p_holm), collapse = "; ")
+}
+
+# The primary contrasts again without the trials marked late; nothing when there are none.
+sensitivity_words <- function(tests, late, without) {
+  if (late == 0) return(character())
+  ratings <- tests_of(tests, paste0(kContrastFamily, without))
+  clicks <- tests_of(tests, paste0(kClickContrastFamily, without))
+  what <- c(
+    if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
+    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks))
+  )
+  sprintf("Sensitivity: without the %s marked late, tracked against random: %s.",
+    count_of(late, "trial"), if (length(what) == 0) "too few trials are left" else
+      paste(what, collapse = "; "))
+}
