@@ -14,8 +14,11 @@ class ProtocolScenes final : public Scenes {
   ProtocolScenes(const Protocol& protocol, double round_hold_to_hz)
       : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz) {}
 
-  [[nodiscard]] StagedScene stage(const Condition& condition,
-                                  const ScreenGeometry& screen) const override;
+  [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
+                                  const ScreenGeometry& screen) const override {
+    return stage(trial.condition, screen);
+  }
+  [[nodiscard]] StagedScene stage(const Condition& condition, const ScreenGeometry& screen) const;
 
  private:
   const Protocol* protocol_;

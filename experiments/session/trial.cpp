@@ -19,7 +19,7 @@ class Attempt {
         ports_(ports),
         progress_(progress),
         unlimited_(kUnlimitedTests),
-        playback_(ports.scenes.stage(trial.condition, ports.display.geometry()), unlimited_) {
+        playback_(ports.scenes.stage(trial, ports.display.geometry()), unlimited_) {
     result_.record.slot = trial.slot;
     result_.record.number = number;
     for (const BodyModel& body : playback_.scene().world.models()) {

@@ -95,7 +95,8 @@ class ReplayScreen {
 
   std::int64_t draw_and_flip() {
     canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
-    canvas_.painter.paint({false, playback_.bodies(), replay_.viewer, {}}, picture_area());
+    canvas_.painter.paint({.bodies = playback_.bodies(), .viewer = replay_.viewer, .progress = {}},
+                          picture_area());
     canvas_.gui.begin();
     draw_header();
     draw_footer();
