@@ -18,6 +18,17 @@ Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point) {
   return point.x_m * viewer.right + point.y_m * viewer.up;
 }
 
+std::optional<ScreenPoint> projected(const Viewer& viewer, const Vector3& point) {
+  const double distance_m = viewer.eye.norm();
+  const Vector3 ray = point - viewer.eye;
+  const double depth_m = -ray.dot(viewer.eye) / distance_m;
+  if (depth_m <= 0.0) {
+    return std::nullopt;
+  }
+  const double scale = distance_m / depth_m;
+  return ScreenPoint{scale * ray.dot(viewer.right), scale * ray.dot(viewer.up)};
+}
+
 double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q) {
   const Vector3 u = p - viewer.eye;
   const Vector3 w = q - viewer.eye;

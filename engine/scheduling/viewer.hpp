@@ -36,6 +36,8 @@ Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg);
 struct ScreenPoint {
   double x_m{0.0};
   double y_m{0.0};
+
+  friend bool operator==(const ScreenPoint&, const ScreenPoint&) = default;
 };
 
 /// Where the viewer looks, when that is known.
@@ -43,6 +45,9 @@ using Fixation = std::optional<ScreenPoint>;
 
 /// Where a point of the screen is in the world.
 Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point);
+
+/// Where a point of the world appears on the screen; none when it is not before the eye.
+std::optional<ScreenPoint> projected(const Viewer& viewer, const Vector3& point);
 
 /// The angle at the eye between two points of the world (degrees).
 double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q);
