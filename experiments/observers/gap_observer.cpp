@@ -35,7 +35,7 @@ double GapObserver::seen_gap(double visible_arcmin, double eccentricity_deg,
              normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
 }
 
-double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) const {
+double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
   double clearest = parameters_.guess_rate;
   for (const CollisionRecord& collision : shown.collisions) {

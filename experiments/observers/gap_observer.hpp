@@ -33,7 +33,7 @@ class GapObserver final : public RatingObserver {
                                 double speed_deg_s) const;
 
  private:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) const override;
+  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
 
   GapParameters parameters_;
 };

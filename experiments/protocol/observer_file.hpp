@@ -1,21 +1,21 @@
-// A simulated participant's parameters from a file, each marked as sourced or assumed.
+// A simulated participant from a file.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <variant>
 
-#include "experiments/observers/causality_observer.hpp"
-#include "experiments/observers/gap_observer.hpp"
-#include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/observer_parameters.hpp"
 
 namespace impetus {
 
 struct ObserverFile {
   JsonDocument document;
-  std::variant<CausalityParameters, GapParameters> parameters;
+  ObserverParameters parameters;
+
+  /// Points of the rating scale that the participant answers on.
+  [[nodiscard]] std::size_t points() const;
 };
 
 /// `name_or_path`: a file, or the name of one in the observers' folder that lies beside the

@@ -36,6 +36,9 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
       {"/parameters/baseline", -2.2, "o.json:/parameters/baseline: expected an object, got -2.2"},
       {"/parameters/cut_2_3/value", -1.5,
        "o.json:/parameters/cut_2_3/value: expected more than cut_1_2, got -1.5"},
+      {"/parameters/cut_3_4",
+       {{"value", 1.1}, {"unit", "logit"}, {"source", "assumed"}},
+       "o.json:/parameters/cut_3_4/value: expected more than cut_2_3, got 1.1"},
       {"/parameters/cut_2_3",
        {{"value", 1}, {"unit", "logit"}},
        "o.json:/parameters/cut_2_3: expected the key \"source\", which is missing"}};
