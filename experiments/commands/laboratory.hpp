@@ -28,6 +28,8 @@ class Laboratory {
   virtual ~Laboratory() = default;
   virtual Display& display() = 0;
   virtual Input& input() = 0;
+  /// Where the participant looks; null: gaze cannot be followed here.
+  virtual Gaze* gaze() { return nullptr; }
   virtual SyncTest sync_test() = 0;
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual bool screen_measured() const = 0;

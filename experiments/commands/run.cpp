@@ -153,7 +153,7 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
   }
   const double rounding_hz = options.allow_rounding ? laboratory->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz);
-  const Ports ports{laboratory->display(), laboratory->input(), scenes, writer};
+  const Ports ports{laboratory->display(), laboratory->input(), scenes, writer, laboratory->gaze()};
   const SessionResult result = run_session(protocol.script, plan, enrolment.history, ports);
   return conclude(result, plan.size(), writer);
 }

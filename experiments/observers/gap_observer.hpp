@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/observers/gap_visibility.hpp"
 #include "experiments/observers/rating_observer.hpp"
 
 namespace impetus {
@@ -19,9 +20,6 @@ struct GapParameters : RatingParameters {
   double guess_rate{0.0};  ///< γ
   double miss_rate{0.0};   ///< λ
 };
-
-/// The highest spatial frequency visible at a speed (cycles per degree; Reddy 1997).
-double visible_frequency_at(double speed_deg_s);
 
 class GapObserver final : public RatingObserver {
  public:

@@ -25,12 +25,16 @@ struct Making {
   std::uint64_t seed;
   const std::string& pseudonym;
   VirtualClock& clock;
+  const Clock& flip_clock;
 
   std::unique_ptr<RatingObserver> operator()(const CausalityParameters& parameters) const {
     return std::make_unique<CausalityObserver>(parameters, seed, pseudonym, clock);
   }
   std::unique_ptr<RatingObserver> operator()(const GapParameters& parameters) const {
     return std::make_unique<GapObserver>(parameters, seed, pseudonym, clock);
+  }
+  std::unique_ptr<RatingObserver> operator()(const GazeObserverParameters& parameters) const {
+    return std::make_unique<GazeObserver>(parameters, seed, pseudonym, clock, flip_clock);
   }
 };
 
@@ -47,8 +51,9 @@ ObserverFile load_observer(const std::string& name_or_path, const std::filesyste
 }
 
 std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
-                                              const std::string& pseudonym, VirtualClock& clock) {
-  return std::visit(Making{seed, pseudonym, clock}, file.parameters);
+                                              const std::string& pseudonym, VirtualClock& clock,
+                                              const Clock& flip_clock) {
+  return std::visit(Making{seed, pseudonym, clock, flip_clock}, file.parameters);
 }
 
 }  // namespace impetus

@@ -22,9 +22,11 @@ struct ObserverFile {
 /// protocol's. Throws InputError.
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol);
 
-/// The participant whose traits and answers follow from `seed` and `pseudonym`. `clock` must
-/// outlive it.
+/// The participant whose traits and answers follow from `seed` and `pseudonym`. Its answers advance
+/// `clock`; its eye, where it has one, lives by `flip_clock`, with which flips are stamped. Both
+/// must outlive it, and may be the same.
 std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
-                                              const std::string& pseudonym, VirtualClock& clock);
+                                              const std::string& pseudonym, VirtualClock& clock,
+                                              const Clock& flip_clock);
 
 }  // namespace impetus

@@ -55,6 +55,48 @@ Entries<GapParameters> entries_of(const GapParameters& /*kind*/) {
           {"miss_rate", 0.0, 1.0, &P::miss_rate}};
 }
 
+void add_eye(Entries<GazeObserverParameters>& entries) {
+  using P = GazeObserverParameters;
+  const Entries<P> eye{{"sampling_hz", 60.0, 1000.0, &P::sampling_hz},
+                       {"latency_ms", 0.0, 1000.0, &P::latency_ms},
+                       {"visual_delay_ms", 1.0, 1000.0, &P::visual_delay_ms},
+                       {"fixation_min_ms", 1.0, kAny, &P::fixation_min_ms},
+                       {"fixation_max_ms", 1.0, kAny, &P::fixation_max_ms},
+                       {"saccade_base_ms", 1.0, kAny, &P::saccade_base_ms},
+                       {"saccade_ms_per_deg", 0.0, kAny, &P::saccade_ms_per_deg},
+                       {"pair_share", 0.0, 1.0, &P::pair_share},
+                       {"pursuit_share", 0.0, 1.0, &P::pursuit_share},
+                       {"pursuit_min_ms", 1.0, kAny, &P::pursuit_min_ms},
+                       {"pursuit_max_ms", 1.0, kAny, &P::pursuit_max_ms},
+                       {"pursuit_gain", 0.0, 1.0, &P::pursuit_gain},
+                       {"pursuit_time_ms", 1.0, kAny, &P::pursuit_time_ms},
+                       {"catch_up_deg", 0.5, kAny, &P::catch_up_deg},
+                       {"fixational_sd_deg", 0.0, kAny, &P::fixational_sd_deg},
+                       {"fixational_time_ms", 1e-3, kAny, &P::fixational_time_ms},
+                       {"offset_sd_deg", 0.0, kAny, &P::offset_sd_deg},
+                       {"blink_per_s", 0.0, 100.0, &P::blink_per_s},
+                       {"blink_ms", 1.0, kAny, &P::blink_ms},
+                       {"dropout_per_s", 0.0, 100.0, &P::dropout_per_s},
+                       {"dropout_ms", 1.0, kAny, &P::dropout_ms}};
+  entries.insert(entries.end(), eye.begin(), eye.end());
+}
+
+Entries<GazeObserverParameters> entries_of(const GazeObserverParameters& /*kind*/) {
+  using P = GazeObserverParameters;
+  Entries<P> entries{{"threshold_arcmin", 1e-3, kAny, &P::threshold_arcmin},
+                     {"width_log10", 1e-3, kAny, &P::width_log10},
+                     {"miss_rate", 0.0, 1.0, &P::miss_rate},
+                     {"crowding_per_body", 0.0, kAny, &P::crowding_per_body},
+                     {"merge_ms", 0.0, kAny, &P::merge_ms},
+                     {"click_median_ms", 1.0, kAny, &P::click_median_ms},
+                     {"click_sigma_log", 0.0, kAny, &P::click_sigma_log},
+                     {"refractory_ms", 0.0, kAny, &P::refractory_ms},
+                     {"false_clicks_per_s", 0.0, 100.0, &P::false_clicks_per_s},
+                     {"events_per_s", 1e-3, kAny, &P::events_per_s}};
+  add_eye(entries);
+  return entries;
+}
+
 /// "cut_1_2" is the first: between the best point of the scale and the next.
 std::string cut_name(std::size_t number) {
   return "cut_" + std::to_string(number) + "_" + std::to_string(number + 1);
@@ -123,6 +165,22 @@ void require_more(const JsonDocument& document, const std::string& greater,
   }
 }
 
+/// A range of durations: its end must not come before its beginning.
+void require_range(const JsonDocument& document, const std::string& what) {
+  if (value_of(document, what + "_max_ms") < value_of(document, what + "_min_ms")) {
+    refuse(document, "/parameters/" + what + "_max_ms/value",
+           "expected at least " + what + "_min_ms, got " +
+               document.value["parameters"][what + "_max_ms"]["value"].dump());
+  }
+}
+
+void check_ranges(const JsonDocument& /*document*/, const RatingParameters& /*any kind*/) {}
+
+void check_ranges(const JsonDocument& document, const GazeObserverParameters& /*kind*/) {
+  require_range(document, "fixation");
+  require_range(document, "pursuit");
+}
+
 template <typename Parameters>
 ObserverParameters read(const JsonDocument& document) {
   Parameters parameters;
@@ -139,6 +197,7 @@ ObserverParameters read(const JsonDocument& document) {
     }
     parameters.cuts.push_back(value_of(document, cut));
   }
+  check_ranges(document, parameters);
   return parameters;
 }
 
@@ -150,7 +209,8 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> kinds{{"causality", read<CausalityParameters>},
-                                       {"gap", read<GapParameters>}};
+                                       {"gap", read<GapParameters>},
+                                       {"gaze-contingent", read<GazeObserverParameters>}};
   return kinds;
 }
 

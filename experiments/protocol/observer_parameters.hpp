@@ -10,11 +10,12 @@
 
 #include "experiments/observers/causality_observer.hpp"
 #include "experiments/observers/gap_observer.hpp"
+#include "experiments/observers/gaze_observer.hpp"
 #include "experiments/protocol/json_document.hpp"
 
 namespace impetus {
 
-using ObserverParameters = std::variant<CausalityParameters, GapParameters>;
+using ObserverParameters = std::variant<CausalityParameters, GapParameters, GazeObserverParameters>;
 
 /// Reads the kind that the document names. Throws InputError: an unknown kind or number, one that
 /// is missing, out of its range or without its unit and source.
