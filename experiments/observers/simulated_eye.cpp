@@ -150,11 +150,11 @@ void SimulatedEye::start_saccade(double look_ms) {
     return parameters_.saccade_base_ms + parameters_.saccade_ms_per_deg * (to - gaze_deg_).norm();
   };
   const MovingPoint point = seen_.predicted(target_, now_ns_);
-  to_deg_ = point.at_deg + point.deg_per_s * (duration_ms(point.at_deg) / 1e3);
-  if ((to_deg_ - gaze_deg_).norm() < kThere_deg) {
+  if ((point.at_deg - gaze_deg_).norm() < kThere_deg) {
     start_look();
     return;
   }
+  to_deg_ = point.at_deg + point.deg_per_s * (duration_ms(point.at_deg) / 1e3);
   movement_ = Movement::kSaccade;
   from_deg_ = gaze_deg_;
   since_ns_ = now_ns_;
