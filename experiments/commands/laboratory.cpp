@@ -31,11 +31,13 @@ class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
       : display_(clock_, kHeadlessHz, assumed_screen()),
-        observer_(make_observer(*options.observer, options.seed, options.participant, clock_)) {}
+        observer_(
+            make_observer(*options.observer, options.seed, options.participant, clock_, clock_)) {}
 
   Display& display() override { return display_; }
   Input& input() override { return *observer_; }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
+  Gaze* gaze() override { return observer_->eye(); }
   SyncTest sync_test() override {
     return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
   }
@@ -65,7 +67,7 @@ class WindowLaboratory final : public Laboratory {
 
   Display& display() override { return window_; }
   Input& input() override { return observer_ ? static_cast<Input&>(*observer_) : window_; }
-  Gaze* gaze() override { return observer_ ? nullptr : &window_.mouse_gaze(); }
+  Gaze* gaze() override { return observer_ ? observer_->eye() : &window_.mouse_gaze(); }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return window_.sync_test(); }
   [[nodiscard]] std::string description() const override { return window_.description(); }

@@ -217,7 +217,7 @@ int run(const RunOptions& options) {
   LaboratoryOptions lab;
   if (!options.observer.empty()) {
     lab.observer = load_observer(options.observer, options.protocol);
-    check_scale_for_observer(protocol);
+    check_scale_for_observer(protocol, lab.observer->points());
   }
   lab.show = options.show;
   lab.participant = options.participant;

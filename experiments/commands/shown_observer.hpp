@@ -21,6 +21,10 @@ class ShownObserver final : public Input {
   void witnessed(const AttemptRecord& shown, const StagedScene& scene) override {
     observer_->witnessed(shown, scene);
   }
+  std::vector<ClickRecord> take_clicks() override { return observer_->take_clicks(); }
+
+  /// The participant's eye, looking at the window; null when it has none.
+  Gaze* eye() { return observer_->eye(); }
 
  private:
   VirtualClock own_time_;  ///< of the model's reaction times; the record takes the real clock's

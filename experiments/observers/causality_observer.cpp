@@ -17,7 +17,7 @@ double CausalityObserver::seen_at(double delay_ms) const {
   return normal_cdf((delay_ms - threshold_ms_) / width_ms_);
 }
 
-double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*scene*/) const {
+double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*scene*/) {
   double delay_ms = 0.0;
   for (const CollisionRecord& collision : shown.collisions) {
     delay_ms = std::max(delay_ms, 1e3 * collision.report.imposed_hold_s);

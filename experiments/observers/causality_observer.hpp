@@ -23,12 +23,12 @@ class CausalityObserver final : public RatingObserver {
                     const std::string& pseudonym, VirtualClock& clock);
 
   /// Probability of each rating 1, 2, 3 for a delay.
-  [[nodiscard]] std::array<double, 3> rating_probabilities(double delay_ms) const {
+  [[nodiscard]] std::vector<double> rating_probabilities(double delay_ms) const {
     return probabilities(seen_at(delay_ms));
   }
 
  private:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) const override;
+  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
   [[nodiscard]] double seen_at(double delay_ms) const;
 
   double threshold_ms_;

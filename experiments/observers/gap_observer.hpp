@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/observers/gap_visibility.hpp"
 #include "experiments/observers/rating_observer.hpp"
 
 namespace impetus {
@@ -20,9 +21,6 @@ struct GapParameters : RatingParameters {
   double miss_rate{0.0};   ///< λ
 };
 
-/// The highest spatial frequency visible at a speed (cycles per degree; Reddy 1997).
-double visible_frequency_at(double speed_deg_s);
-
 class GapObserver final : public RatingObserver {
  public:
   GapObserver(const GapParameters& parameters, std::uint64_t seed, const std::string& pseudonym,
@@ -33,7 +31,7 @@ class GapObserver final : public RatingObserver {
                                 double speed_deg_s) const;
 
  private:
-  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) const override;
+  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
 
   GapParameters parameters_;
 };

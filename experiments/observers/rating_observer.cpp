@@ -2,7 +2,6 @@
 #include "experiments/observers/rating_observer.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace impetus {
 namespace {
@@ -11,15 +10,6 @@ double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 }  // namespace
 
-double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-
-double RatingObserver::normal() {
-  // Box and Muller 1958. An observer may use the library's functions: its answers are recorded.
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - stream_.uniform()));
-  const double angle = 2.0 * std::numbers::pi * stream_.uniform();
-  return radius * std::cos(angle);
-}
-
 void RatingObserver::draw_traits() {
   intercept_ = parameters_.intercept_sd * normal();
   if (parameters_.effect_sd > 0.0) {
@@ -27,15 +17,34 @@ void RatingObserver::draw_traits() {
   }
 }
 
-std::array<double, 3> RatingObserver::probabilities(double seen) const {
-  const double disbelief = parameters_.baseline + (parameters_.effect + slope_) * seen + intercept_;
-  const double at_most_1 = logistic(parameters_.cut_1_2 - disbelief);
-  const double at_most_2 = logistic(parameters_.cut_2_3 - disbelief);
-  std::array<double, 3> probabilities{at_most_1, at_most_2 - at_most_1, 1.0 - at_most_2};
+std::vector<double> RatingObserver::probabilities(double seen) const {
+  const double eta = parameters_.baseline + (parameters_.effect + slope_) * seen + intercept_;
+  std::vector<double> probabilities;
+  double below = 0.0;
+  for (const double cut : parameters_.cuts) {
+    const double at_most = logistic(cut - eta);
+    probabilities.push_back(at_most - below);
+    below = at_most;
+  }
+  probabilities.push_back(1.0 - below);
+  const double lapse = parameters_.lapse_rate;
   for (double& probability : probabilities) {
-    probability = (1.0 - parameters_.lapse_rate) * probability + parameters_.lapse_rate / 3.0;
+    probability = (1.0 - lapse) * probability + lapse / static_cast<double>(probabilities.size());
   }
   return probabilities;
+}
+
+std::size_t RatingObserver::draw_disbelief() {
+  const std::vector<double> chances = probabilities(seen_);
+  const double draw = stream_.uniform();
+  double reached = 0.0;
+  for (std::size_t point = 0; point + 1 < chances.size(); ++point) {
+    reached += chances[point];
+    if (draw < reached) {
+      return point;
+    }
+  }
+  return chances.size() - 1;
 }
 
 Answer RatingObserver::ask(const Page& page) {
@@ -45,10 +54,9 @@ Answer RatingObserver::ask(const Page& page) {
   answer.fields.assign(page.fields.size(), "");
   double reaction_ms = parameters_.reaction_median_ms;
   if (page.layout == Page::Layout::kScale) {
-    const auto chances = probabilities(seen_);
-    const double draw = stream_.uniform();
-    answer.choice = draw < chances[0] ? 0 : draw < chances[0] + chances[1] ? 1 : 2;
-    reaction_ms *= std::exp(parameters_.reaction_sigma_log * normal());
+    const std::size_t disbelief = draw_disbelief();
+    answer.choice = page.best_choice == 0 ? disbelief : page.best_choice - disbelief;
+    reaction_ms = draw_lognormal(stream_, reaction_ms, parameters_.reaction_sigma_log);
   }
   clock_->advance_by(std::llround(reaction_ms * 1e6));
   answer.arrived_ns = clock_->now_ns();

@@ -1,30 +1,32 @@
-// A simulated participant's parameters from a file, each marked as sourced or assumed.
+// A simulated participant from a file.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <variant>
 
-#include "experiments/observers/causality_observer.hpp"
-#include "experiments/observers/gap_observer.hpp"
-#include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/observer_parameters.hpp"
 
 namespace impetus {
 
 struct ObserverFile {
   JsonDocument document;
-  std::variant<CausalityParameters, GapParameters> parameters;
+  ObserverParameters parameters;
+
+  /// Points of the rating scale that the participant answers on.
+  [[nodiscard]] std::size_t points() const;
 };
 
 /// `name_or_path`: a file, or the name of one in the observers' folder that lies beside the
 /// protocol's. Throws InputError.
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol);
 
-/// The participant whose traits and answers follow from `seed` and `pseudonym`. `clock` must
-/// outlive it.
+/// The participant whose traits and answers follow from `seed` and `pseudonym`. Its answers advance
+/// `clock`; its eye, where it has one, lives by `flip_clock`, with which flips are stamped. Both
+/// must outlive it, and may be the same.
 std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
-                                              const std::string& pseudonym, VirtualClock& clock);
+                                              const std::string& pseudonym, VirtualClock& clock,
+                                              const Clock& flip_clock);
 
 }  // namespace impetus

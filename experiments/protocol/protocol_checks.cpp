@@ -310,14 +310,16 @@ Plan plan_for(const Protocol& protocol, const std::string& participant, std::uin
   }
 }
 
-void check_scale_for_observer(const Protocol& protocol) {
+void check_scale_for_observer(const Protocol& protocol, std::size_t observer_points) {
   const RatingScale& scale = protocol.script.scale;
-  if (scale.maximum - scale.minimum != 2 || scale.best != scale.minimum) {
+  const auto points = static_cast<std::size_t>(scale.maximum - scale.minimum + 1);
+  if (points != observer_points) {
     refuse(protocol.document, "/rating",
-           "expected three points of which the lowest is the best, as simulated participants "
-           "rate, got " +
-               std::to_string(scale.minimum) + " to " + std::to_string(scale.maximum) + ", best " +
-               std::to_string(scale.best));
+           "expected a scale of " + std::to_string(observer_points) +
+               " points, as the simulated participant rates (one more than its file has cuts), "
+               "got " +
+               std::to_string(points) + ", from " + std::to_string(scale.minimum) + " to " +
+               std::to_string(scale.maximum));
   }
 }
 

@@ -33,8 +33,9 @@ void check_gaze(const Protocol& protocol);
 /// A participant's plan. Throws InputError when no order was found that keeps to the longest runs.
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
 
-/// The simulated participant can answer on the protocol's scale. Throws InputError.
-void check_scale_for_observer(const Protocol& protocol);
+/// A simulated participant who answers on scales of `observer_points` can answer on the protocol's.
+/// Throws InputError.
+void check_scale_for_observer(const Protocol& protocol, std::size_t observer_points);
 
 /// Every duration that must fall on the display's frames does. `allow_rounding` lets an imposed
 /// hold be rounded; what was realised is stored. Throws InputError.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "engine/shapes/mesh_distance.hpp"
 
@@ -62,13 +63,14 @@ Eigen::Vector2d projected_px(const Viewer& viewer, const Vector3& point) {
           scale * ray.dot(viewer.up) * viewer.screen.height_px / viewer.screen.height_m};
 }
 
-}  // namespace
+/// A body as it is drawn, which may cover a gap.
+struct Cover {
+  const DrawnBody& look;
+  const Pose& pose;
+};
 
-CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
-                             const Pose& pose_b, const Viewer& viewer) {
-  const bool meshes = a.mesh && b.mesh;
-  const ClosestPoints closest = meshes ? mesh_distance(*a.mesh, pose_a, *b.mesh, pose_b)
-                                       : sphere_distance(a, pose_a, b, pose_b);
+CollisionTruth truth_of(const ClosestPoints& closest, std::initializer_list<Cover> covers_of_it,
+                        const Viewer& viewer) {
   CollisionTruth truth;
   truth.gap_m = closest.distance_m;
   truth.gap_arcmin = 60.0 * visual_angle_deg(viewer, closest.on_a, closest.on_b);
@@ -80,10 +82,43 @@ CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const Drawn
   for (int ray = 0; ray < kSampleRays; ++ray) {
     const double share = (ray + 0.5) / kSampleRays;
     const Vector3 target = closest.on_a + share * (closest.on_b - closest.on_a);
-    hidden += covers(a, pose_a, viewer.eye, target) || covers(b, pose_b, viewer.eye, target);
+    hidden += std::any_of(covers_of_it.begin(), covers_of_it.end(), [&](const Cover& cover) {
+      return covers(cover.look, cover.pose, viewer.eye, target);
+    });
   }
   truth.hidden_share = static_cast<double>(hidden) / kSampleRays;
   return truth;
+}
+
+/// The point of the drawn body that lies farthest along `outward` (unit).
+Vector3 farthest_along(const Vector3& outward, const DrawnBody& look, const Pose& pose) {
+  if (!look.mesh) {
+    return pose.position + look.radius_m * outward;
+  }
+  const auto& vertices = look.mesh->vertices;
+  const Vector3 outward_B = pose.orientation.conjugate() * outward;
+  const auto farthest = std::max_element(
+      vertices.begin(), vertices.end(),
+      [&](const Vector3& p, const Vector3& q) { return outward_B.dot(p) < outward_B.dot(q); });
+  return pose.transform(*farthest);
+}
+
+}  // namespace
+
+CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
+                             const Pose& pose_b, const Viewer& viewer) {
+  const bool meshes = a.mesh && b.mesh;
+  const ClosestPoints closest = meshes ? mesh_distance(*a.mesh, pose_a, *b.mesh, pose_b)
+                                       : sphere_distance(a, pose_a, b, pose_b);
+  return truth_of(closest, {{a, pose_a}, {b, pose_b}}, viewer);
+}
+
+CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const ClosedCube& cube,
+                                  int wall, const Viewer& viewer) {
+  const Vector3 outward = -inward_normal(wall);
+  const Vector3 on_body = farthest_along(outward, look, pose);
+  const double gap_m = std::max(0.0, cube.half_edge_m - on_body.dot(outward));
+  return truth_of({gap_m, on_body, on_body + gap_m * outward}, {{look, pose}}, viewer);
 }
 
 }  // namespace impetus

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/shapes/closed_cube.hpp"
 #include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
@@ -24,5 +25,12 @@ struct CollisionTruth {
 /// The truth of a collision between two bodies of the scene, drawn as `looks` in these poses.
 CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
                              const Pose& pose_b, const Viewer& viewer);
+
+/// The same against wall `wall` of the cube: from the point of the drawn body that is nearest to
+/// the wall's plane straight to the plane. Nothing is left where the body reaches the plane or
+/// beyond. Of several points equally near, the mesh's first. Walls hide nothing: those before the
+/// eye are not drawn.
+CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const ClosedCube& cube,
+                                  int wall, const Viewer& viewer);
 
 }  // namespace impetus

@@ -197,8 +197,9 @@ TEST(Run, ABadProtocolIsRefusedAndNoStudyIsMade) {
       {"/timing/fixation_ms", 490,
        "/timing/fixation_ms: expected a whole number of 60 Hz frames (16.67 ms), got 490"},
       {"/rating/maximum", 5,
-       "/rating: expected three points of which the lowest is the best, as simulated participants "
-       "rate, got 1 to 5, best 1"}};
+       "/rating: expected a scale of 3 points, as the simulated participant rates (one more than "
+       "its "
+       "file has cuts), got 5, from 1 to 5"}};
   for (const auto& [pointer, value, sentence] : cases) {
     const std::string file = changed_protocol(folder, pointer, value);
     expect_refused_without_a_file(

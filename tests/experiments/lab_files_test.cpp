@@ -9,10 +9,10 @@ namespace {
 
 // ---------------------------------------------------------------- the observer's file
 
-/// The shipped observer with one value changed, refused.
+/// A shipped observer with one value changed, refused.
 std::string observer_refusal(const TemporaryFolder& folder, const std::string& pointer,
-                             const json& value) {
-  json observer = json::parse(shipped("experiments/observers/causality.json"));
+                             const json& value, const std::string& name = "causality") {
+  json observer = json::parse(shipped("experiments/observers/" + name + ".json"));
   observer[json::json_pointer(pointer)] = value;
   const std::string path = folder.write("o.json", observer.dump()).string();
   const std::string sentence = refusal([&] { load_observer(path, "protocols/causality.json"); });
@@ -23,7 +23,8 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
   const TemporaryFolder folder;
   const std::vector<Case> cases{
       {"/observer", "gaze",
-       "o.json:/observer: expected one of \"causality\", \"gap\", got \"gaze\""},
+       "o.json:/observer: expected one of \"causality\", \"gap\", \"gaze-contingent\", got "
+       "\"gaze\""},
       {"/parameters/lapse_rate/value", 2,
        "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},
       {"/parameters/threshold_sd_ms/value", -1,
@@ -36,6 +37,9 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
       {"/parameters/baseline", -2.2, "o.json:/parameters/baseline: expected an object, got -2.2"},
       {"/parameters/cut_2_3/value", -1.5,
        "o.json:/parameters/cut_2_3/value: expected more than cut_1_2, got -1.5"},
+      {"/parameters/cut_3_4",
+       {{"value", 1.1}, {"unit", "logit"}, {"source", "assumed"}},
+       "o.json:/parameters/cut_3_4/value: expected more than cut_2_3, got 1.1"},
       {"/parameters/cut_2_3",
        {{"value", 1}, {"unit", "logit"}},
        "o.json:/parameters/cut_2_3: expected the key \"source\", which is missing"}};
@@ -43,6 +47,33 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
     EXPECT_EQ(observer_refusal(folder, one.pointer, one.value), one.sentence);
   }
   EXPECT_EQ(observer_refusal(folder, "/note", "mine"), "accepted");
+}
+
+TEST(ObserverFile, AnEyesTimesAndRatesAreWithinReach) {
+  const TemporaryFolder folder;
+  const std::vector<Case> cases{
+      {"/parameters/fixation_max_ms/value", 150,
+       "o.json:/parameters/fixation_max_ms/value: expected at least fixation_min_ms, got 150"},
+      {"/parameters/pursuit_max_ms/value", 399,
+       "o.json:/parameters/pursuit_max_ms/value: expected at least pursuit_min_ms, got 399"},
+      {"/parameters/sampling_hz/value", 30,
+       "o.json:/parameters/sampling_hz/value: expected a number ≥ 60 and ≤ 1000, got 30"},
+      {"/parameters/cut_4_5/value", 0,
+       "o.json:/parameters/cut_4_5/value: expected more than cut_3_4, got 0"}};
+  for (const Case& one : cases) {
+    EXPECT_EQ(observer_refusal(folder, one.pointer, one.value, "gaze-contingent"), one.sentence);
+  }
+  EXPECT_EQ(observer_refusal(folder, "/parameters/sampling_hz/value", 1000, "gaze-contingent"),
+            "accepted");
+}
+
+TEST(ObserverFile, AnswersOnOnePointMoreThanItHasCuts) {
+  for (const auto& [name, points] : std::vector<std::pair<std::string, std::size_t>>{
+           {"causality", 3}, {"gap", 3}, {"gaze-contingent", 5}}) {
+    const auto path =
+        std::filesystem::path(IMPETUS_SOURCE_DIR) / "experiments/observers" / (name + ".json");
+    EXPECT_EQ(load_observer(path.string(), "x").points(), points) << name;
+  }
 }
 
 TEST(ObserverFile, AnUnknownNameIsRefusedWithTheFolderThatWasSearched) {

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
@@ -99,6 +101,56 @@ TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
   shown.collisions[0].report.imposed_hold_s = 1.0;
   observer.witnessed(shown, scene);
   EXPECT_EQ(observer.ask(page).choice, 2U);
+}
+
+/// Choices on sixty scales of `points`, of which `best` is the good end.
+std::vector<std::size_t> choices(const CausalityParameters& parameters, std::size_t best) {
+  VirtualClock clock;
+  CausalityObserver observer(parameters, 1, "S01", clock);
+  Page page;
+  page.layout = Page::Layout::kScale;
+  page.best_choice = best;
+  std::vector<std::size_t> choices(60);
+  std::generate(choices.begin(), choices.end(), [&] { return observer.ask(page).choice; });
+  return choices;
+}
+
+TEST(RatingObserver, CountsFromTheGoodEndWhicheverEndThatIs) {
+  CausalityParameters parameters = shipped();
+  parameters.cuts = {-3.0, -2.0, -1.5, 0.0};
+  const auto lowest_best = choices(parameters, 0);
+  const auto highest_best = choices(parameters, 4);
+  for (std::size_t i = 0; i < lowest_best.size(); ++i) {
+    EXPECT_EQ(highest_best[i], 4 - lowest_best[i]);
+  }
+  // Every point is drawn: each has a chance of .1 or more, so one is missed once in 500 seeds.
+  EXPECT_EQ(std::set<std::size_t>(lowest_best.begin(), lowest_best.end()).size(), 5U);
+}
+
+// The model on more points, written out again: P(disbelief ≤ k) = logistic(cut_k − η), η =
+// baseline.
+TEST(RatingObserver, HasOnePointMoreThanCuts) {
+  CausalityParameters parameters = shipped();
+  parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
+  parameters.effect = 0.0;
+  parameters.baseline = 0.5;
+  parameters.cuts = {-1.0, 0.0, 1.0, 2.0};
+  VirtualClock clock;
+  const auto p = CausalityObserver(parameters, 1, "S01", clock).probabilities(0.7);
+  const auto logistic = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
+  ASSERT_EQ(p.size(), 5U);
+  EXPECT_NEAR(p[0], logistic(-1.5), 1e-12);
+  EXPECT_NEAR(p[2], logistic(0.5) - logistic(-0.5), 1e-12);
+  EXPECT_NEAR(p[4], 1.0 - logistic(1.5), 1e-12);
+}
+
+// Recorded studies were answered by these draws: a change here would make them irreproducible.
+TEST(RatingObserver, AnswersAsItDidWhenItWasFirstReleased) {
+  std::string text;
+  for (const std::size_t choice : choices(shipped(), 0)) {
+    text += std::to_string(choice + 1);
+  }
+  EXPECT_EQ(text, "111121111121111111111111211111111111111211111111111111111131");
 }
 
 // Reddy's visible frequency at the values that the specification prints.

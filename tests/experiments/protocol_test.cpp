@@ -224,14 +224,18 @@ TEST(ProtocolChecks, QuestionsHaveIdsAndSensibleAnswers) {
 }
 
 TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
-  EXPECT_EQ(refusal([] { check_scale_for_observer(Study().made()); }), "accepted");
-  const std::string expected =
-      "protocols/causality.json:/rating: expected three points of which the lowest is the best, as "
-      "simulated participants rate, got ";
-  EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/maximum", 5).made()); }),
-            expected + "1 to 5, best 1");
-  EXPECT_EQ(refusal([] { check_scale_for_observer(Study().with("/rating/best", 3).made()); }),
-            expected + "1 to 3, best 3");
+  const auto refused = [](Study study, std::size_t observer_points) {
+    return refusal([&] { check_scale_for_observer(study.made(), observer_points); });
+  };
+  EXPECT_EQ(refused(Study(), 3), "accepted");
+  EXPECT_EQ(refused(Study().with("/rating/best", 3), 3), "accepted");
+  EXPECT_EQ(refused(Study().with("/rating/maximum", 5), 5), "accepted");
+  EXPECT_EQ(refused(Study().with("/rating/maximum", 5), 3),
+            "protocols/causality.json:/rating: expected a scale of 3 points, as the simulated "
+            "participant rates (one more than its file has cuts), got 5, from 1 to 5");
+  EXPECT_EQ(refused(Study(), 5),
+            "protocols/causality.json:/rating: expected a scale of 5 points, as the simulated "
+            "participant rates (one more than its file has cuts), got 3, from 1 to 3");
 }
 
 // ---------------------------------------------------------------- the scene

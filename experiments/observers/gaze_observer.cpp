@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/observers/gaze_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/trigonometry.hpp"
+#include "experiments/observers/gap_visibility.hpp"
+#include "experiments/session/collision_truth.hpp"
+
+namespace impetus {
+namespace {
+
+CollisionTruth truth_of(const CollisionRecord& collision, const StagedScene& scene) {
+  const BodyPair& bodies = collision.report.bodies;
+  const DrawnBody& a = scene.looks[static_cast<std::size_t>(bodies.a)];
+  if (!is_wall(bodies.b)) {
+    const DrawnBody& b = scene.looks[static_cast<std::size_t>(bodies.b)];
+    return measure_truth(a, collision.pose_a, b, collision.pose_b, scene.viewer);
+  }
+  const auto& cube = scene.world.settings().enclosure;
+  return cube ? measure_wall_truth(a, collision.pose_a, *cube, kEnclosure - bodies.b, scene.viewer)
+              : CollisionTruth{};
+}
+
+}  // namespace
+
+GazeObserver::GazeObserver(const GazeObserverParameters& parameters, std::uint64_t seed,
+                           const std::string& pseudonym, VirtualClock& clock,
+                           const Clock& flip_clock)
+    : RatingObserver(parameters, RandomStream(seed, "observer/gaze-contingent/" + pseudonym),
+                     clock),
+      parameters_(parameters),
+      click_stream_(seed, "observer/gaze-contingent/clicks/" + pseudonym),
+      eye_(parameters, seed, pseudonym, flip_clock) {
+  draw_traits();
+}
+
+double GazeObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
+                              std::size_t bodies) const {
+  if (visible_arcmin <= 0.0) {
+    return 0.0;
+  }
+  const double crowd = std::max(0.0, static_cast<double>(bodies) - 2.0);
+  const double threshold =
+      gap_threshold_arcmin(parameters_.threshold_arcmin, eccentricity_deg, speed_deg_s) *
+      (1.0 + parameters_.crowding_per_body * crowd);
+  return (1.0 - parameters_.miss_rate) *
+         normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
+}
+
+double GazeObserver::seen_collision(const CollisionRecord& collision,
+                                    const StagedScene& scene) const {
+  if (collision.first_frame_shown < 0) {
+    return 0.0;
+  }
+  const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
+  return seen_gap(truth_of(collision, scene).visible_arcmin(),
+                  collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg),
+                  collision.report.approach_m_s / m_per_deg, scene.looks.size());
+}
+
+std::vector<double> GazeObserver::draw_events_s(const AttemptRecord& shown,
+                                                const StagedScene& scene) {
+  std::vector<double> events_s;
+  double last_s = 0.0;
+  for (const CollisionRecord& collision : shown.collisions) {
+    if (click_stream_.uniform() >= seen_collision(collision, scene)) {
+      continue;
+    }
+    if (events_s.empty() || collision.time_s - last_s >= parameters_.merge_ms / 1e3) {
+      events_s.push_back(collision.time_s);
+    }
+    last_s = collision.time_s;
+  }
+  return events_s;
+}
+
+std::vector<double> GazeObserver::draw_clicks_s(const std::vector<double>& events_s,
+                                                double stimulus_s) {
+  std::vector<double> wanted_s;
+  for (const double event_s : events_s) {
+    wanted_s.push_back(event_s + draw_lognormal(click_stream_, parameters_.click_median_ms / 1e3,
+                                                parameters_.click_sigma_log));
+  }
+  const double rate = parameters_.false_clicks_per_s;
+  for (double at_s = draw_waiting(click_stream_, rate); at_s <= stimulus_s;
+       at_s += draw_waiting(click_stream_, rate)) {
+    wanted_s.push_back(at_s);
+  }
+  std::sort(wanted_s.begin(), wanted_s.end());
+  std::vector<double> clicks_s;
+  for (const double at_s : wanted_s) {
+    const bool ready =
+        clicks_s.empty() || at_s - clicks_s.back() >= parameters_.refractory_ms / 1e3;
+    if (ready && at_s <= stimulus_s) {
+      clicks_s.push_back(at_s);
+    }
+  }
+  return clicks_s;
+}
+
+double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
+  clicks_.clear();
+  if (shown.frames.empty()) {
+    return 0.0;
+  }
+  const double stimulus_s =
+      static_cast<double>(shown.frames.back().flip.flipped_ns - shown.onset_ns) / 1e9;
+  const std::vector<double> events_s = draw_events_s(shown, scene);
+  for (const double at_s : draw_clicks_s(events_s, stimulus_s)) {
+    clicks_.push_back({"simulated", shown.onset_ns + std::llround(at_s * 1e9), 0});
+  }
+  const double events_per_s = static_cast<double>(events_s.size()) / std::max(stimulus_s, 1e-3);
+  return 1.0 - std::exp(-events_per_s / parameters_.events_per_s);
+}
+
+}  // namespace impetus
