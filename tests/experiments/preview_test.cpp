@@ -267,6 +267,18 @@ TEST(PreviewRun, AContactStaysInViewForAQuarterOfASecond) {
   EXPECT_EQ(run.level_in_use(0), std::nullopt);
 }
 
+TEST(PreviewRun, OfAPairThatStaysInContactTheNewestIsInView) {
+  const VirtualClock clock;
+  PreviewRun run(crowd(), clock);
+  for (int frame = 0; frame < 120; ++frame) {
+    run.advance(kFrame_s);
+    std::set<std::pair<std::int32_t, std::int32_t>> seen;
+    for (const ShownContact& contact : run.contacts()) {
+      EXPECT_TRUE(seen.insert({contact.bodies.a, contact.bodies.b}).second);
+    }
+  }
+}
+
 TEST(PreviewRun, TheRegionFollowsTheGazeWhenTheSchedulerIsRegion) {
   const VirtualClock clock;
   PreviewRun run(crowd(), clock);
