@@ -125,7 +125,10 @@ StepReport PreviewRun::step_world(const StepInput& input) {
 void PreviewRun::keep(const StepReport& report) {
   for (const CollisionReport& collision : report.collisions) {
     collision_count_ += collision.began ? 1 : 0;
-    contacts_.push_back({collision.contact.touch, collision.list, step_});
+    std::erase_if(contacts_, [&collision](const ShownContact& shown) {
+      return shown.bodies == collision.bodies;
+    });
+    contacts_.push_back({collision.bodies, collision.contact.touch, collision.list, step_});
     for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
       if (is_wall(body)) {
         continue;

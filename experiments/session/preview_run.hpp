@@ -27,8 +27,9 @@ struct WorkOfStep {
   std::int64_t granted{0};  ///< what the budget allowed; as much as `spent` when it is unlimited
 };
 
-/// A contact that is kept in view for a while, since it lasts one step.
+/// A contact that is kept in view for a while, since it lasts one step; the newest of its pair.
 struct ShownContact {
+  BodyPair bodies;
   TouchPoint touch;
   int list{0};
   std::int64_t step{0};

@@ -27,10 +27,14 @@ std::string name_of(const Schedule& schedule) {
   if (schedule.rule == ListRule::kRegion) {
     return kRegion;
   }
+  if (!schedule.metric) {
+    return "distance";
+  }
+  const PriorityMetric& own = *schedule.metric;
   for (const std::string_view name : metric_names()) {
     const auto known = make_metric(name);
     const PriorityMetric& metric = *known;
-    if (schedule.metric && typeid(*schedule.metric.get()) == typeid(metric)) {
+    if (typeid(own) == typeid(metric)) {
       return std::string(name);
     }
   }

@@ -27,6 +27,7 @@ std::vector<Sphere> volumes_at_level(const VolumeTree& tree, int level) {
     standing = std::move(next);
   }
   std::vector<Sphere> volumes;
+  volumes.reserve(standing.size());
   for (const std::int32_t index : standing) {
     volumes.push_back(tree.node(index).volume);
   }

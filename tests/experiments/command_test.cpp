@@ -420,6 +420,36 @@ TEST(Screen, WithoutAWindowItAsksForTheNumbers) {
 }
 #endif
 
+// ---------------------------------------------------------------- impetus preview
+
+TEST(Preview, ASceneThatIsNoneIsRefusedBeforeAWindowOpens) {
+  const TemporaryFolder folder;
+  expect_refused(folder, {"preview", "none.json"},
+                 "none.json: expected a JSON file, but it cannot be read: No such file or "
+                 "directory");
+  folder.write("a.json", "{}");
+  expect_refused(folder, {"preview", "a.json"},
+                 "a.json:/: expected the key \"schema_version\", which is missing");
+}
+
+TEST(Preview, WithoutADisplayItSaysSo) {
+  const TemporaryFolder folder;
+  const std::string scene = IMPETUS_SOURCE_DIR "/stimuli/two-l-blocks.json";
+#ifdef IMPETUS_PROGRAM_HAS_WINDOW
+  folder.write("screen.json",
+               R"({"schema_version": 1, "width_cm": 37.6, "height_cm": 30.1,
+                   "viewing_distance_cm": 57})");
+  expect_refused(folder, {"preview", scene, "--screen", "screen.json"},
+                 "no display could be opened: neither X11 nor Wayland answered; run with "
+                 "--observer to go on without a window");
+  expect_refused(folder, {"preview", scene, "--window", "320x200"},
+                 "--window 320x200: expected WIDTHxHEIGHT of at least 640x480 pixels");
+#else
+  expect_refused(folder, {"preview", scene},
+                 "this build has no window; " + scene + " can be checked, but not shown");
+#endif
+}
+
 TEST(Screen, SavesWhatWasGiven) {
   const TemporaryFolder folder;
   const ProgramResult result =
