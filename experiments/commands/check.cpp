@@ -28,6 +28,9 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
   const ProtocolScenes scenes(protocol, 0.0);
   double seconds = kAssumedReadingS;
   for (const PlannedTrial& trial : plan) {
+    if (trial.phase == TrialPhase::kPractice && trial.repetition > 1) {
+      continue;  // most need one round
+    }
     seconds += scenes.stage(trial.condition, assumed_screen()).duration_s + kAssumedRatingS +
                (protocol.script.timing.fixation_ms + protocol.script.timing.interval_ms) / 1e3;
   }
@@ -82,7 +85,9 @@ void print_design(const Protocol& protocol) {
   print_factors(protocol);
   std::printf("  cells        %zu\n", cell_count);
   std::printf("  repetitions  %lld\n", static_cast<long long>(design.repetitions));
-  std::printf("  trials       %zu, after %zu of practice\n", plan.size() - practice, practice);
+  const auto rounds = static_cast<std::size_t>(design.practice_rounds);
+  std::printf("  trials       %zu, after %zu of practice%s\n", plan.size() - rounds * practice,
+              practice, rounds > 1 ? (", up to " + std::to_string(rounds) + " times").c_str() : "");
   for (const LongestRun& rule : design.longest_runs) {
     std::printf("  order        random, at most %lld equal %s in a row\n",
                 static_cast<long long>(rule.longest), rule.factor.c_str());

@@ -92,6 +92,9 @@ std::string size_words(const json& schema) {
   if (least == most) {
     return " of " + values(least);
   }
+  if (least > 0 && most > least) {
+    return " of " + std::to_string(least) + " to " + values(most);
+  }
   return (least > 0 ? " of at least " + values(least) : "") +
          (most >= 0 ? " of at most " + values(most) : "");
 }

@@ -44,13 +44,37 @@ class ScriptedInput final : public Input {
     return on_frame ? on_frame(frames) : Interruption::kNone;
   }
 
+  std::vector<ClickRecord> take_clicks() override {
+    return on_clicks ? on_clicks() : std::vector<ClickRecord>{};
+  }
+
   std::function<Answer(const Page&)> on_page;
+  std::function<std::vector<ClickRecord>()> on_clicks;
   std::function<Interruption(std::int64_t frame)> on_frame;
   std::vector<std::string> titles;
   std::int64_t frames{0};
 
  private:
   VirtualClock* clock_;
+};
+
+/// A gaze that is where `at` says, sampled `age_ns` before each call; lost where it says nothing.
+class ScriptedGaze final : public Gaze {
+ public:
+  ScriptedGaze(const VirtualClock& clock, std::int64_t age_ns) : clock_(&clock), age_ns_(age_ns) {}
+
+  [[nodiscard]] std::string source() const override { return "scripted"; }
+  std::vector<GazeSample> take_samples() override {
+    const std::int64_t taken_ns = clock_->now_ns() - age_ns_;
+    const Fixation place = at ? at(taken_ns) : Fixation{};
+    return {{taken_ns, place, place ? GazeLoss::kNone : GazeLoss::kBlink}};
+  }
+
+  std::function<Fixation(std::int64_t taken_ns)> at;
+
+ private:
+  const VirtualClock* clock_;
+  std::int64_t age_ns_;
 };
 
 /// Keeps everything; `awaited` is how many attempts had been handed over at each await.
@@ -91,15 +115,17 @@ class WatchedDisplay final : public Display {
 
 /// Everything a session runs on, at 60 Hz.
 struct TestLab {
-  explicit TestLab(double refresh_hz = 60.0) : display(clock, refresh_hz), input(clock) {}
+  explicit TestLab(double refresh_hz = 60.0, Protocol study = causality())
+      : display(clock, refresh_hz), input(clock), protocol(std::move(study)) {}
 
-  [[nodiscard]] Ports ports() { return {display, input, scenes, recorder}; }
+  [[nodiscard]] Ports ports() { return {display, input, scenes, recorder, gaze, &clock, &clock}; }
 
   VirtualClock clock;
   WatchedDisplay display;
   ScriptedInput input;
   MemoryRecorder recorder;
-  Protocol protocol{causality()};
+  Gaze* gaze{nullptr};
+  Protocol protocol;
   ProtocolScenes scenes{protocol, 0.0};
 };
 

@@ -19,8 +19,9 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "/design/factors/0: expected only the keys \"label\", \"levels\", \"name\", \"pointer\", "
         "got \"level\""},
        {"/seed", 1,
-        "/: expected only the keys \"$schema\", \"design\", \"name\", \"rating\", \"scene\", "
-        "\"schema_version\", \"session\", \"source\", \"timing\", \"title\", got \"seed\""}});
+        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"gaze\", \"name\", "
+        "\"rating\", \"scene\", \"schema_version\", \"session\", \"source\", \"timing\", "
+        "\"title\", got \"seed\""}});
 }
 
 TEST(ProtocolSchema, AMissingKeyIsRefused) {
@@ -243,14 +244,18 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
 TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
   expect_scene_refusals(
       {{"/gravity", 9.8,
-        "/: expected only the keys \"$schema\", \"bodies\", \"engine\", \"imposed\", \"meeting\", "
-        "\"schema_version\", \"source\", \"title\", \"viewer\", got \"gravity\""},
-       {"/bodies", json::array(), "/bodies: expected a list of 2 values, got []"},
+        "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"duration_s\", "
+        "\"enclosure\", "
+        "\"engine\", \"imposed\", \"meeting\", \"schema_version\", \"source\", \"title\", "
+        "\"viewer\", "
+        "got \"gravity\""},
+       {"/bodies", json::array(), "/bodies: expected a list of 1 to 1000 values, got []"},
        {"/bodies/0/colour", "red",
         "/bodies/0/colour: expected a text such as \"#d9813b\", got "
         "\"red\""},
        {"/bodies/0/shape/kind", "cube",
-        "/bodies/0/shape/kind: expected one of \"sphere\", \"l-block\", got \"cube\""},
+        "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"l-block\", got "
+        "\"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,

@@ -25,12 +25,12 @@ TEST(StudyFile, WhatIsNoStudyIsRefusedAndLeftAlone) {
   }
 }
 
-TEST(StudyFile, AStudyOfAnotherSchemaVersionIsRefused) {
+TEST(StudyFile, AStudyOfALaterSchemaIsRefused) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
   opened(path);
-  plain_database(path, "PRAGMA user_version = 2");
-  const std::string sentence = path + ": expected a study of schema version 1, got version 2";
+  plain_database(path, "PRAGMA user_version = 3");
+  const std::string sentence = path + ": expected a study of schema version 1 to 2, got version 3";
   EXPECT_EQ(open_refusal(path), sentence);
   EXPECT_EQ(read_refusal(path), sentence);
 }

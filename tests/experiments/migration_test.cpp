@@ -1,0 +1,69 @@
+// Studies of an older schema: read from a copy, written only once the original is kept.
+// SPDX-License-Identifier: MIT
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus {
+namespace {
+
+/// A copy of the recording that was made with schema 1.
+std::filesystem::path old_study(const TemporaryFolder& folder) {
+  std::filesystem::path path = folder / "old.sqlite";
+  std::filesystem::copy_file(source_file("tests/recordings/gap.sqlite"), path);
+  return path;
+}
+
+/// The tables' and views' columns, whatever their order.
+std::string columns_of(SQLite::Database& database) {
+  return database
+      .execAndGet(
+          "SELECT group_concat(words, char(10)) FROM (SELECT m.name || '.' || c.name || ' ' "
+          "|| c.type || ' ' || c.\"notnull\" AS words FROM sqlite_master AS m, "
+          "pragma_table_info(m.name) AS c WHERE m.type IN ('table', 'view') ORDER BY words)")
+      .getString();
+}
+
+TEST(Migration, ReadingAnOlderStudyLeavesTheFileAsItIs) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = old_study(folder);
+  ASSERT_EQ(value_of(path, "PRAGMA user_version"), "1");
+  const std::string before = text_of(path);
+  StudyFile study = StudyFile::open_for_reading(path);
+  EXPECT_GT(load_attempts(study).size(), 0U);
+  EXPECT_EQ(study.database().execAndGet("SELECT count(*) FROM gaze_step").getInt(), 0);
+  EXPECT_EQ(text_of(path), before);
+}
+
+TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
+  const TemporaryFolder folder;
+  StudyFile migrated = StudyFile::open_for_reading(old_study(folder));
+  StudyFile fresh = opened(folder / "new.sqlite");
+  EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
+}
+
+TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = old_study(folder);
+  const std::string ratings = value_of(path, "SELECT group_concat(rating) FROM rating");
+  { opened(path); }
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "2");
+  EXPECT_EQ(value_of(path, "SELECT group_concat(rating) FROM rating"), ratings);
+  const std::filesystem::path kept = folder / "old.schema-1.sqlite";
+  EXPECT_EQ(value_of(kept, "PRAGMA user_version"), "1");
+  EXPECT_EQ(value_of(kept, "SELECT group_concat(rating) FROM rating"), ratings);
+  EXPECT_EQ(value_of(path, "PRAGMA foreign_key_check"), "");
+}
+
+TEST(Migration, AFileInTheWayOfTheKeptOriginalIsNotOverwritten) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = old_study(folder);
+  const std::filesystem::path kept = folder.write("old.schema-1.sqlite", "mine");
+  const std::string before = text_of(path);
+  EXPECT_EQ(open_refusal(path), path.string() + ": expected to keep it, of schema version 1, as " +
+                                    kept.string() +
+                                    " before it is brought to version 2, but there is such a file");
+  EXPECT_EQ(text_of(kept), "mine");
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "1");
+}
+
+}  // namespace
+}  // namespace impetus

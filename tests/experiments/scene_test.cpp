@@ -1,0 +1,241 @@
+// Scenes and the worlds they become: crowds, free bodies, schedules, regions, budgets.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/trigonometry.hpp"
+#include "engine/scheduling/metrics.hpp"
+#include "engine/starting_overlaps.hpp"
+#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "tests/experiments/fakes.hpp"
+#include "tests/experiments/refusals.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr const char* kCrowdScene = "stimuli/l-blocks-in-a-cube.json";
+
+json crowd_scene() { return json::parse(shipped(kCrowdScene)); }
+
+/// Two balls, a box and an L-block with places of their own in a cube of 20°.
+json free_scene() {
+  return json::parse(R"({
+    "schema_version": 1, "title": "free",
+    "engine": {"step_hz": 240, "restitution": 1, "tree_depth": 2},
+    "viewer": {"azimuth_deg": 0},
+    "enclosure": {"edge_deg": 20},
+    "duration_s": 2,
+    "bodies": [
+      {"name": "ball", "shape": {"kind": "sphere", "radius_deg": 1}, "density_kg_m3": 1000,
+       "colour": "#ffffff", "position_deg": [-5, 0, 0], "velocity_deg_s": [10, 0, 0]},
+      {"name": "box", "shape": {"kind": "box", "width_deg": 2, "height_deg": 1, "depth_deg": 3},
+       "density_kg_m3": 1000, "colour": "#ffffff", "position_deg": [5, 0, 0],
+       "spin_deg_s": [0, 90, 0]},
+      {"name": "block", "shape": {"kind": "l-block", "arm_deg": 2, "thickness_deg": 0.7},
+       "density_kg_m3": 1000, "colour": "#ffffff", "position_deg": [0, 5, 0]}]})");
+}
+
+StagedScene built(const json& scene, const std::string& start = "main/1") {
+  ShapeLibrary library;
+  return build_scene(scene, assumed_screen(), 0.0, library, start);
+}
+
+/// The sentence with which a scene file is refused, without the file's name; "accepted" when not.
+std::string scene_refusal(const json& scene) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("scene.json", scene.dump()).string();
+  const std::string sentence = refusal([&] { load_scene(path); });
+  return sentence.starts_with(path) ? sentence.substr(path.size() + 1) : sentence;
+}
+
+json changed(json scene, const std::string& pointer, json value) {
+  scene[json::json_pointer(pointer)] = std::move(value);
+  return scene;
+}
+
+double metres_of(double degrees) {
+  return degrees * metres_per_degree(assumed_screen().viewing_distance_m);
+}
+
+TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
+  const StagedScene scene = built(free_scene());
+  ASSERT_EQ(scene.world.models().size(), 3U);
+  const auto& models = scene.world.models();
+  const auto& states = scene.world.states();
+  EXPECT_NEAR(states[0].pose.position.x(), metres_of(-5.0), 1e-12);
+  EXPECT_NEAR(velocity(models[0], states[0]).x(), metres_of(10.0), 1e-12);
+  EXPECT_NEAR(angular_velocity(models[1], states[1]).y(), std::acos(-1.0) / 2.0, 1e-12);
+  EXPECT_EQ(scene.world.settings().enclosure->half_edge_m, 0.5 * metres_of(20.0));
+  EXPECT_EQ(scene.duration_s, 2.0);
+  EXPECT_NEAR(1.0 / models[1].inverse_mass, 1000.0 * 6.0 * std::pow(metres_of(1.0), 3), 1e-9);
+}
+
+TEST(Scene, ACrowdStartsApartAndWithinItsWallsAtTheCoarsestLevel) {
+  for (const int count : {2, 5, 10, 15}) {
+    for (int repetition = 1; repetition <= 5; ++repetition) {
+      const StagedScene scene = built(changed(crowd_scene(), "/crowd/count", count),
+                                      "main/" + std::to_string(repetition));
+      EXPECT_EQ(scene.world.models().size(), static_cast<std::size_t>(count));
+      EXPECT_TRUE(overlapping_at_start(scene.world, 0).empty()) << count << " " << repetition;
+    }
+  }
+}
+
+TEST(Scene, ACrowdMovesAndTurnsAtTheSpeedsTheSceneSays) {
+  const StagedScene scene = built(crowd_scene());
+  const json crowd = crowd_scene()["crowd"];
+  for (std::size_t body = 0; body < scene.world.models().size(); ++body) {
+    const BodyModel& model = scene.world.models()[body];
+    const BodyState& state = scene.world.states()[body];
+    EXPECT_NEAR(velocity(model, state).norm(), metres_of(crowd["speed_deg_s"]), 1e-12);
+    EXPECT_NEAR(angular_velocity(model, state).norm() * 180.0 / std::acos(-1.0),
+                crowd["spin_deg_s"].get<double>(), 1e-9);
+  }
+}
+
+// edge = edge_at_count (count / at)^(1/3)
+TEST(Scene, TheEnclosureKeepsTheDensityOfTheCrowd) {
+  for (const int count : {1, 5, 10, 15, 40}) {
+    const json scene = changed(crowd_scene(), "/crowd/count", count);
+    const double edge_m = 2.0 * built(scene).world.settings().enclosure->half_edge_m;
+    EXPECT_NEAR(edge_m, metres_of(15.0) * std::cbrt(count / 5.0), 1e-12);
+  }
+}
+
+TEST(Scene, ACrowdsStartFollowsFromItsNameAndNumberAlone) {
+  const auto hash = [](const StagedScene& scene) { return hash_state(scene.world.states()).hash; };
+  const std::uint64_t first = hash(built(crowd_scene()));
+  EXPECT_EQ(hash(built(crowd_scene())), first);
+  EXPECT_EQ(hash(built(changed(crowd_scene(), "/engine/region/kind", "all-bad"))), first);
+  EXPECT_NE(hash(built(crowd_scene(), "main/2")), first);
+  EXPECT_NE(hash(built(crowd_scene(), "practice/1")), first);
+  EXPECT_NE(hash(built(changed(crowd_scene(), "/crowd/start", 2))), first);
+}
+
+TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
+  json known = scene_schema()["properties"]["engine"]["properties"]["schedule"]["properties"]
+                             ["scheduler"]["enum"];
+  std::vector<std::string> names{"region"};
+  for (const std::string_view name : metric_names()) {
+    names.emplace_back(name);
+    json scene = free_scene();
+    scene["engine"]["schedule"] = {{"scheduler", std::string(name)},
+                                   {"lists", {{{"share", 3}}, {{"greatest_level", 1}}}},
+                                   {"thresholds", {1.5}}};
+    EXPECT_EQ(scene_refusal(scene), "accepted") << name;
+    const Schedule& schedule = built(scene).world.settings().schedule;
+    EXPECT_EQ(schedule.lists[0].share, 3.0);
+    EXPECT_EQ(schedule.lists[1].greatest_level, 1);
+    EXPECT_EQ(schedule.thresholds, std::vector<double>{1.5});
+    EXPECT_EQ(built(scene).depends_on_gaze, name == "eccentricity");
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(known.get<std::vector<std::string>>(), names);
+}
+
+TEST(Scene, AnUnknownSchedulerIsRefusedWithTheKnownOnes) {
+  EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/schedule/scheduler", "nearest")),
+            ":/engine/schedule/scheduler: expected one of \"distance\", \"eccentricity\", "
+            "\"projected-gap\", \"region\", \"size\", \"velocity\", got \"nearest\"");
+}
+
+TEST(Scene, ListsAndThresholdsMustFitTogether) {
+  json scene = free_scene();
+  scene["engine"]["schedule"] = {{"scheduler", "size"},
+                                 {"lists", {json::object(), json::object()}}};
+  EXPECT_EQ(scene_refusal(scene),
+            ":/engine/schedule/thresholds: expected one fewer than lists, 1, got 0");
+  scene["engine"]["schedule"]["thresholds"] = {1.0};
+  scene["engine"]["schedule"]["lists"][1]["least_level"] = 3;
+  EXPECT_EQ(scene_refusal(scene),
+            ":/engine/schedule/lists/1/least_level: expected at most 2, the deepest level of the "
+            "trees, got 3");
+  scene["engine"]["schedule"]["lists"][1] = {{"least_level", 2}, {"greatest_level", 1}};
+  EXPECT_EQ(scene_refusal(scene),
+            ":/engine/schedule/lists/1/least_level: expected at most greatest_level 1, got 2");
+  scene["engine"]["schedule"]["lists"][1] = json::object();
+  scene["engine"]["level"] = 1;
+  EXPECT_EQ(scene_refusal(scene),
+            ":/engine/level: expected none beside a schedule, whose lists have levels, got 1");
+}
+
+TEST(Scene, ARegionAndItsSchedulerComeTogether) {
+  json without = crowd_scene();
+  without["engine"].erase("region");
+  EXPECT_EQ(scene_refusal(without),
+            ":/engine: expected the key \"region\" for the scheduler region, which is missing");
+  json alone = crowd_scene();
+  alone["engine"].erase("schedule");
+  EXPECT_EQ(scene_refusal(alone),
+            ":/engine/region: expected the scheduler region with it, got no schedule");
+  EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/region/renewal_ms", 251)),
+            ":/engine/region/renewal_ms: expected a whole number of steps of 1/240 s, got 251");
+  json three = crowd_scene();
+  three["engine"]["schedule"]["lists"].push_back(json::object());
+  EXPECT_EQ(scene_refusal(three),
+            ":/engine/schedule/lists: expected two lists, inside and outside the region, got 3");
+}
+
+TEST(Scene, BodiesThatOverlapAtTheStartAreRefusedByName) {
+  EXPECT_EQ(scene_refusal(free_scene()), "accepted");
+  EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/1/position_deg", {-4.0, 0.0, 0.0})),
+            ":/bodies/0/position_deg: expected a place apart from all else at the start, but "
+            "\"ball\" overlaps \"box\"");
+  EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/position_deg", {-9.5, 0.0, 0.0})),
+            ":/bodies/0/position_deg: expected a place apart from all else at the start, but "
+            "\"ball\" overlaps the enclosure");
+}
+
+TEST(Scene, BodiesApartAtTheirFinestLevelMayNotOverlapAtTheirCoarsest) {
+  // Bounding spheres of 1.1° and 1.9° overlap where the surfaces are apart.
+  json scene = changed(free_scene(), "/bodies/1/position_deg", {-2.9, 0.0, 0.0});
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  scene["engine"]["level"] = 0;
+  EXPECT_NE(scene_refusal(scene), "accepted");
+}
+
+TEST(Scene, ACrowdWithoutRoomIsRefused) {
+  EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/enclosure/edge_deg", 4)),
+            ":/crowd/count: expected as many bodies as the enclosure has room for, got 5");
+}
+
+TEST(Scene, ABodyMayNotHaveAWallsName) {
+  EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/name", "wall +x")),
+            ":/bodies/0/name: expected a name that is no wall's, got \"wall +x\"");
+}
+
+TEST(Scene, WhatMeetsHasNoPlaceAndWhatDoesNotHasOne) {
+  json scene = free_scene();
+  scene["bodies"][2].erase("position_deg");
+  EXPECT_EQ(scene_refusal(scene),
+            ":/bodies/2: expected the key \"position_deg\" where nothing meets, which is missing");
+  json timeless = free_scene();
+  timeless.erase("duration_s");
+  EXPECT_EQ(scene_refusal(timeless),
+            ":/: expected the key \"duration_s\" where nothing meets, which is missing");
+  json empty = free_scene();
+  empty.erase("bodies");
+  EXPECT_EQ(scene_refusal(empty), ":/: expected the key \"bodies\" or \"crowd\", both are missing");
+  json meeting = json::parse(shipped(kSceneName));
+  meeting["bodies"][0]["position_deg"] = {0, 0, 0};
+  EXPECT_EQ(scene_refusal(meeting), ":/bodies/0/position_deg: expected none where bodies meet");
+}
+
+TEST(Scene, ABudgetIsInTestsOrInMilliseconds) {
+  json scene = free_scene();
+  EXPECT_EQ(built(scene).budget.tests_per_step, kUnlimitedTests);
+  scene["engine"]["budget"] = {{"tests_per_step", 40}};
+  EXPECT_EQ(built(scene).budget.tests_per_step, 40);
+  scene["engine"]["budget"] = {{"ms_per_step", 0.25}};
+  EXPECT_EQ(built(scene).budget.ns_per_step, 250'000);
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  scene["engine"]["budget"]["tests_per_step"] = 40;
+  EXPECT_NE(scene_refusal(scene), "accepted");
+}
+
+}  // namespace
+}  // namespace impetus
