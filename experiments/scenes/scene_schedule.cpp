@@ -98,7 +98,7 @@ void add_region_problems(const json& engine, std::vector<SceneProblem>& problems
       problems.push_back(
           {"/engine/region/renewal_ms",
            "expected a whole number of steps of 1/" + engine["step_hz"].dump() + " s, got " +
-               json(engine["region"].value("renewal_ms", kDefaultRenewal_ms)).dump()});
+               engine["region"].value("renewal_ms", json(kDefaultRenewal_ms)).dump()});
     }
   }
 }

@@ -199,8 +199,6 @@ TEST(GazeTrial, LatencyIsJudgedOnlyWhereTheGazeDecides) {
 
 TEST(GazeTrial, WhileTheEyeIsLostTheLastPlaceStaysAndAges) {
   GazeLab lab;
-  const auto onset_ns = [&] { return lab.clock.now_ns(); };
-  static_cast<void>(onset_ns);
   std::int64_t calls = 0;
   lab.eye.at = [&](std::int64_t) {
     ++calls;
@@ -296,14 +294,12 @@ TEST(GazeTrial, ABudgetInMillisecondsReplaysFromWhatWasGranted) {
   };
   GazeLab lab(short_study([](json&, json& scene) {
     scene["engine"]["budget"] = {{"ms_per_step", 0.05}};
-    scene["engine"]["schedule"] = {{"scheduler", "eccentricity"}, {"lists", {json::object()}}};
-    scene["engine"].erase("region");
-    scene["crowd"]["count"] = 15;
+    scene["engine"]["schedule"]["lists"][0]["least_level"] = 0;
   }));
   const RacingClock racing;
   Ports ports = lab.ports();
   ports.work_clock = &racing;
-  PlannedTrial trial;
+  const PlannedTrial trial = trial_of("all-good", 15.0);
   const StagedScene scene = lab.scene_of(trial);
   const AttemptRecord record = run_attempt(trial, 1, lab.protocol.script, {}, ports).record;
   EXPECT_FALSE(replay(scene, record.steps).divergence);

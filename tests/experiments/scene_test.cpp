@@ -127,7 +127,7 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
                                    {"lists", {{{"share", 3}}, {{"greatest_level", 1}}}},
                                    {"thresholds", {1.5}}};
     EXPECT_EQ(scene_refusal(scene), "accepted") << name;
-    const Schedule& schedule = built(scene).world.settings().schedule;
+    const Schedule schedule = built(scene).world.settings().schedule;
     EXPECT_EQ(schedule.lists[0].share, 3.0);
     EXPECT_EQ(schedule.lists[1].greatest_level, 1);
     EXPECT_EQ(schedule.thresholds, std::vector<double>{1.5});
@@ -139,7 +139,7 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
 
 TEST(Scene, AnUnknownSchedulerIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/schedule/scheduler", "nearest")),
-            ":/engine/schedule/scheduler: expected one of \"distance\", \"eccentricity\", "
+            "/engine/schedule/scheduler: expected one of \"distance\", \"eccentricity\", "
             "\"projected-gap\", \"region\", \"size\", \"velocity\", got \"nearest\"");
 }
 
@@ -148,51 +148,51 @@ TEST(Scene, ListsAndThresholdsMustFitTogether) {
   scene["engine"]["schedule"] = {{"scheduler", "size"},
                                  {"lists", {json::object(), json::object()}}};
   EXPECT_EQ(scene_refusal(scene),
-            ":/engine/schedule/thresholds: expected one fewer than lists, 1, got 0");
+            "/engine/schedule/thresholds: expected one fewer than lists, 1, got 0");
   scene["engine"]["schedule"]["thresholds"] = {1.0};
   scene["engine"]["schedule"]["lists"][1]["least_level"] = 3;
   EXPECT_EQ(scene_refusal(scene),
-            ":/engine/schedule/lists/1/least_level: expected at most 2, the deepest level of the "
+            "/engine/schedule/lists/1/least_level: expected at most 2, the deepest level of the "
             "trees, got 3");
   scene["engine"]["schedule"]["lists"][1] = {{"least_level", 2}, {"greatest_level", 1}};
   EXPECT_EQ(scene_refusal(scene),
-            ":/engine/schedule/lists/1/least_level: expected at most greatest_level 1, got 2");
+            "/engine/schedule/lists/1/least_level: expected at most greatest_level 1, got 2");
   scene["engine"]["schedule"]["lists"][1] = json::object();
   scene["engine"]["level"] = 1;
   EXPECT_EQ(scene_refusal(scene),
-            ":/engine/level: expected none beside a schedule, whose lists have levels, got 1");
+            "/engine/level: expected none beside a schedule, whose lists have levels, got 1");
 }
 
 TEST(Scene, ARegionAndItsSchedulerComeTogether) {
   json without = crowd_scene();
   without["engine"].erase("region");
   EXPECT_EQ(scene_refusal(without),
-            ":/engine: expected the key \"region\" for the scheduler region, which is missing");
+            "/engine: expected the key \"region\" for the scheduler region, which is missing");
   json alone = crowd_scene();
   alone["engine"].erase("schedule");
   EXPECT_EQ(scene_refusal(alone),
-            ":/engine/region: expected the scheduler region with it, got no schedule");
+            "/engine/region: expected the scheduler region with it, got no schedule");
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/region/renewal_ms", 251)),
-            ":/engine/region/renewal_ms: expected a whole number of steps of 1/240 s, got 251");
+            "/engine/region/renewal_ms: expected a whole number of steps of 1/240 s, got 251");
   json three = crowd_scene();
   three["engine"]["schedule"]["lists"].push_back(json::object());
   EXPECT_EQ(scene_refusal(three),
-            ":/engine/schedule/lists: expected two lists, inside and outside the region, got 3");
+            "/engine/schedule/lists: expected two lists, inside and outside the region, got 3");
 }
 
 TEST(Scene, BodiesThatOverlapAtTheStartAreRefusedByName) {
   EXPECT_EQ(scene_refusal(free_scene()), "accepted");
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/1/position_deg", {-4.0, 0.0, 0.0})),
-            ":/bodies/0/position_deg: expected a place apart from all else at the start, but "
+            "/bodies/0/position_deg: expected a place apart from all else at the start, but "
             "\"ball\" overlaps \"box\"");
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/position_deg", {-9.5, 0.0, 0.0})),
-            ":/bodies/0/position_deg: expected a place apart from all else at the start, but "
+            "/bodies/0/position_deg: expected a place apart from all else at the start, but "
             "\"ball\" overlaps the enclosure");
 }
 
 TEST(Scene, BodiesApartAtTheirFinestLevelMayNotOverlapAtTheirCoarsest) {
-  // Bounding spheres of 1.1° and 1.9° overlap where the surfaces are apart.
-  json scene = changed(free_scene(), "/bodies/1/position_deg", {-2.9, 0.0, 0.0});
+  // Bounding spheres of 1° and 1.87° overlap where the surfaces are apart.
+  json scene = changed(free_scene(), "/bodies/1/position_deg", {-2.6, 0.0, 0.0});
   EXPECT_EQ(scene_refusal(scene), "accepted");
   scene["engine"]["level"] = 0;
   EXPECT_NE(scene_refusal(scene), "accepted");
@@ -200,23 +200,23 @@ TEST(Scene, BodiesApartAtTheirFinestLevelMayNotOverlapAtTheirCoarsest) {
 
 TEST(Scene, ACrowdWithoutRoomIsRefused) {
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/enclosure/edge_deg", 4)),
-            ":/crowd/count: expected as many bodies as the enclosure has room for, got 5");
+            "/crowd/count: expected as many bodies as the enclosure has room for, got 5");
 }
 
 TEST(Scene, ABodyMayNotHaveAWallsName) {
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/name", "wall +x")),
-            ":/bodies/0/name: expected a name that is no wall's, got \"wall +x\"");
+            "/bodies/0/name: expected a name that is no wall's, got \"wall +x\"");
 }
 
 TEST(Scene, WhatMeetsHasNoPlaceAndWhatDoesNotHasOne) {
   json scene = free_scene();
   scene["bodies"][2].erase("position_deg");
   EXPECT_EQ(scene_refusal(scene),
-            ":/bodies/2: expected the key \"position_deg\" where nothing meets, which is missing");
+            "/bodies/2: expected the key \"position_deg\" where nothing meets, which is missing");
   json timeless = free_scene();
   timeless.erase("duration_s");
   EXPECT_EQ(scene_refusal(timeless),
-            ":/: expected the key \"duration_s\" where nothing meets, which is missing");
+            "/: expected the key \"duration_s\" where nothing meets, which is missing");
   json empty = free_scene();
   empty.erase("bodies");
   EXPECT_EQ(scene_refusal(empty), ":/: expected the key \"bodies\" or \"crowd\", both are missing");
