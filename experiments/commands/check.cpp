@@ -7,6 +7,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/plan.hpp"

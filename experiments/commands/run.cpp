@@ -14,7 +14,9 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/laboratory.hpp"
+#include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
@@ -217,7 +219,7 @@ int run(const RunOptions& options) {
   LaboratoryOptions lab;
   if (!options.observer.empty()) {
     lab.observer = load_observer(options.observer, options.protocol);
-    check_scale_for_observer(protocol, lab.observer->points());
+    check_observer(protocol, *lab.observer);
   }
   lab.show = options.show;
   lab.participant = options.participant;

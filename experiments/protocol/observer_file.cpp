@@ -44,6 +44,14 @@ std::size_t ObserverFile::points() const {
   return std::visit([](const auto& one) { return one.points(); }, parameters);
 }
 
+bool ObserverFile::clicks() const {
+  return std::holds_alternative<GazeObserverParameters>(parameters);
+}
+
+bool ObserverFile::has_eye() const {
+  return std::holds_alternative<GazeObserverParameters>(parameters);
+}
+
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol) {
   JsonDocument document = read_json(find_observer(name_or_path, protocol));
   ObserverParameters parameters = read_parameters(document);

@@ -16,6 +16,8 @@ struct ObserverFile {
 
   /// Points of the rating scale that the participant answers on.
   [[nodiscard]] std::size_t points() const;
+  [[nodiscard]] bool clicks() const;   ///< whether it clicks during the stimulus
+  [[nodiscard]] bool has_eye() const;  ///< whether its gaze can be followed
 };
 
 /// `name_or_path`: a file, or the name of one in the observers' folder that lies beside the

@@ -2,12 +2,10 @@
 #include "experiments/protocol/protocol_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
 #include <set>
 
-#include "experiments/protocol/validation.hpp"
-#include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 
 namespace impetus {
 namespace {
@@ -43,15 +41,6 @@ void check_size(const JsonDocument& protocol) {
     refuse(protocol, "/design",
            "expected at most 10000 trials, got " + std::string(count) +
                " (levels of all factors × repetitions)");
-  }
-}
-
-bool names_single_value(const json& scene, const std::string& pointer) {
-  try {
-    return scene.contains(json::json_pointer(pointer)) &&
-           scene[json::json_pointer(pointer)].is_primitive();
-  } catch (const json::exception&) {
-    return false;
   }
 }
 
@@ -126,58 +115,6 @@ void check_questions(const JsonDocument& protocol) {
   }
 }
 
-/// The schema's or the scene's own complaint about `scene` at `pointer`; "" when there is none.
-std::string complaint(const json& scene) {
-  if (const auto problem = find_schema_problem(scene_schema(), scene)) {
-    return problem->message;
-  }
-  const auto problems = scene_problems(scene);
-  return problems.empty() ? "" : problems.front().message;
-}
-
-std::string milliseconds(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f ms", seconds * 1e3);
-  return text;
-}
-
-bool on_grid(double duration_s, double hz) {
-  const double frames = duration_s * hz;
-  return std::abs(frames - std::round(frames)) < 1e-3;
-}
-
-std::string off_grid_message(const json& value, double hz) {
-  char rate[32];
-  std::snprintf(rate, sizeof rate, "%g", hz);
-  return "expected a whole number of " + std::string(rate) + " Hz frames (" +
-         milliseconds(1.0 / hz) + "), got " + value.dump();
-}
-
-void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
-  const json& factors = protocol.document.value["design"]["factors"];
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i]["pointer"] != bound.pointer) {
-      continue;
-    }
-    const json& levels = factors[i]["levels"];
-    for (std::size_t j = 0; j < levels.size(); ++j) {
-      if (!on_grid(levels[j].get<double>() * bound.unit_s, hz)) {
-        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j),
-               off_grid_message(levels[j], hz));
-      }
-    }
-    return;
-  }
-  const json::json_pointer pointer(bound.pointer);
-  if (!protocol.scene.value.contains(pointer)) {
-    return;
-  }
-  const json& value = protocol.scene.value[pointer];
-  if (!on_grid(value.get<double>() * bound.unit_s, hz)) {
-    refuse(protocol.scene, bound.pointer, off_grid_message(value, hz));
-  }
-}
-
 }  // namespace
 
 void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
@@ -186,27 +123,6 @@ void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
   check_runs(protocol);
   check_scale(protocol);
   check_questions(protocol);
-}
-
-void check_levels(const Protocol& protocol) {
-  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
-    const Factor& factor = protocol.design.factors[i];
-    for (std::size_t j = 0; j < factor.levels.size(); ++j) {
-      const json scene = scene_under(protocol, {{factor.name, factor.levels[j]}});
-      const std::string message = complaint(scene);
-      if (!message.empty()) {
-        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j), message);
-      }
-    }
-  }
-  for (const Condition& cell : cells(protocol.design)) {
-    const auto problems = scene_problems(scene_under(protocol, cell));
-    if (!problems.empty()) {
-      refuse(protocol.document, "/design/factors",
-             problems.front().pointer + " of the scene under " + to_json(cell).dump() + ": " +
-                 problems.front().message);
-    }
-  }
 }
 
 void check_practice(const JsonDocument& protocol) {
@@ -256,82 +172,12 @@ void check_practice_rule(const JsonDocument& protocol) {
   }
 }
 
-void check_demonstrations(const Protocol& protocol) {
-  const json entries = protocol.document.value["session"].value("demonstrations", json::array());
-  std::set<std::string> ids;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string place = item("/session/demonstrations", i);
-    const auto id = entries[i]["id"].get<std::string>();
-    if (!ids.insert(id).second) {
-      refuse(protocol.document, place + "/id",
-             "expected an id of its own, got " + json(id).dump() + " again");
-    }
-    const json& values = entries[i]["set"];
-    for (auto value = values.begin(); value != values.end(); ++value) {
-      if (!names_single_value(protocol.scene.value, value.key())) {
-        refuse(protocol.document, place + "/set",
-               "expected pointers to single values of " + protocol.scene.name + ", got \"" +
-                   value.key() + "\"");
-      }
-    }
-    const json scene = demonstration_scene(protocol, id);
-    const std::string message = complaint(scene);
-    if (!message.empty()) {
-      refuse(protocol.document, place + "/set", message);
-    }
-    if (depends_on_gaze(scene["engine"])) {
-      refuse(
-          protocol.document, place + "/set",
-          "expected a scene whose detail does not depend on the gaze, which is not followed yet");
-    }
-  }
-}
-
-void check_gaze(const Protocol& protocol) {
-  if (protocol.document.value.contains("gaze")) {
-    return;
-  }
-  for (const Condition& cell : cells(protocol.design)) {
-    if (depends_on_gaze(scene_under(protocol, cell)["engine"])) {
-      refuse(
-          protocol.document, "",
-          "expected the key \"gaze\", because the detail of collisions depends on the gaze under " +
-              to_json(cell).dump() + ", but it is missing");
-    }
-  }
-}
-
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed) {
   try {
     return make_plan(protocol.design, {protocol.name, participant, seed});
   } catch (const std::runtime_error&) {
     refuse(protocol.document, "/design/longest_runs",
            "expected rules that some order of the trials keeps to, but none was found");
-  }
-}
-
-void check_scale_for_observer(const Protocol& protocol, std::size_t observer_points) {
-  const RatingScale& scale = protocol.script.scale;
-  const auto points = static_cast<std::size_t>(scale.maximum - scale.minimum + 1);
-  if (points != observer_points) {
-    refuse(protocol.document, "/rating",
-           "expected a scale of " + std::to_string(observer_points) +
-               " points, as the simulated participant rates (one more than its file has cuts), "
-               "got " +
-               std::to_string(points) + ", from " + std::to_string(scale.minimum) + " to " +
-               std::to_string(scale.maximum));
-  }
-}
-
-void check_frames(const Protocol& protocol, double refresh_hz, bool allow_rounding) {
-  for (const FrameBoundValue& bound : frame_bound_values()) {
-    if (!(allow_rounding && bound.may_round)) {
-      check_frame_bound(protocol, bound, refresh_hz);
-    }
-  }
-  const json& fixation = protocol.document.value["timing"]["fixation_ms"];
-  if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
-    refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
   }
 }
 

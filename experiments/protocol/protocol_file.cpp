@@ -9,6 +9,7 @@
 
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/validation.hpp"
 

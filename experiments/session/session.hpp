@@ -2,27 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
-#include <set>
-#include <string>
-
+#include "experiments/session/conversation.hpp"
 #include "experiments/session/plan.hpp"
-#include "experiments/session/practice.hpp"
 #include "experiments/session/script.hpp"
+#include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus {
-
-/// What earlier sessions of this enrolment already have; empty for a first session.
-struct SessionHistory {
-  std::set<std::int64_t> completed_slots;
-  std::map<std::int64_t, std::int64_t> attempts;    ///< made so far, by slot
-  std::set<std::string> answered;                   ///< ids of questions outside trials
-  std::map<std::int64_t, PracticeResult> practice;  ///< of completed ones by slot; no conditions
-  bool resumed{false};
-};
-
-enum class SessionEnding { kFinished, kQuit, kDeclined, kDisplayClosed };
 
 struct SessionResult {
   SessionEnding ending{SessionEnding::kQuit};

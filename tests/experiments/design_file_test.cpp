@@ -1,6 +1,7 @@
 // What a valid protocol becomes: its design, its hash, its conditions, its frames.
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "tests/experiments/refusals.hpp"

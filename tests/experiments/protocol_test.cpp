@@ -1,6 +1,8 @@
 // What a protocol and its scene must be: every refusal, word for word.
 // SPDX-License-Identifier: MIT
+#include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/experiments/refusals.hpp"
@@ -226,7 +228,10 @@ TEST(ProtocolChecks, QuestionsHaveIdsAndSensibleAnswers) {
 
 TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   const auto refused = [](Study study, std::size_t observer_points) {
-    return refusal([&] { check_scale_for_observer(study.made(), observer_points); });
+    ObserverFile observer = load_observer(
+        "causality", std::filesystem::path(IMPETUS_SOURCE_DIR) / kProtocolName);
+    std::get<CausalityParameters>(observer.parameters).cuts.resize(observer_points - 1);
+    return refusal([&] { check_observer(study.made(), observer); });
   };
   EXPECT_EQ(refused(Study(), 3), "accepted");
   EXPECT_EQ(refused(Study().with("/rating/best", 3), 3), "accepted");

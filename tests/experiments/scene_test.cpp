@@ -219,10 +219,10 @@ TEST(Scene, WhatMeetsHasNoPlaceAndWhatDoesNotHasOne) {
             "/: expected the key \"duration_s\" where nothing meets, which is missing");
   json empty = free_scene();
   empty.erase("bodies");
-  EXPECT_EQ(scene_refusal(empty), ":/: expected the key \"bodies\" or \"crowd\", both are missing");
+  EXPECT_EQ(scene_refusal(empty), "/: expected the key \"bodies\" or \"crowd\", both are missing");
   json meeting = json::parse(shipped(kSceneName));
   meeting["bodies"][0]["position_deg"] = {0, 0, 0};
-  EXPECT_EQ(scene_refusal(meeting), ":/bodies/0/position_deg: expected none where bodies meet");
+  EXPECT_EQ(scene_refusal(meeting), "/bodies/0/position_deg: expected none where bodies meet");
 }
 
 TEST(Scene, ABudgetIsInTestsOrInMilliseconds) {

@@ -1,0 +1,28 @@
+// Whether every scene that a protocol makes can be shown; each refusal is one sentence.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiments/protocol/protocol_file.hpp"
+
+namespace impetus {
+
+/// Whether `pointer` leads to a number, text or boolean of the scene.
+bool names_single_value(const nlohmann::json& scene, const std::string& pointer);
+
+/// Every level and every cell, put into the scene, leaves a scene that can be shown. Throws
+/// InputError.
+void check_levels(const Protocol& protocol);
+
+/// Every demonstration's scene can be shown and needs no gaze. Throws InputError.
+void check_demonstrations(const Protocol& protocol);
+
+/// Where the detail of collisions depends on the gaze, the gaze is followed. Throws InputError.
+void check_gaze(const Protocol& protocol);
+
+/// Every duration that must fall on the display's frames does. `allow_rounding` lets an imposed
+/// hold be rounded; what was realised is stored. Throws InputError.
+void check_frames(const Protocol& protocol, double refresh_hz, bool allow_rounding);
+
+}  // namespace impetus

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/conversation.hpp"
+
+#include "experiments/session/session_pages.hpp"
+
+namespace impetus {
+
+std::optional<Answer> Conversation::ask(const Page& page) {
+  while (true) {
+    Answer answer = input_.ask(page);
+    if (answer.interruption == Interruption::kNone) {
+      return answer;
+    }
+    if (!handle(answer.interruption)) {
+      return std::nullopt;
+    }
+  }
+}
+
+bool Conversation::handle(Interruption interruption) {
+  return interruption == Interruption::kPauseRequested ? pause() : display_closed();
+}
+
+bool Conversation::pause() {
+  recorder_.save(NoteRecord{"pause", standing_.progress().label});
+  while (true) {
+    const Answer answer = input_.ask(pause_page(standing_.progress()));
+    if (answer.interruption == Interruption::kDisplayClosed) {
+      return display_closed();
+    }
+    if (answer.choice == kContinueChoice) {
+      recorder_.save(NoteRecord{"continue", ""});
+      return true;
+    }
+    const Answer sure = input_.ask(quit_page(standing_.progress()));
+    if (sure.interruption == Interruption::kDisplayClosed) {
+      return display_closed();
+    }
+    if (sure.choice == kQuitChoice) {
+      recorder_.save(NoteRecord{"quit", ""});
+      return end(SessionEnding::kQuit);
+    }
+  }
+}
+
+bool Conversation::display_closed() {
+  recorder_.save(NoteRecord{"display closed", ""});
+  return end(SessionEnding::kDisplayClosed);
+}
+
+bool Conversation::end(SessionEnding ending) {
+  ending_ = ending;
+  return false;
+}
+
+}  // namespace impetus

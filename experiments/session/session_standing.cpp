@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/session_standing.hpp"
+
+#include <algorithm>
+
+namespace impetus {
+
+void SessionStanding::complete(const PlannedTrial& trial, std::int64_t rating,
+                               std::int64_t clicks) {
+  newly_completed_.insert(trial.slot);
+  if (trial.phase == TrialPhase::kPractice) {
+    practice_[trial.slot] = {trial.condition, rating, clicks};
+  }
+}
+
+PhaseTrials SessionStanding::trials_of(TrialPhase phase, std::int64_t round) const {
+  PhaseTrials trials;
+  for (const PlannedTrial& trial : plan_) {
+    if (trial.phase != phase || (round > 0 && trial.repetition != round)) {
+      continue;
+    }
+    ++trials.total;
+    if (!is_completed(trial.slot)) {
+      trials.waiting.push_back(&trial);
+    }
+  }
+  return trials;
+}
+
+std::vector<PracticeResult> SessionStanding::practice_results(std::int64_t round) const {
+  std::vector<PracticeResult> results;
+  for (const PlannedTrial& trial : plan_) {
+    const auto found = practice_.find(trial.slot);
+    if (trial.phase == TrialPhase::kPractice && trial.repetition == round &&
+        found != practice_.end()) {
+      results.push_back({trial.condition, found->second.rating, found->second.clicks});
+    }
+  }
+  return results;
+}
+
+bool SessionStanding::main_has_begun() const {
+  const PhaseTrials main = trials_of(TrialPhase::kMain, 0);
+  return static_cast<std::int64_t>(main.waiting.size()) < main.total;
+}
+
+std::int64_t SessionStanding::last_round() const {
+  std::int64_t last = 0;
+  for (const PlannedTrial& trial : plan_) {
+    last = trial.phase == TrialPhase::kPractice ? std::max(last, trial.repetition) : last;
+  }
+  return last;
+}
+
+std::int64_t SessionStanding::attempts_before(std::int64_t slot) const {
+  const auto found = history_.attempts.find(slot);
+  return found == history_.attempts.end() ? 0 : found->second;
+}
+
+std::int64_t SessionStanding::completed_count() const {
+  return static_cast<std::int64_t>(history_.completed_slots.size() + newly_completed_.size());
+}
+
+Progress SessionStanding::progress() const {
+  const auto total = std::count_if(plan_.begin(), plan_.end(), [&](const PlannedTrial& trial) {
+    return trial.phase == TrialPhase::kMain || trial.repetition <= round_ ||
+           is_completed(trial.slot);
+  });
+  return {completed_count(), total, ""};
+}
+
+Progress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,
+                                         std::int64_t total) const {
+  Progress here = progress();
+  here.label = std::string(phase == TrialPhase::kPractice ? "Practice " : "Trial ") +
+               std::to_string(number) + " of " + std::to_string(total);
+  return here;
+}
+
+bool SessionStanding::is_completed(std::int64_t slot) const {
+  return history_.completed_slots.contains(slot) || newly_completed_.contains(slot);
+}
+
+}  // namespace impetus

@@ -1,0 +1,71 @@
+// Where a session stands: which trials wait, which are done, how far that is.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "experiments/session/page.hpp"
+#include "experiments/session/plan.hpp"
+#include "experiments/session/practice.hpp"
+
+namespace impetus {
+
+/// What earlier sessions of this enrolment already have; empty for a first session.
+struct SessionHistory {
+  std::set<std::int64_t> completed_slots;
+  std::map<std::int64_t, std::int64_t> attempts;    ///< made so far, by slot
+  std::set<std::string> answered;                   ///< ids of questions outside trials
+  std::map<std::int64_t, PracticeResult> practice;  ///< of completed ones by slot; no conditions
+  bool resumed{false};
+};
+
+/// The trials of one phase, or of one round of practice, in the order of the plan.
+struct PhaseTrials {
+  std::vector<const PlannedTrial*> waiting;
+  std::int64_t total{0};
+};
+
+class SessionStanding {
+ public:
+  /// Both must outlive this.
+  SessionStanding(const Plan& plan, const SessionHistory& history)
+      : plan_(plan), history_(history), practice_(history.practice) {}
+
+  /// The trial is done, with this rating and so many clicks.
+  void complete(const PlannedTrial& trial, std::int64_t rating, std::int64_t clicks);
+
+  /// Practice has come to this round; later ones may never be needed.
+  void begin_round(std::int64_t round) { round_ = round; }
+
+  /// `round` of practice; 0 for all rounds, and for the main trials.
+  [[nodiscard]] PhaseTrials trials_of(TrialPhase phase, std::int64_t round) const;
+
+  /// What was done in a round of practice, in whatever session.
+  [[nodiscard]] std::vector<PracticeResult> practice_results(std::int64_t round) const;
+
+  [[nodiscard]] bool main_has_begun() const;
+  [[nodiscard]] std::int64_t last_round() const;  ///< of practice that is planned; 0: none
+  [[nodiscard]] std::int64_t attempts_before(std::int64_t slot) const;
+  [[nodiscard]] std::int64_t completed_count() const;  ///< earlier sessions included
+
+  /// Of the trials that are expected: rounds of practice after the present one are not.
+  [[nodiscard]] Progress progress() const;
+  /// The same, labelled "Practice 2 of 6" or "Trial 12 of 81".
+  [[nodiscard]] Progress trial_progress(TrialPhase phase, std::int64_t number,
+                                        std::int64_t total) const;
+
+ private:
+  [[nodiscard]] bool is_completed(std::int64_t slot) const;
+
+  const Plan& plan_;
+  const SessionHistory& history_;
+  std::set<std::int64_t> newly_completed_;
+  std::map<std::int64_t, PracticeResult> practice_;  ///< by slot
+  std::int64_t round_{1};
+};
+
+}  // namespace impetus
