@@ -32,58 +32,29 @@ std::vector<std::string> facts_of(const StoredAttempt& attempt) {
   return facts;
 }
 
-std::vector<TimelineMark> marks_of(StudyFile& study, const StoredAttempt& attempt,
-                                   const StagedScene& scene) {
+/// What the participant did, and frames that came late.
+void add_marks(StudyFile& study, const StoredAttempt& attempt, std::vector<TimelineMark>& marks) {
   using Kind = TimelineMark::Kind;
-  std::vector<TimelineMark> marks;
-  if (scene.contact_s > 0.0) {
-    marks.push_back({Kind::kContact, scene.contact_s, scene.contact_s, "contact"});
-  }
-  if (scene.realised_hold_s > 0.0) {
-    marks.push_back(
-        {Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s, "imposed hold"});
-  }
   if (attempt.rating) {
     const double at_s = static_cast<double>(attempt.answered_ns - attempt.onset_ns) / 1e9;
     marks.push_back({Kind::kResponse, at_s, at_s, "rated " + std::to_string(*attempt.rating)});
   }
   for (const std::int64_t click_ns : load_clicks(study, attempt.id)) {
     const double at_s = static_cast<double>(click_ns - attempt.onset_ns) / 1e9;
-    marks.push_back({Kind::kResponse, at_s, at_s, "click"});
+    marks.push_back({Kind::kClick, at_s, at_s, ""});
   }
   for (const LateFrame& frame : load_late_frames(study, attempt.id)) {
     marks.push_back({Kind::kLateFrame, frame.shown_time_s, frame.shown_time_s,
                      "late by " + std::to_string(frame.missed_slots)});
   }
-  return marks;
-}
-
-/// An interrupted trial has no more than was shown: neither time nor marks after it.
-void stop_where_it_was_interrupted(ReplayView& view) {
-  const double shown_s = static_cast<double>(view.states.size() - 1) / view.step_hz;
-  if (shown_s < view.duration_s) {
-    view.duration_s = shown_s;
-    std::erase_if(view.marks, [&](const TimelineMark& mark) { return mark.begin_s > shown_s; });
-  }
 }
 
 ReplayView view_of(StudyFile& study, ReplayLibrary& library, const StoredAttempt& attempt) {
-  StagedScene scene = library.stage(attempt);
-  ReplayView view;
+  ReplayView view = view_of(library.stage(attempt), library.steps(attempt));
   view.title = title_of(attempt);
   view.facts = facts_of(attempt);
-  view.viewer = scene.viewer;
-  view.looks = scene.looks;
-  view.enclosure = scene.world.settings().enclosure;
-  view.step_hz = scene.step_hz;
-  view.duration_s = scene.duration_s;
-  view.marks = marks_of(study, attempt, scene);
-  const ReplayResult result = replay(std::move(scene), library.steps(attempt),
-                                     [&view](std::int64_t, const World& world, const StepReport&) {
-                                       view.states.push_back(world.states());
-                                     });
-  stop_where_it_was_interrupted(view);
-  view.agrees = !result.divergence;
+  add_marks(study, attempt, view.marks);
+  end_with_last_step(view);
   return view;
 }
 

@@ -18,6 +18,9 @@ constexpr double kMostCaughtUp_s = 0.1;
 /// What the steps of one frame may take by the clock; then the run falls behind.
 constexpr std::int64_t kMostPerFrameNs = 30'000'000;
 
+/// Of random regions: a preview has no trial whose seed they would follow.
+constexpr std::uint64_t kPlacesSeed = 1;
+
 constexpr double kStepsAveraged = 30.0;
 constexpr double kPaceAveraged_s = 0.5;
 
@@ -35,10 +38,13 @@ PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
     : clock_(&clock),
       start_(scene),
       scene_(std::move(scene)),
+      regions_(scene_, kPlacesSeed),
       settings_(settings_of(scene_)),
       start_energy_J_(energy_J(scene_.world)),
       before_(scene_.world.states()),
-      levels_(before_.size()) {}
+      levels_(before_.size()) {
+  regions_.set_rule(settings_.region);
+}
 
 void PreviewRun::advance(double real_s) {
   if (!playing_) {
@@ -72,6 +78,9 @@ void PreviewRun::restart() {
   const Schedule schedule = scene_.world.settings().schedule;
   scene_ = start_;
   scene_.world.set_schedule(schedule);
+  regions_ = RegionSource(scene_, kPlacesSeed);
+  regions_.set_rule(settings_.region);
+  input_ = {};
   before_ = scene_.world.states();
   levels_.assign(before_.size(), {});
   position_ = 0.0;
@@ -85,6 +94,7 @@ void PreviewRun::restart() {
 
 void PreviewRun::change(const PreviewSettings& settings) {
   settings_ = settings;
+  regions_.set_rule(settings_.region);
   Schedule schedule = schedule_of(settings_);
   problem_ = problem_of(schedule);
   if (problem_.empty()) {
@@ -96,12 +106,23 @@ std::optional<GazeRegion> PreviewRun::region() const {
   if (scene_.world.settings().schedule.rule != ListRule::kRegion) {
     return std::nullopt;
   }
-  return GazeRegion{gaze_.value_or(ScreenPoint{}), settings_.region_radius_deg};
+  if (settings_.region.kind == RegionKind::kTracked) {
+    return GazeRegion{looked_at(), settings_.region.radius_deg};
+  }
+  return input_.region;
+}
+
+ScreenPoint PreviewRun::looked_at() const { return gaze_.value_or(ScreenPoint{}); }
+
+std::optional<GazeRegion> PreviewRun::region_of_step() {
+  const std::optional<GazeRegion> region = regions_.at(step_ + 1, looked_at());
+  const bool by_region = scene_.world.settings().schedule.rule == ListRule::kRegion;
+  return by_region ? region : std::nullopt;
 }
 
 void PreviewRun::step_once() {
   before_ = scene_.world.states();
-  input_ = {1.0 / scene_.step_hz, scene_.viewer, gaze_, region()};
+  input_ = {1.0 / scene_.step_hz, scene_.viewer, gaze_, region_of_step()};
   const std::int64_t started_ns = clock_->now_ns();
   const StepReport report = step_world(input_);
   const double taken_ms = static_cast<double>(clock_->now_ns() - started_ns) / 1e6;

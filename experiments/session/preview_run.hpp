@@ -17,6 +17,7 @@
 #include "experiments/session/pairs_of_step.hpp"
 #include "experiments/session/ports.hpp"
 #include "experiments/session/preview_settings.hpp"
+#include "experiments/session/region_source.hpp"
 
 namespace impetus {
 
@@ -59,7 +60,7 @@ class PreviewRun {
   /// Where the viewer looks from the next step on.
   void look_at(const ScreenPoint& point) { gaze_ = point; }
   [[nodiscard]] const Fixation& gaze() const { return gaze_; }
-  /// The region that the next step is given.
+  /// The region of the last step; one about the gaze is where the next step will have it.
   [[nodiscard]] std::optional<GazeRegion> region() const;
 
   [[nodiscard]] const StagedScene& scene() const { return scene_; }
@@ -92,6 +93,9 @@ class PreviewRun {
 
  private:
   void step_once();
+  /// The gaze, or the centre of the screen as long as the mouse was nowhere.
+  [[nodiscard]] ScreenPoint looked_at() const;
+  std::optional<GazeRegion> region_of_step();
   StepReport step_world(const StepInput& input);
   void keep(const StepReport& report);
   void find_pairs();
@@ -105,6 +109,7 @@ class PreviewRun {
   const Clock* clock_;
   StagedScene start_;
   StagedScene scene_;
+  RegionSource regions_;
   PreviewSettings settings_;
   std::string problem_;
   Fixation gaze_;

@@ -2,6 +2,8 @@
 #include "experiments/session/preview_settings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <typeinfo>
 
@@ -49,6 +51,30 @@ void spread_thresholds(PreviewSettings& settings) {
   }
 }
 
+RegionRule region_of(const StagedScene& scene) {
+  constexpr double kUsualRadius_deg = 5.0;
+  constexpr double kUsualRenewal_s = 0.25;
+  RegionRule region = scene.region;
+  if (region.kind == RegionKind::kNone) {
+    region = {RegionKind::kTracked, kUsualRadius_deg, 0};
+  }
+  if (region.renewal_steps == 0) {
+    region.renewal_steps = std::max<std::int64_t>(1, std::llround(kUsualRenewal_s * scene.step_hz));
+  }
+  return region;
+}
+
+void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
+  if (budget.ns_per_step > 0) {
+    settings.budget = BudgetUnit::kMilliseconds;
+    settings.ms_per_step = static_cast<double>(budget.ns_per_step) / 1e6;
+  } else if (budget.tests_per_step < kUnlimitedTests) {
+    settings.budget = BudgetUnit::kTests;
+    settings.tests_per_step = static_cast<int>(
+        std::min<std::int64_t>(budget.tests_per_step, std::numeric_limits<int>::max()));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> scheduler_names() {
@@ -79,6 +105,8 @@ PreviewSettings settings_of(const StagedScene& scene) {
   }
   settings.scheduler = name_of(schedule);
   settings.list_count = std::min(static_cast<int>(schedule.lists.size()), kMostPreviewLists);
+  settings.region = region_of(scene);
+  take_budget(settings, scene.budget);
   spread_thresholds(settings);
   for (int i = 0; i < settings.list_count; ++i) {
     const PriorityList& list = schedule.lists[at(i)];

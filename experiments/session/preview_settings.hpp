@@ -1,4 +1,4 @@
-// What a preview's controls say: scheduler, lists and budget, as plain data.
+// What a preview's controls say: scheduler, lists, region and budget, as plain data.
 //
 //   controls -> PreviewSettings -> Schedule, for the next step
 //
@@ -30,8 +30,8 @@ struct PreviewSettings {
   std::string scheduler{"distance"};  ///< one of scheduler_names()
   int list_count{1};                  ///< 1 to kMostPreviewLists; two for "region"
   std::array<PreviewList, kMostPreviewLists> lists{};
-  int finest_level{0};  ///< of all trees of the scene
-  double region_radius_deg{5.0};
+  int finest_level{0};                               ///< of all trees of the scene
+  RegionRule region{RegionKind::kTracked, 5.0, 60};  ///< for the scheduler "region"
   BudgetUnit budget{BudgetUnit::kUnlimited};
   int tests_per_step{500};
   double ms_per_step{0.2};
@@ -49,7 +49,8 @@ struct ThresholdRange {
 };
 ThresholdRange threshold_range(const std::string& scheduler);
 
-/// As the scene's own schedule is, where it fits the controls; otherwise one list.
+/// As the scene's own schedule, region and budget are, where they fit the controls; otherwise one
+/// list, a region about the mouse that is renewed every quarter of a second, no limit.
 PreviewSettings settings_of(const StagedScene& scene);
 
 /// Another scheduler, with thresholds spread over its range; "region" brings its two lists.

@@ -25,6 +25,9 @@ class RegionSource {
   /// Random places follow from `seed`, the trial's.
   RegionSource(const StagedScene& scene, std::uint64_t seed);
 
+  /// Another rule from the next step on; random places go on as they were drawn.
+  void set_rule(const RegionRule& rule) { rule_ = rule; }
+
   /// The region of a step. Steps come in order, from 1; none may be left out.
   std::optional<GazeRegion> at(std::int64_t step, const Fixation& fixation);
 

@@ -151,7 +151,7 @@ class Session {
     if (trials.waiting.empty()) {
       return true;
     }
-    if (!ask(phase_intro(phase, trials.waiting.size(), progress()))) {
+    if (!ask(phase_intro(phase, round, trials.waiting.size(), progress()))) {
       return false;
     }
     std::int64_t done = trials.total - static_cast<std::int64_t>(trials.waiting.size());

@@ -55,12 +55,13 @@ Page demographics_page(const std::vector<Field>& fields, const Progress& progres
   return page;
 }
 
-Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress) {
+Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
+                 const Progress& progress) {
   const std::string count = std::to_string(trials) + (trials == 1 ? " trial" : " trials");
   if (phase == TrialPhase::kPractice) {
-    return text_page(
-        {"Practice", {"First, " + count + " to get used to the scale: they do not count."}},
-        progress);
+    const std::string words = (round > 1 ? "Again, " : "First, ") + count;
+    return text_page({"Practice", {words + " to get used to the task: they do not count."}},
+                     progress);
   }
   return text_page(
       {"Ready?",
@@ -84,7 +85,10 @@ Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t c
   }
   text.paragraphs.push_back("On the scale, " + std::to_string(rating) + " means " +
                             meaning_of(script.scale, rating) + ".");
-  text.paragraphs.emplace_back("There are no right or wrong answers: it is how it looked to you.");
+  if (!script.practice_rule) {  // which would ask for better ones
+    text.paragraphs.emplace_back(
+        "There are no right or wrong answers: it is how it looked to you.");
+  }
   return text_page(text, progress);
 }
 

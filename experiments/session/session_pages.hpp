@@ -18,7 +18,9 @@ Text welcome_back(std::int64_t completed_trials);
 Page text_page(const Text& text, const Progress& progress);
 Page consent_page(const Text& text, const Progress& progress);
 Page demographics_page(const std::vector<Field>& fields, const Progress& progress);
-Page phase_intro(TrialPhase phase, std::size_t trials, const Progress& progress);
+/// Before the trials of a phase; `round` is of practice, 1 for the first.
+Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
+                 const Progress& progress);
 
 /// After a demonstration: on, or the same again.
 Page demonstration_over(const Text& text, const Progress& progress);

@@ -94,6 +94,7 @@ class Attempt {
       take_clicks();
       if (frame == 0) {
         result_.record.onset_ns = result_.record.frames.back().flip.flipped_ns;
+        result_.record.clicks.clear();  // made before there was anything to see
       }
     }
     take_simulation(last_frame);

@@ -21,6 +21,9 @@ inline constexpr ImU32 kWarning = IM_COL32(132, 44, 24, 255);
 
 inline constexpr ImU32 kContact = IM_COL32(160, 40, 32, 255);
 inline constexpr ImU32 kHold = IM_COL32(196, 142, 42, 255);
+inline constexpr ImU32 kFineCollision = IM_COL32(40, 96, 168, 255);
+inline constexpr ImU32 kCoarseCollision = IM_COL32(204, 92, 20, 255);
+inline constexpr ImU32 kClick = IM_COL32(28, 28, 30, 255);
 inline constexpr ImU32 kResponse = IM_COL32(30, 110, 62, 255);
 inline constexpr ImU32 kLateFrame = IM_COL32(106, 62, 136, 255);
 

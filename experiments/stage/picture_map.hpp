@@ -20,6 +20,7 @@ class PictureMap {
   /// The viewer's screen fills the area exactly. `window_height_px` is the whole window's.
   PictureMap(const Viewer& viewer, const PixelArea& area, int window_height_px);
 
+  [[nodiscard]] const Viewer& viewer() const { return viewer_; }
   /// Where a point of the world is seen; nothing when it is not in front of the eye.
   [[nodiscard]] std::optional<WindowPoint> seen(const Vector3& p_WP) const;
   [[nodiscard]] WindowPoint at(const ScreenPoint& point) const;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "experiments/stage/gaze_overlay.hpp"
 
 namespace impetus {
 namespace {
@@ -84,35 +84,7 @@ class OverlayDrawing {
     draw_.AddCircleFilled(pixel(*from), 5.0F, colour(colour_of_list(contact.list), opacity));
   }
 
-  void gaze(const ScreenPoint& point) {
-    constexpr float kArm = 7.0F;
-    const ImVec2 at = pixel(map_.at(point));
-    draw_.AddLine(ImVec2(at.x - kArm, at.y), ImVec2(at.x + kArm + 1, at.y), kGazeColour, 1.5F);
-    draw_.AddLine(ImVec2(at.x, at.y - kArm), ImVec2(at.x, at.y + kArm + 1), kGazeColour, 1.5F);
-  }
-
-  /// Where the cone of the region's angle about the line of sight meets the glass.
-  void region(const GazeRegion& region) {
-    constexpr int kCorners = 72;
-    const Viewer& viewer = run_.scene().viewer;
-    const Vector3 ahead = (on_screen(viewer, region.centre) - viewer.eye).normalized();
-    const Vector3 across = ahead.cross(viewer.up).normalized();
-    const Vector3 along = across.cross(ahead);
-    const SineCosine radius = sine_cosine_deg(region.radius_deg);
-    for (int corner = 0; corner < kCorners; ++corner) {
-      const SineCosine round = sine_cosine_deg(360.0 * corner / kCorners);
-      const Vector3 direction =
-          radius.cosine * ahead + radius.sine * (round.cosine * across + round.sine * along);
-      if (const auto point = map_.seen(viewer.eye + direction)) {
-        draw_.PathLineTo(pixel(*point));
-      }
-    }
-    draw_.PathStroke(kGazeColour, ImDrawFlags_Closed, 1.5F);
-  }
-
  private:
-  static constexpr ImU32 kGazeColour = IM_COL32(20, 70, 30, 255);
-
   void line(const Vector3& from, const Vector3& to, int list) {
     const auto begin = map_.seen(from);
     const auto end = map_.seen(to);
@@ -189,10 +161,10 @@ void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const
     }
   }
   if (overlays.gaze && run.gaze()) {
-    drawing.gaze(*run.gaze());
+    draw_gaze(map, *run.gaze());
   }
   if (overlays.gaze && run.region()) {
-    drawing.region(*run.region());
+    draw_region(map, *run.region());
   }
 }
 

@@ -19,6 +19,22 @@ struct Speed {
 };
 constexpr std::array<Speed, 4> kSpeeds{{{1.0, "1"}, {0.5, "½"}, {0.25, "¼"}, {0.1, "1/10"}}};
 
+struct RegionChoice {
+  RegionKind kind;
+  const char* name;
+};
+/// As scene files name them.
+constexpr std::array<RegionChoice, 4> kRegions{{{RegionKind::kTracked, "tracked"},
+                                                {RegionKind::kRandom, "random"},
+                                                {RegionKind::kAllGood, "all-good"},
+                                                {RegionKind::kAllBad, "all-bad"}}};
+
+const char* name_of(RegionKind kind) {
+  const auto* const found = std::find_if(
+      kRegions.begin(), kRegions.end(), [kind](const auto& choice) { return choice.kind == kind; });
+  return found == kRegions.end() ? "" : found->name;
+}
+
 constexpr const char* kDragHint = " Drag to change, double-click to type.";
 
 class Panel {
@@ -119,8 +135,8 @@ class Panel {
       ImGui::EndCombo();
     }
     panel_tooltip(
-        "What decides a pair's list and its order there. region: pairs within a circle "
-        "about the mouse come first.");
+        "What decides a pair's list and its order there. region: pairs within a circle, such as "
+        "one about the mouse, come first.");
     const bool by_region = settings_.scheduler == "region";
     ImGui::BeginDisabled(by_region);
     labelled("lists");
@@ -133,14 +149,36 @@ class Panel {
     panel_tooltip(by_region ? "A region has two: within, and elsewhere."
                             : "Number of priority lists, 1 to 4.");
     ImGui::BeginDisabled(!by_region);
-    labelled("region's radius");
-    auto radius_deg = static_cast<float>(settings_.region_radius_deg);
+    draw_region_rule();
+    ImGui::EndDisabled();
+  }
+
+  void draw_region_rule() {
+    RegionRule& region = settings_.region;
+    labelled("region");
+    if (ImGui::BeginCombo("##region", name_of(region.kind))) {
+      for (const RegionChoice& choice : kRegions) {
+        if (ImGui::Selectable(choice.name, choice.kind == region.kind)) {
+          region.kind = choice.kind;
+          changed_ = true;
+        }
+      }
+      ImGui::EndCombo();
+    }
+    panel_tooltip(
+        "For the scheduler \"region\". tracked: about the mouse. random: about places that are "
+        "drawn anew all the time. all-good: everywhere. all-bad: nowhere.");
+    const bool has_radius =
+        region.kind == RegionKind::kTracked || region.kind == RegionKind::kRandom;
+    ImGui::BeginDisabled(!has_radius);
+    labelled("its radius");
+    auto radius_deg = static_cast<float>(region.radius_deg);
     if (ImGui::SliderFloat("##radius", &radius_deg, 0.5F, 20.0F, "%.1f °")) {
-      settings_.region_radius_deg = radius_deg;
+      region.radius_deg = radius_deg;
       changed_ = true;
     }
     ImGui::EndDisabled();
-    panel_tooltip("Degrees of visual angle about the mouse; for the scheduler \"region\".");
+    panel_tooltip("Degrees of visual angle; for a region that is tracked or random.");
   }
 
   void draw_lists() {
@@ -257,7 +295,7 @@ class Panel {
     box("contacts", overlays_.contacts,
         "Contact points with their normals, kept in view for a quarter of a second.");
     ImGui::SameLine(column);
-    box("gaze, region", overlays_.gaze, "Where the mouse says you look, and the region about it.");
+    box("gaze, region", overlays_.gaze, "Where the mouse says you look, and the region.");
     box("volumes", overlays_.volumes, "The spheres that stand for the bodies.");
     ImGui::SameLine(column);
     draw_volume_level();

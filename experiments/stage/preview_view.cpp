@@ -14,6 +14,7 @@
 #include "experiments/stage/preview_overlays.hpp"
 #include "experiments/stage/preview_panel.hpp"
 #include "experiments/stage/volume_levels.hpp"
+#include "experiments/stage/widgets.hpp"
 #include "experiments/stage/work_chart.hpp"
 
 namespace impetus {
@@ -117,11 +118,7 @@ class PreviewScreen {
 
   void draw_over(const PixelArea& area, const PictureMap& map,
                  const std::vector<PosedBody>& bodies) {
-    const auto left = static_cast<float>(area.left);
-    const float top = canvas_.gui.height() - static_cast<float>(area.bottom + area.height);
-    ImGui::PushClipRect(
-        ImVec2(left, top),
-        ImVec2(left + static_cast<float>(area.width), top + static_cast<float>(area.height)), true);
+    push_clip_rect(area, canvas_.gui.height());
     draw_overlays(run_, overlays_, map, bodies);
     ImGui::PopClipRect();
   }

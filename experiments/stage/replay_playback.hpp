@@ -36,6 +36,8 @@ class ReplayPlayback {
   /// From onset to the end of the stimulus or of the last mark, whichever is later.
   [[nodiscard]] double span_s() const { return span_s_; }
 
+  /// What the present step was told of the gaze.
+  [[nodiscard]] GazeInput gaze() const { return gaze_of_step(replay_, step_number()); }
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
 

@@ -17,15 +17,21 @@ struct MarkLook {
   ImU32 colour;
   const char* name;
 };
-constexpr std::array<MarkLook, 4> kLooks{
+constexpr std::array<MarkLook, 7> kLooks{
     {{TimelineMark::Kind::kContact, palette::kContact, "contact"},
      {TimelineMark::Kind::kHold, palette::kHold, "hold"},
+     {TimelineMark::Kind::kFineCollision, palette::kFineCollision, "collision, finest level"},
+     {TimelineMark::Kind::kCoarseCollision, palette::kCoarseCollision, "collision, coarser"},
+     {TimelineMark::Kind::kClick, palette::kClick, "click"},
      {TimelineMark::Kind::kResponse, palette::kResponse, "response"},
      {TimelineMark::Kind::kLateFrame, palette::kLateFrame, "late frame"}}};
 
 /// Vertical places, from the bar's top, in small-text sizes.
 constexpr float kTrackTop = 1.5F;
 constexpr float kTrackBottom = 2.9F;
+constexpr float kClickTop = 1.15F;
+constexpr float kClickBottom = 2.0F;
+constexpr float kCollisionTop = 2.2F;
 constexpr float kKeyTop = 3.9F;
 constexpr float kWholeHeight = 5.2F;
 
@@ -56,12 +62,26 @@ class TimelineDrawing {
     const float left = x(mark.begin_s);
     ImVec2 from(left - 1.5F, y(kTrackTop) - 3.0F);
     ImVec2 to(left + 1.5F, y(kTrackBottom) + 3.0F);
-    if (mark.kind == TimelineMark::Kind::kHold) {
-      from = ImVec2(left, y(kTrackTop) + 1.0F);
-      to = ImVec2(std::max(left + 2.0F, x(mark.end_s)), y(kTrackBottom) - 1.0F);
-    } else if (mark.kind == TimelineMark::Kind::kLateFrame) {
-      from = ImVec2(left - 1.0F, y(kTrackBottom) + 2.0F);
-      to = ImVec2(left + 1.0F, y(kTrackBottom + 0.6F));
+    switch (mark.kind) {
+      case TimelineMark::Kind::kHold:
+        from = ImVec2(left, y(kTrackTop) + 1.0F);
+        to = ImVec2(std::max(left + 2.0F, x(mark.end_s)), y(kTrackBottom) - 1.0F);
+        break;
+      case TimelineMark::Kind::kFineCollision:
+      case TimelineMark::Kind::kCoarseCollision:
+        from = ImVec2(left - 1.0F, y(kCollisionTop));
+        to = ImVec2(left + 1.0F, y(kTrackBottom) - 1.0F);
+        break;
+      case TimelineMark::Kind::kClick:
+        from.y = y(kClickTop);
+        to.y = y(kClickBottom);
+        break;
+      case TimelineMark::Kind::kLateFrame:
+        from = ImVec2(left - 1.0F, y(kTrackBottom) + 2.0F);
+        to = ImVec2(left + 1.0F, y(kTrackBottom + 0.6F));
+        break;
+      default:
+        break;
     }
     draw_.AddRectFilled(from, to, colour);
   }

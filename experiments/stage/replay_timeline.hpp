@@ -1,7 +1,10 @@
-// The bar under a replay: contacts, holds, response and late frames over time, to be scrubbed.
+// The bar under a replay: contacts, holds, collisions, clicks, response and late frames over time,
+// to be scrubbed.
 //
 //    contact      response                       labels
+//         ╷  ╷  ╷   ╷                            clicks: from above, to the middle of the track
 //   ────┃█████──────┃──────────────┃────         track, with the hold as a band
+//         ╵╵  ╵ ╵                                collisions: along the track's lower edge
 //            ' '                                 late frames
 //
 // SPDX-License-Identifier: MIT

@@ -9,6 +9,7 @@
 
 #include "experiments/stage/canvas.hpp"
 #include "experiments/stage/display_loss.hpp"
+#include "experiments/stage/gaze_overlay.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/replay_playback.hpp"
 #include "experiments/stage/replay_timeline.hpp"
@@ -18,7 +19,8 @@ namespace impetus {
 namespace {
 
 constexpr const char* kKeys =
-    "Space play, pause  ·  ← → one step  ·  ↑ ↓ speed  ·  Page Up, Page Down trial  ·  Esc close";
+    "Space play, pause  ·  ← → one step  ·  ↑ ↓ speed  ·  G gaze  ·  Page Up, Page Down trial  ·  "
+    "Esc close";
 
 std::string facts_of(const ReplayView& replay) {
   std::string line;
@@ -87,6 +89,9 @@ class ReplayScreen {
       case SDLK_DOWN:
         playback_.change_speed(key == SDLK_UP ? 1 : -1);
         break;
+      case SDLK_g:
+        gaze_shown_ = !gaze_shown_;
+        break;
       default:
         break;
     }
@@ -101,10 +106,27 @@ class ReplayScreen {
     picture.viewer = replay_.viewer;
     canvas_.painter.paint(picture, picture_area());
     canvas_.gui.begin();
+    if (gaze_shown_) {
+      draw_gaze_over(picture_area());
+    }
     draw_header();
     draw_footer();
     canvas_.gui.end();
     return canvas_.pacer.flip().flipped_ns;
+  }
+
+  /// The present step's: what it was told of the gaze, and its region.
+  void draw_gaze_over(const PixelArea& area) const {
+    const PictureMap map(replay_.viewer, area, canvas_.window.height_px());
+    const GazeInput gaze = playback_.gaze();
+    push_clip_rect(area, canvas_.gui.height());
+    if (gaze.fixation) {
+      draw_gaze(map, *gaze.fixation);
+    }
+    if (gaze.region) {
+      draw_region(map, *gaze.region);
+    }
+    ImGui::PopClipRect();
   }
 
   void draw_header() {
@@ -173,6 +195,7 @@ class ReplayScreen {
   const ReplayView& replay_;
   ReplayPlayback playback_;
   float header_px_{0.0F};
+  bool gaze_shown_{true};
 };
 
 }  // namespace

@@ -98,6 +98,14 @@ bool draw_button(int id, const ButtonLook& look) {
   return clicked;
 }
 
+void push_clip_rect(const PixelArea& area, float window_height_px) {
+  const auto left = static_cast<float>(area.left);
+  const float top = window_height_px - static_cast<float>(area.bottom + area.height);
+  ImGui::PushClipRect(
+      ImVec2(left, top),
+      ImVec2(left + static_cast<float>(area.width), top + static_cast<float>(area.height)), true);
+}
+
 void draw_focus_ring(ImVec2 from, ImVec2 to) {
   constexpr float kGapPx = 2.0F;
   constexpr float kThicknessPx = 2.5F;

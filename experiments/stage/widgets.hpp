@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "experiments/stage/pixel_area.hpp"
+
 namespace impetus {
 
 enum class Align { kLeft, kCentre, kRight };
@@ -28,6 +30,9 @@ ImVec2 button_size(const std::string& label, const std::string& hint);
 /// A button at the cursor. Returns true when it was clicked with the mouse. `id` sets it apart
 /// from the others on the screen.
 bool draw_button(int id, const ButtonLook& look);
+
+/// Until ImGui::PopClipRect(), nothing is drawn outside the area.
+void push_clip_rect(const PixelArea& area, float window_height_px);
 
 /// A ring around the focused thing.
 void draw_focus_ring(ImVec2 from, ImVec2 to);

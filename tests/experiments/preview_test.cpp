@@ -34,12 +34,31 @@ StagedScene two_l_blocks() {
   return build_scene(scene.value, assumed_screen(), 0.0, shapes);
 }
 
+StagedScene cube() {
+  const JsonDocument scene =
+      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/l-blocks-in-a-cube.json");
+  ShapeLibrary shapes;
+  return build_scene(scene.value, assumed_screen(), 0.0, shapes);
+}
+
 std::uint64_t hash_of(const PreviewRun& run) { return hash_state(run.scene().world.states()).hash; }
 
 void advance_frames(PreviewRun& run, int frames) {
   for (int frame = 0; frame < frames; ++frame) {
     run.advance(kFrame_s);
   }
+}
+
+/// The lists of the pairs that a second of the run has.
+std::set<int> lists_of_a_second(PreviewRun& run) {
+  std::set<int> lists;
+  for (int frame = 0; frame < 60; ++frame) {
+    run.advance(kFrame_s);
+    for (const ScheduledPair& pair : run.pairs()) {
+      lists.insert(pair.list);
+    }
+  }
+  return lists;
 }
 
 // ---------------------------------------------------------------- what the controls ask for
@@ -88,6 +107,37 @@ TEST(PreviewSettings, TheFinestLevelIsNoLimit) {
   EXPECT_EQ(settings.finest_level, 4);
   EXPECT_EQ(settings.lists[0].least_level, 4);
   EXPECT_EQ(schedule_of(settings).lists[0].greatest_level, kUnlimitedLevel);
+}
+
+TEST(PreviewSettings, AScenesOwnRegionIsWhatTheControlsShow) {
+  const PreviewSettings settings = settings_of(cube());
+  EXPECT_EQ(settings.scheduler, "region");
+  EXPECT_EQ(settings.region.kind, RegionKind::kAllGood);
+  EXPECT_EQ(settings.region.radius_deg, 5.0);
+  EXPECT_EQ(settings.region.renewal_steps, 60);
+  EXPECT_EQ(settings.budget, BudgetUnit::kUnlimited);
+  const Schedule schedule = schedule_of(settings);
+  EXPECT_EQ(schedule.rule, ListRule::kRegion);
+  ASSERT_EQ(schedule.lists.size(), 2U);
+  EXPECT_EQ(schedule.lists[0].least_level, 4);
+  EXPECT_EQ(schedule.lists[1].greatest_level, 0);
+  EXPECT_EQ(problem_of(settings), "");
+}
+
+TEST(PreviewSettings, AScenesOwnBudgetIsWhatTheControlsShow) {
+  StagedScene scene = crowd();
+  scene.budget.tests_per_step = 321;
+  EXPECT_EQ(settings_of(scene).budget, BudgetUnit::kTests);
+  EXPECT_EQ(settings_of(scene).tests_per_step, 321);
+  scene.budget = {kUnlimitedTests, 750'000};
+  EXPECT_EQ(settings_of(scene).budget, BudgetUnit::kMilliseconds);
+  EXPECT_EQ(settings_of(scene).ms_per_step, 0.75);
+}
+
+TEST(PreviewSettings, WithoutARegionOfTheScenesOwnItFollowsTheMouse) {
+  const PreviewSettings settings = settings_of(crowd());
+  EXPECT_EQ(settings.region.kind, RegionKind::kTracked);
+  EXPECT_EQ(settings.region.renewal_steps, 60);
 }
 
 // ---------------------------------------------------------------- time
@@ -286,20 +336,46 @@ TEST(PreviewRun, TheRegionFollowsTheGazeWhenTheSchedulerIsRegion) {
   EXPECT_FALSE(run.region());
   PreviewSettings settings = run.settings();
   choose_scheduler(settings, "region");
-  settings.region_radius_deg = 2.0;
+  settings.region.radius_deg = 2.0;
   run.change(settings);
   ASSERT_TRUE(run.region());
   EXPECT_EQ(run.region()->centre.x_m, 0.05);
   EXPECT_EQ(run.region()->centre.y_m, -0.02);
   EXPECT_EQ(run.region()->radius_deg, 2.0);
-  std::set<int> lists;
-  for (int frame = 0; frame < 60; ++frame) {
-    run.advance(kFrame_s);
-    for (const ScheduledPair& pair : run.pairs()) {
-      lists.insert(pair.list);
+  EXPECT_EQ(lists_of_a_second(run), (std::set<int>{0, 1}));
+}
+
+TEST(PreviewRun, AllGoodIsTheFirstListAloneAndAllBadTheOther) {
+  const VirtualClock clock;
+  PreviewRun run(cube(), clock);
+  EXPECT_EQ(lists_of_a_second(run), std::set<int>{0});
+  PreviewSettings settings = run.settings();
+  settings.region.kind = RegionKind::kAllBad;
+  run.change(settings);
+  EXPECT_EQ(lists_of_a_second(run), std::set<int>{1});
+  EXPECT_FALSE(run.region());
+}
+
+TEST(PreviewRun, ARandomRegionIsRenewedEveryQuarterOfASecond) {
+  const VirtualClock clock;
+  PreviewRun run(cube(), clock);
+  PreviewSettings settings = run.settings();
+  settings.region.kind = RegionKind::kRandom;
+  run.change(settings);
+  std::vector<ScreenPoint> places;
+  for (int step = 0; step < 240; ++step) {
+    run.step();
+    ASSERT_TRUE(run.region());
+    if (places.empty() || !(run.region()->centre == places.back())) {
+      EXPECT_EQ(step % 60, 0);
+      places.push_back(run.region()->centre);
     }
   }
-  EXPECT_EQ(lists, (std::set<int>{0, 1}));
+  EXPECT_EQ(places.size(), 4U);
+  run.restart();
+  EXPECT_FALSE(run.region()) << "the last step's, and there was none";
+  run.step();
+  EXPECT_TRUE(run.region()->centre == places.front());
 }
 
 TEST(PreviewRun, EnergyIsAShareOfThatAtTheOnset) {
