@@ -7,7 +7,7 @@
 #
 # Bad: resolved at the bounding sphere. Events: collisions of one sort (bad or good) closer than
 # the protocol's merge_within_ms are one. Visible gap: the gap as projected without its hidden share,
-# of collisions between bodies; `replay --truth` measures none at walls.
+# of collisions between bodies and of those with walls apart, for they are of different sizes.
 # SPDX-License-Identifier: MIT
 
 kExposureFamily <- "exposure, tracked − random"
@@ -22,7 +22,8 @@ kExposureMeasures <- c(
   wall_bad_share = "share of bad ones with walls",
   bad_events_per_trial = "bad events per trial",
   good_events_per_trial = "good events per trial",
-  bad_visible_gap_arcmin = "visible gap of bad ones between bodies, median (′)",
+  body_bad_gap_arcmin = "visible gap of bad ones between bodies, median (′)",
+  wall_bad_gap_arcmin = "visible gap of bad ones with walls, median (′)",
   eccentricity_deg = "eccentricity of collisions from the gaze, median (°)",
   bad_eccentricity_deg = "eccentricity of bad collisions from the gaze, median (°)",
   covered_share = "share of the enclosure inside the region"
@@ -64,7 +65,8 @@ exposure_of <- function(trials, collisions) {
     wall_bad_share = share_bad(collisions[collisions$wall, ]),
     bad_events_per_trial = mean(trials$bad_events),
     good_events_per_trial = mean(trials$good_events),
-    bad_visible_gap_arcmin = middle(bad$visible_gap_arcmin[!bad$wall]),
+    body_bad_gap_arcmin = middle(bad$visible_gap_arcmin[!bad$wall]),
+    wall_bad_gap_arcmin = middle(bad$visible_gap_arcmin[bad$wall]),
     eccentricity_deg = middle(collisions$gaze_eccentricity_deg),
     bad_eccentricity_deg = middle(bad$gaze_eccentricity_deg),
     covered_share = mean_known(trials$region_covered_share)

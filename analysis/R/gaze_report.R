@@ -111,12 +111,12 @@ design_sentence <- function(trials) {
 # What is not known of the exposure, and how to fill it in.
 exposure_sentences <- function(study) {
   collisions <- study$collisions
-  between <- collisions[collisions$bad & !collisions$wall, ]
-  unmeasured <- between[is.na(between$visible_gap_arcmin), ]
+  bad <- collisions[collisions$bad, ]
+  unmeasured <- bad[is.na(bad$visible_gap_arcmin), ]
   unseen <- sum(is.na(study$trials$exposure_s))
   c(
-    if (nrow(unmeasured) > 0) sprintf("The gap was not measured in %s of %s between bodies. %s",
-      format(nrow(unmeasured), big.mark = ","), count_of(nrow(between), "bad collision"),
+    if (nrow(unmeasured) > 0) sprintf("The gap was not measured in %s of %s. %s",
+      format(nrow(unmeasured), big.mark = ","), count_of(nrow(bad), "bad collision"),
       fill_in_words(study$trials[unique(unmeasured$row), ], "to have it")),
     if (all(is.na(study$trials$merge_within_ms)))
       "The protocol names no merge_within_ms, so every collision is an event of its own.",

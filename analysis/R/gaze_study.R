@@ -1,10 +1,10 @@
 # The gaze-contingent study from its views: each rated trial with its clicks, its collisions, its gaze.
 #
 #   rated_trial, trial_level ─> trials     seen_collision ─> collisions
-#   click_trial ──────────────> + clicks   gaze_sample, gaze_step ─> gaze, flips (gaze_quality.R)
+#   click_trial ──────────────> + clicks   gaze_sample ─> gaze (gaze_quality.R)
 #
-# Invariant: every row of collisions, gaze and flips belongs to a row of trials, by `row`, so what is
-# left out of the trials is left out everywhere.
+# Invariant: every row of collisions and gaze belongs to a row of trials, by `row`, so what is left out
+# of the trials is left out everywhere.
 # SPDX-License-Identifier: MIT
 
 # From the fewest bad collisions to the most; the trials' levels keep this order.
@@ -15,7 +15,7 @@ kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
 open_gaze_study <- function(words, usage) {
   study <- open_rating_study(words, usage, "gaze-contingent",
     factors = c(scheduling = "scheduling", bodies = "bodies"),
-    views = c("click_trial", "seen_collision", "gaze_sample", "gaze_step"))
+    views = c("click_trial", "seen_collision", "gaze_sample"))
   study$trials[names(study$factors)] <- study$trials[study$factors]
   study$factors <- c(scheduling = "scheduling", bodies = "bodies")
   with_gaze(with_collisions(with_clicks(with_kinds_in_order(study))))
@@ -63,18 +63,14 @@ with_collisions <- function(study) {
   study
 }
 
-is_wall <- function(name) name == "enclosure" | startsWith(name, "wall")
+is_wall <- function(name) startsWith(name, "wall ")
 
-# Adds study$gaze, the samples of each trial counted, and study$flips, one row per step that a
-# sample decided and a frame showed.
+# Adds study$gaze, the samples of each trial counted.
 with_gaze <- function(study) {
   study$gaze <- read_main_phase(study, paste(
     "SELECT trial, count(*) AS samples, sum(loss IS 'blink') AS blink,",
     "sum(loss IS 'off screen') AS off_screen, sum(loss IS 'lost') AS lost,",
     "CAST(max(time_s) - min(time_s) AS REAL) AS span_s FROM gaze_sample"), "GROUP BY trial")
-  study$flips <- read_main_phase(study,
-    "SELECT trial, CAST(sample_to_flip_ms AS REAL) AS sample_to_flip_ms FROM gaze_step",
-    "AND sample_to_flip_ms IS NOT NULL")
   study
 }
 

@@ -179,7 +179,7 @@ class Attempt {
     record.gaze = follower_.take_samples();
     record.region_covered_share = mean_covered_share(playback_.scene(), record.steps);
     if (playback_.scene().depends_on_gaze) {
-      record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames);
+      record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames, record.gaze);
     }
   }
 

@@ -5,7 +5,7 @@
 words <- commandArgs(trailingOnly = TRUE)
 root <- normalizePath(setdiff(words, "--slow")[1], mustWork = TRUE)
 run_slow <- "--slow" %in% words
-schema_path <- file.path(root, "experiments/store/schema.sql")
+schema_paths <- file.path(root, "experiments/store", c("schema.sql", "views.sql"))
 
 invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)

@@ -85,24 +85,6 @@ add_gaze <- function(path, samples) {
   path
 }
 
-# Adds steps that followed the gaze: rows of trial, step and latency_ms, sample to flip; NA: no
-# frame showed the step.
-add_flips <- function(path, flips) {
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(study))
-  shown <- !is.na(flips$latency_ms)
-  flipped_ns <- 1e9 + flips$step * 1e7
-  DBI::dbAppendTable(study, "frame", data.frame(attempt_id = flips$trial, frame = flips$step,
-    phase = "stimulus", shown_time_s = flips$step / 100, scheduled_ns = flipped_ns,
-    submitted_ns = flipped_ns, flipped_ns = flipped_ns, missed_slots = 0)[shown, ])
-  DBI::dbAppendTable(study, "step", data.frame(attempt_id = flips$trial, step = flips$step,
-    work_granted = 0, work_spent = 0, degradations = 0, hash = 0,
-    digests = I(rep(list(raw(0)), nrow(flips))), fixation_x_m = 0, fixation_y_m = 0,
-    fixation_taken_ns = round(flipped_ns - ifelse(shown, flips$latency_ms, 0) * 1e6),
-    fixation_age_ns = 1e7, shown_frame = ifelse(shown, flips$step, NA)))
-  path
-}
-
 # Collisions at random for every trial of `trials`, as add_collisions takes them: three between
 # bodies per body and 10 s, a third as many with walls, bad by kind, and farther from the gaze when
 # tracked has made them so.
@@ -116,7 +98,7 @@ random_collisions <- function(trials, truth = TRUE) {
   tracked <- rows$scheduling == "tracked"
   eccentricity_deg <- ifelse(tracked & bad, 5, 0) + rexp(n, 1 / 6)
   data.frame(trial = rows$trial, step = seq_len(n), level = ifelse(bad, 0, 4),
-    body_b = ifelse(runif(n) < 0.25, "enclosure", "b"), time_s = runif(n, 0, 10),
+    body_b = ifelse(runif(n) < 0.25, "wall +y", "b"), time_s = runif(n, 0, 10),
     gaze_eccentricity_deg = eccentricity_deg,
     gap_arcmin = if (truth) ifelse(bad, rexp(n, 1 / 30), 0.5) else NA, hidden_share = 0.25)
 }

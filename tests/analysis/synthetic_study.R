@@ -186,11 +186,11 @@ add_collisions <- function(path, collisions) {
   path
 }
 
-# An empty study file at `path`, open for writing. `schema_path` is set by run.R.
+# An empty study file at `path`, open for writing. `schema_paths` is set by run.R.
 new_study <- function(path) {
   unlink(path)
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  lines <- sub("--.*$", "", readLines(schema_path))
+  lines <- sub("--.*$", "", unlist(lapply(schema_paths, readLines)))
   for (statement in strsplit(paste(lines, collapse = "\n"), ";")[[1]]) {
     if (nzchar(trimws(statement))) DBI::dbExecute(study, statement)
   }

@@ -16,10 +16,10 @@ exposure_study <- function(merge_within_ms = 100) {
   add_collisions(path, rbind(
     # P1 tracked: bad at 1.00, 1.05, 1.14 (one event) and 2.00; good at 1.02, between them.
     row(1, 1.00, 0, gaze = 8, gap = 40, hidden = 0.5), row(1, 1.05, 0, gaze = 10, gap = 30, hidden = 0),
-    row(1, 1.14, 0, gaze = 9, gap = 20, hidden = 1), row(1, 2.00, 0, "enclosure", gaze = 3),
+    row(1, 1.14, 0, gaze = 9, gap = 20, hidden = 1), row(1, 2.00, 0, "wall +x", gaze = 3, gap = 24, hidden = 0.25),
     row(1, 1.02, 4, gaze = 1, gap = 0, hidden = 0),
     # P1 random: bad at 3, good with a wall at 4.
-    row(2, 3, 0, gaze = 2, gap = 50, hidden = 0.2), row(2, 4, 4, "wall 3", gaze = 6),
+    row(2, 3, 0, gaze = 2, gap = 50, hidden = 0.2), row(2, 4, 4, "wall -z", gaze = 6, gap = 1, hidden = 0),
     # P2 tracked: nothing. P2 random: good only, and not known where the gaze was.
     row(4, 5, 4)
   ))
@@ -56,7 +56,8 @@ test_that("the measures of a participant are those counted by hand", {
   expect_equal(unlist(tracked[names(kExposureMeasures)]), c(
     body_per_trial = 4, body_bad_share = 3 / 4, wall_per_trial = 1, wall_bad_share = 1,
     bad_events_per_trial = 2, good_events_per_trial = 1,
-    bad_visible_gap_arcmin = 20,  # 40 × .5, 30 × 1, 20 × 0
+    body_bad_gap_arcmin = 20,     # 40 × .5, 30 × 1, 20 × 0
+    wall_bad_gap_arcmin = 18,     # 24 × .75
     eccentricity_deg = 8,         # of 1, 3, 8, 9, 10
     bad_eccentricity_deg = 8.5,   # of 3, 8, 9, 10
     covered_share = 0.2
@@ -74,10 +75,11 @@ test_that("the table averages over the participants who have a number", {
   expect_equal(table$body_bad_share, c(3 / 4, 1 / 2))  # P2 tracked has no collision
   expect_equal(table$wall_bad_share, c(1, 0))
   expect_equal(table$bad_events_per_trial, c(1, 0.5))
-  expect_equal(table$bad_visible_gap_arcmin, c(20, 40))
+  expect_equal(table$body_bad_gap_arcmin, c(20, 40))
+  expect_equal(table$wall_bad_gap_arcmin, c(18, NA))  # random's wall collision was good
   expect_equal(table$covered_share, c(0.25, 0.4))
   expect_equal(exposure_lines(table)[4],
-    "| random | 5 | 2 | 1.0 | 0.500 | 0.5 | 0.000 | 0.5 | 1.0 | 40.0 | 4.0 | 2.0 | 0.400 |")
+    "| random | 5 | 2 | 1.0 | 0.500 | 0.5 | 0.000 | 0.5 | 1.0 | 40.0 | – | 4.0 | 2.0 | 0.400 |")
 })
 
 test_that("the tests of exposure are paired t tests over participants", {
@@ -103,10 +105,10 @@ test_that("a planted difference of exposure is said, apart from what tracking is
   expect_match(words[3], "^A difference was not detected, which is not evidence of its absence, in")
 })
 
-test_that("gaps that were not measured are counted between bodies, with the command to fill them", {
+test_that("gaps that were not measured are counted, with the command to fill them", {
   study <- exposure_study()
   study$collisions$visible_gap_arcmin[study$collisions$row == 2] <- NA
-  expect_equal(exposure_sentences(study), sprintf(paste("The gap was not measured in 1 of 4 bad",
-    "collisions between bodies. Run `impetus replay %s --truth` to have it."),
+  expect_equal(exposure_sentences(study), sprintf(paste("The gap was not measured in 1 of 5 bad",
+    "collisions. Run `impetus replay %s --truth` to have it."),
     study$trials$path[1]))
 })

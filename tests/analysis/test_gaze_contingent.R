@@ -62,13 +62,13 @@ test_that("a protocol that asks for no clicks is refused", {
 test_that("a study file from before clicks and gaze is refused before anything is written", {
   path <- gaze_file(gaze_trials(156, participants = 1, repetitions = 1))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  DBI::dbExecute(study, "DROP VIEW gaze_step")
+  DBI::dbExecute(study, "DROP VIEW gaze_sample")
   DBI::dbDisconnect(study)
   out <- new_folder()
   run <- run_script("gaze-contingent.R", path, "--out", out)
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste0("gaze-contingent.R: ", path,
-    ": expected a study file, got a database without the view gaze_step"))
+    ": expected a study file, got a database without the view gaze_sample"))
   expect_false(dir.exists(out))
 })
 

@@ -18,11 +18,6 @@ quality_study <- function() {
       loss = replace(loss, 9, "off screen")),
     data.frame(trial = 3, sample = 1:3, taken_ns = 1e9 + (1:3) * 2e6, loss = NA)
   ))
-  add_flips(path, rbind(
-    data.frame(trial = 1, step = 1:3, latency_ms = c(40, 50, NA)),
-    data.frame(trial = 2, step = 1:2, latency_ms = c(60, 70)),
-    data.frame(trial = 3, step = 1, latency_ms = 85)
-  ))
   open_gaze_study(c(path, "--out", tempdir()), "usage")
 }
 
@@ -36,12 +31,13 @@ test_that("rate, losses and latency of a participant are those counted by hand",
   expect_equal(table$blink_share, c(1 / 22, 0))
   expect_equal(table$off_screen_share, c(1 / 22, 0))
   expect_equal(table$lost_share, c(2 / 22, 0))
-  expect_equal(table$latency_median_ms, c(55, 85))   # of 40, 50, 60, 70; one step was never shown
-  expect_equal(table$latency_p95_ms, c(68.5, 85))    # 60 + .85 × 10, between the third and fourth
+  expect_equal(table$trials_timed, c(2, 1))
+  expect_equal(table$latency_median_ms, c(70, 85))  # of 65 and 75
+  expect_equal(table$latency_largest_ms, c(75, 85))
   expect_equal(table$trials_over_70_ms, c(1, 1))
   expect_equal(table$trials_late, c(0, 1))
   expect_equal(gaze_quality_lines(table)[3],
-    "| P1 | mouse | 2 of 2 | 100 | 4.5 | 4.5 | 9.1 | 55.0 | 68.5 | 1 | 0 |")
+    "| P1 | mouse | 2 of 2 | 100 | 4.5 | 4.5 | 9.1 | 2 | 70.0 | 75.0 | 1 | 0 |")
 })
 
 test_that("mouse gaze, missing gaze and late trials are said in words", {
@@ -51,8 +47,8 @@ test_that("mouse gaze, missing gaze and late trials are said in words", {
       "mouse data cannot support claims about gaze."),
     "Gaze from a simulated eye in 1 trial of 1 participant: it describes a model of the eye.",
     "Gaze was not followed in 1 trial of 1 participant.",
-    paste("The 95th percentile from gaze sample to flip was 68 to 85 ms by participant; it was at",
-      "most 60 ms, which is good, for 0 of 2 participants."),
+    paste("The 95th percentile from gaze sample to flip, while the eye was not lost, was 65 to 85 ms",
+      "by trial; it was at most 60 ms, which is good, in 0 of 3 trials whose detail depended on gaze."),
     paste("The 95th percentile exceeds 70 ms in 2 trials; 1 of 4 trials is marked late (above 80 ms).",
       "Marked trials are in every analysis; the planned contrast is given without them too.")
   ))
@@ -60,11 +56,11 @@ test_that("mouse gaze, missing gaze and late trials are said in words", {
 
 test_that("a study whose gaze was never sampled has dashes, and no latency", {
   trials <- gaze_trials(141, participants = 1, repetitions = 1)
+  trials$gaze_latency_p95_ms <- NA
   path <- write_gaze_study(tempfile(fileext = ".sqlite"), trials)
   study <- open_gaze_study(c(path, "--out", tempdir()), "usage")
   table <- gaze_quality(study)
   expect_equal(table$samples, 0)
-  expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| – \\| – \\| 0 \\| 0 \\|$")
-  expect_equal(gaze_sentences(study, table)[2:3], c("No latency from sample to flip is known.",
-    "In no trial did the 95th percentile exceed 70 ms."))
+  expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| 0 \\| – \\| – \\| 0 \\| 0 \\|$")
+  expect_equal(gaze_sentences(study, table)[-1], "No latency from sample to flip is known.")
 })
