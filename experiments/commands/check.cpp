@@ -1,5 +1,6 @@
 // `impetus check`: validates protocols and prints their designs.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -11,6 +12,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/plan.hpp"
+#include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
 namespace {
@@ -75,6 +77,18 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
   }
 }
 
+/// "click during the stimulus, rating after the stimulus"
+std::string response_list(const Script& script) {
+  const std::vector<std::string> asked = responses_of(script);
+  std::string text;
+  for (const ResponseKind& kind : response_kinds()) {
+    if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
+      text += (text.empty() ? "" : ", ") + kind.name + " " + kind.when;
+    }
+  }
+  return script.gaze ? text + "; the gaze is followed" : text;
+}
+
 void print_design(const Protocol& protocol) {
   const Design& design = protocol.design;
   const Plan plan = plan_for(protocol, "check", 1);
@@ -94,6 +108,7 @@ void print_design(const Protocol& protocol) {
                 static_cast<long long>(rule.longest), rule.factor.c_str());
   }
   print_exposure(protocol, plan);
+  std::printf("  responses    %s\n", response_list(protocol.script).c_str());
   std::printf("  rating       %lld (%s) to %lld (%s)\n",
               static_cast<long long>(protocol.script.scale.minimum),
               protocol.script.scale.low_anchor.c_str(),
