@@ -12,8 +12,8 @@
 #include "experiments/commands/window_size.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/stage/preview_view.hpp"
 #include "experiments/session/steady_clock.hpp"
+#include "experiments/stage/preview_view.hpp"
 #endif
 
 namespace impetus {
