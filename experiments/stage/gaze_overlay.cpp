@@ -10,6 +10,7 @@ namespace impetus {
 namespace {
 
 constexpr ImU32 kGazeColour = IM_COL32(20, 70, 30, 255);
+constexpr ImU32 kHalo = IM_COL32(255, 255, 255, 150);  ///< sets it off from dark bodies
 constexpr float kThickness = 1.5F;
 
 }  // namespace
@@ -18,8 +19,12 @@ void draw_gaze(const PictureMap& map, const ScreenPoint& fixation) {
   constexpr float kArm = 7.0F;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const WindowPoint at = map.at(fixation);
-  draw.AddLine(ImVec2(at.x - kArm, at.y), ImVec2(at.x + kArm + 1, at.y), kGazeColour, kThickness);
-  draw.AddLine(ImVec2(at.x, at.y - kArm), ImVec2(at.x, at.y + kArm + 1), kGazeColour, kThickness);
+  const auto cross = [&](float arm, ImU32 colour, float thickness) {
+    draw.AddLine(ImVec2(at.x - arm, at.y), ImVec2(at.x + arm + 1, at.y), colour, thickness);
+    draw.AddLine(ImVec2(at.x, at.y - arm), ImVec2(at.x, at.y + arm + 1), colour, thickness);
+  };
+  cross(kArm + 1.5F, kHalo, kThickness + 3.0F);
+  cross(kArm, kGazeColour, kThickness);
 }
 
 void draw_region(const PictureMap& map, const GazeRegion& region) {
