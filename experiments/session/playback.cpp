@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/playback.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -92,12 +93,14 @@ Pose Playback::pose_of(std::int32_t body) const {
 }
 
 std::vector<Pose> Playback::poses_at(double time_s) {
+  // A frame that falls on a step needs no later one, whatever rounding made of its time.
+  constexpr double kOfAStep = 1e-9;
   const double position = time_s * scene_.step_hz;
-  const auto last_needed = static_cast<std::int64_t>(std::ceil(position));
+  const auto last_needed = static_cast<std::int64_t>(std::ceil(position - kOfAStep));
   while (steps_.back().step < last_needed) {
     step_once();
   }
-  const double fraction = 1.0 - (static_cast<double>(steps_.back().step) - position);
+  const double fraction = std::min(1.0, 1.0 - (static_cast<double>(steps_.back().step) - position));
   const std::vector<BodyState>& after = scene_.world.states();
   std::vector<Pose> poses;
   poses.reserve(after.size());

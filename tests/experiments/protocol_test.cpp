@@ -228,8 +228,8 @@ TEST(ProtocolChecks, QuestionsHaveIdsAndSensibleAnswers) {
 
 TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   const auto refused = [](Study study, std::size_t observer_points) {
-    ObserverFile observer = load_observer(
-        "causality", std::filesystem::path(IMPETUS_SOURCE_DIR) / kProtocolName);
+    ObserverFile observer =
+        load_observer("causality", std::filesystem::path(IMPETUS_SOURCE_DIR) / kProtocolName);
     std::get<CausalityParameters>(observer.parameters).cuts.resize(observer_points - 1);
     return refusal([&] { check_observer(study.made(), observer); });
   };

@@ -28,7 +28,9 @@ struct Golden {
 
   [[nodiscard]] StagedScene stage(const StoredAttempt& attempt) const {
     const auto condition = nlohmann::json::parse(attempt.trial.condition);
-    return scenes.stage(condition_from_json(condition, protocol.design), attempt.screen);
+    const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
+                               condition_from_json(condition, protocol.design), attempt.trial.seed};
+    return scenes.stage(planned, attempt.screen);
   }
   [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt) {
     return load_steps(study.database(), attempt.id);
@@ -61,6 +63,16 @@ TEST(GoldenRecording, EveryCellOfTheGapStudyReplaysBitForBit) {
   for (const StoredAttempt& attempt : golden.attempts) {
     const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
     EXPECT_EQ(result.steps, 480);
+    EXPECT_EQ(words(attempt, result), "");
+  }
+}
+
+TEST(GoldenRecording, EveryCellOfTheGazeContingentStudyReplaysBitForBit) {
+  Golden golden("gaze-contingent");
+  ASSERT_EQ(golden.attempts.size(), 12U);  // a round of practice, eight cells
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_EQ(result.steps, 240);
     EXPECT_EQ(words(attempt, result), "");
   }
 }

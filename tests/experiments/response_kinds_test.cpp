@@ -86,8 +86,7 @@ TEST(ResponseKinds, AnObserverThatCannotDoWhatIsAskedIsRefused) {
       const Protocol protocol =
           make_protocol(parse_json("gaze.json", changed.dump()),
                         parse_json("cube.json", shipped("stimuli/l-blocks-in-a-cube.json")));
-      check_observer(protocol,
-                     load_observer("gap", source_file("protocols/gaze-contingent.json")));
+      check_observer(protocol, load_observer("gap", source_file("protocols/gaze-contingent.json")));
     });
   };
   EXPECT_EQ(refused("gaze"),
