@@ -113,15 +113,17 @@ rating_axes <- function(scale) {
   list(means = axis_of_rating(scale, words = TRUE), differences = difference_axis(title))
 }
 
-# An interval that would reach below 0 clicks ends there.
+# Whole numbers of clicks; an interval that would reach below 0 ends there.
 click_axes <- function() {
   list(
     means = list(ggplot2::scale_y_continuous("Clicks per trial (\"a bad collision\")",
-      limits = c(0, NA), oob = scales::oob_squish,
+      limits = c(0, NA), breaks = whole_breaks, oob = scales::oob_squish,
       expand = ggplot2::expansion(mult = c(0.02, 0.05)))),
     differences = difference_axis("Clicks per trial, tracked − random\n(below 0: tracked is better)")
   )
 }
+
+whole_breaks <- function(limits) unique(round(pretty(limits)))
 
 # 0 is always on it, and below it stands a minus sign, not a hyphen.
 difference_axis <- function(title) {

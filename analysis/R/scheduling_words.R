@@ -7,7 +7,7 @@ place_of <- function(effect) sub("^.*, ", "", effect)
 
 # "overall 1.92, 95 % CI [1.20, 3.05], p = .012; at 5 bodies ..."
 estimates_words <- function(rows, format = "%.2f") {
-  number <- function(x) sprintf(format, x)
+  number <- function(x) sub("-", "−", sprintf(format, x), fixed = TRUE)
   paste0(place_of(rows$effect), " ", number(rows$effect_size), ", ",
     round(100 * rows$interval_level), " % CI [", number(rows$interval_low), ", ",
     number(rows$interval_high), "]", ifelse(is.na(rows$p_holm), "", paste0(", ",
