@@ -69,6 +69,27 @@ ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
           query.getColumn(2).getString(), query.getColumn(3).getString()};
 }
 
+std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(study.database(),
+                          "SELECT taken_ns, x_m, y_m, loss FROM gaze WHERE attempt_id = ? "
+                          "ORDER BY sample");
+  query.bind(1, attempt_id);
+  std::vector<GazeSample> samples;
+  while (query.executeStep()) {
+    GazeSample sample{query.getColumn(0).getInt64(), {}, GazeLoss::kNone};
+    if (query.getColumn(3).isNull()) {
+      sample.at = ScreenPoint{query.getColumn(1).getDouble(), query.getColumn(2).getDouble()};
+    } else {
+      const std::string loss = query.getColumn(3).getString();
+      sample.loss = loss == "blink"        ? GazeLoss::kBlink
+                    : loss == "off screen" ? GazeLoss::kOffScreen
+                                           : GazeLoss::kLost;
+    }
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
 std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id) {
   SQLite::Statement query(study.database(),
                           "SELECT arrived_ns FROM click WHERE attempt_id = ? ORDER BY number");

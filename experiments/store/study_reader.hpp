@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
+#include "experiments/session/gaze.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 
@@ -37,6 +38,9 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study);
 
 /// A protocol's texts as they were stored. `protocol_id` must exist.
 ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id);
+
+/// The gaze of an attempt, in order.
+std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id);
 
 /// When each click of an attempt arrived (nanoseconds), in order.
 std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id);

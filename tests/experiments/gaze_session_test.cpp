@@ -28,7 +28,9 @@ Protocol tiny_study(const std::function<void(json& protocol, json& scene)>& chan
 struct PracticeLab : TestLab {
   PracticeLab() : TestLab(60.0, tiny_study()), eye(clock, 0) {
     gaze = &eye;
-    eye.at = [](std::int64_t) { return Fixation{{0.0, 0.0}}; };
+    eye.at = [](std::int64_t taken_ns) {
+      return taken_ns % 7 == 0 ? Fixation{} : Fixation{{0.01, -0.02}};
+    };
     input.on_clicks = [this]() -> std::vector<ClickRecord> {
       return clicks ? std::vector<ClickRecord>{{"mouse", clock.now_ns(), 0}}
                     : std::vector<ClickRecord>{};
@@ -220,6 +222,13 @@ TEST(GazeSession, WhatWasSavedReplaysAndResumes) {
       EXPECT_EQ(steps[i].shown_frame, record->steps[i].shown_frame);
     }
     EXPECT_EQ(load_clicks(study, attempt.id).size(), record->clicks.size());
+    const std::vector<GazeSample> gaze = load_gaze(study, attempt.id);
+    ASSERT_EQ(gaze.size(), record->gaze.size());
+    for (std::size_t i = 0; i < gaze.size(); ++i) {
+      EXPECT_EQ(gaze[i].taken_ns, record->gaze[i].taken_ns);
+      EXPECT_EQ(gaze[i].at, record->gaze[i].at);
+      EXPECT_EQ(gaze[i].loss, record->gaze[i].loss);
+    }
   }
   const auto found = find_enrolment(study, "P01", false, texts_of(lab.protocol));
   EXPECT_EQ(found->history.practice.size(), 4U);

@@ -7,6 +7,7 @@
 
 #include "experiments/session/enclosure_image.hpp"
 #include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/recorded_gaze.hpp"
 #include "experiments/session/replay.hpp"
 #include "experiments/session/trial.hpp"
 #include "tests/experiments/fakes.hpp"
@@ -189,6 +190,32 @@ TEST(GazeTrial, EveryStepKnowsItsSampleItsAgeAndTheFrameThatShowedIt) {
   // A frame of 16.67 ms from the sample's use to its flip, and 5 ms before.
   ASSERT_TRUE(record.gaze_latency_p95_ms);
   EXPECT_NEAR(*record.gaze_latency_p95_ms, 5.0 + 1e3 / 60.0, 1e-3);
+}
+
+// A recording's samples stand as far from the onset as they did.
+TEST(GazeTrial, ARecordedGazeLeadsToTheSameTrial) {
+  GazeLab lab;
+  const PlannedTrial trial = trial_of("tracked", 10.0);
+  const AttemptRecord first = lab.run(trial);
+  lab.clock.advance_by(12'345'678'901);
+  RecordedGaze recording(first.gaze, first.onset_ns, lab.clock);
+  lab.gaze = &recording;
+  const AttemptRecord again = lab.run(trial);
+  EXPECT_EQ(again.gaze_source, "recording");
+  ASSERT_EQ(again.steps.size(), first.steps.size());
+  // What was sampled before the onset is not in the recording; from its first sample on, the gaze
+  // is the same at every step.
+  std::int64_t known = 0;
+  for (std::size_t i = 0; i < first.steps.size(); ++i) {
+    const GazeInput& now = again.steps[i].gaze;
+    if (now.fixation) {
+      ++known;
+      EXPECT_EQ(*now.fixation, *first.steps[i].gaze.fixation) << i;
+      EXPECT_EQ(now.taken_ns - again.onset_ns, first.steps[i].gaze.taken_ns - first.onset_ns);
+      EXPECT_EQ(now.age_ns, first.steps[i].gaze.age_ns);
+    }
+  }
+  EXPECT_GE(known, static_cast<std::int64_t>(first.steps.size()) - 5);
 }
 
 TEST(GazeTrial, LatencyIsJudgedOnlyWhereTheGazeDecides) {
