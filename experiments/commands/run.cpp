@@ -182,18 +182,29 @@ std::string simulated_name(std::int64_t number, std::int64_t count) {
   return "S" + std::string(digits - text.size(), '0') + text;
 }
 
+/// Runs those who have not finished: the same command goes on where it was stopped, and one with
+/// more participants adds to the group.
 int run_simulated_group(const Protocol& protocol, RunOptions options, LaboratoryOptions lab,
                         StudyFile& study) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
+  std::int64_t finished_before = 0;
   for (std::int64_t number = 1; number <= options.participants; ++number) {
     options.participant = lab.participant = simulated_name(number, options.participants);
-    run_participant(protocol, options, lab, study);
+    if (has_finished(study, options.participant, true, texts_of(protocol))) {
+      ++finished_before;
+    } else {
+      run_participant(protocol, options, lab, study);
+    }
     if (terminal || number == options.participants) {
       std::fprintf(stderr, "%ssimulated participant %lld of %lld", terminal ? "\r" : "",
                    static_cast<long long>(number), static_cast<long long>(options.participants));
     }
   }
   std::fprintf(stderr, "\n");
+  if (finished_before > 0) {
+    std::fprintf(stderr, "note: %lld of them had finished before\n",
+                 static_cast<long long>(finished_before));
+  }
   return kDone;
 }
 

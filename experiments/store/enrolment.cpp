@@ -153,6 +153,19 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pse
   return enrolment;
 }
 
+bool has_finished(StudyFile& study, const std::string& pseudonym, bool simulated,
+                  const ProtocolTexts& protocol) {
+  SQLite::Statement query(study.database(),
+                          "SELECT count(*) FROM enrolment "
+                          "JOIN participant ON participant.id = participant_id "
+                          "JOIN protocol ON protocol.id = protocol_id "
+                          "WHERE pseudonym = ? AND simulated = ? AND hash = ? "
+                          "AND finished_utc IS NOT NULL");
+  SQLite::bind(query, pseudonym, simulated ? 1 : 0, protocol.hash);
+  query.executeStep();
+  return query.getColumn(0).getInt() > 0;
+}
+
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed,
                 std::vector<StoredTrial> trials) {

@@ -43,6 +43,10 @@ struct Enrolment {
 std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pseudonym,
                                         bool simulated, const ProtocolTexts& protocol);
 
+/// Whether the participant has finished this version of the protocol, simulated or not as said.
+bool has_finished(StudyFile& study, const std::string& pseudonym, bool simulated,
+                  const ProtocolTexts& protocol);
+
 /// Stores participant, protocol and plan in one transaction. Ids of `trials` are filled in.
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed, std::vector<StoredTrial> trials);
