@@ -2,12 +2,12 @@
 #include "experiments/scenes/scene_checks.hpp"
 
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/shape_checks.hpp"
 #include "experiments/session/wall_names.hpp"
 
 namespace impetus {
@@ -15,34 +15,6 @@ namespace {
 
 using nlohmann::json;
 using Problems = std::vector<SceneProblem>;
-
-/// Each kind of shape needs its own measures and takes no other's.
-void add_shape_problems(const json& shape, const std::string& place, Problems& problems) {
-  static const std::map<std::string, std::vector<std::string>> kMeasures{
-      {"sphere", {"radius_deg"}},
-      {"box", {"width_deg", "height_deg", "depth_deg"}},
-      {"l-block", {"arm_deg", "thickness_deg"}}};
-  const auto kind = shape["kind"].get<std::string>();
-  const std::vector<std::string>& measures = kMeasures.at(kind);
-  for (const std::string& measure : measures) {
-    if (!shape.contains(measure)) {
-      problems.push_back(
-          {place, "expected the key \"" + measure + "\" for kind " + kind + ", which is missing"});
-      return;
-    }
-  }
-  if (shape.size() != measures.size() + 1) {
-    std::string names;
-    for (const std::string& measure : measures) {
-      names += ", " + measure;
-    }
-    problems.push_back({place, "expected the measures of kind " + kind + " alone" + names +
-                                   ", got " + std::to_string(shape.size() - 1)});
-  } else if (kind == "l-block" && shape["thickness_deg"] >= shape["arm_deg"]) {
-    problems.push_back({place + "/thickness_deg",
-                        "expected less than arm_deg, got " + shape["thickness_deg"].dump()});
-  }
-}
 
 void add_name_problems(const json& scene, Problems& problems) {
   std::set<std::string> names;

@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "engine/shapes/box_mesh.hpp"
+#include "engine/shapes/creature_mesh.hpp"
+#include "engine/shapes/knot_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
+#include "engine/shapes/torus_mesh.hpp"
 #include "engine/trees/octree.hpp"
 
 namespace impetus {
@@ -29,19 +32,39 @@ BodyShape mesh_shape(const TriangleMesh& solid, int tree_depth) {
           radius_m};
 }
 
-BodyShape build(const json& description, double metres_per_degree, int tree_depth) {
+/// The mesh of any kind but a sphere. Resolution counts the sides of a torus' or a knot's tube and
+/// a quarter of the cells along a creature's length.
+TriangleMesh mesh_of(const json& shape, double metres_per_degree) {
   const auto length_m = [&](const char* key) {
-    return description[key].get<double>() * metres_per_degree;
+    return shape[key].get<double>() * metres_per_degree;
   };
-  const auto kind = description["kind"].get<std::string>();
-  if (kind == "sphere") {
-    return sphere_shape(length_m("radius_deg"));
-  }
+  const auto resolution = [&](int usual) { return shape.value("resolution", usual); };
+  const auto kind = shape["kind"].get<std::string>();
   if (kind == "box") {
-    const Vector3 sides(length_m("width_deg"), length_m("height_deg"), length_m("depth_deg"));
-    return mesh_shape(box_mesh(sides), tree_depth);
+    return box_mesh({length_m("width_deg"), length_m("height_deg"), length_m("depth_deg")});
   }
-  return mesh_shape(l_block_mesh(length_m("arm_deg"), length_m("thickness_deg")), tree_depth);
+  if (kind == "plate") {
+    return box_mesh({length_m("width_deg"), length_m("height_deg"), length_m("thickness_deg")});
+  }
+  if (kind == "torus") {
+    const int sides = resolution(10);
+    return torus_mesh(length_m("radius_deg"), length_m("tube_deg"), 3 * sides, sides);
+  }
+  if (kind == "knot") {
+    const int sides = resolution(8);
+    return knot_mesh(length_m("radius_deg"), length_m("tube_deg"), 8 * sides, sides);
+  }
+  if (kind == "creature") {
+    return creature_mesh(length_m("length_deg"), 4 * resolution(4));
+  }
+  return l_block_mesh(length_m("arm_deg"), length_m("thickness_deg"));
+}
+
+BodyShape build(const json& description, double metres_per_degree, int tree_depth) {
+  if (description["kind"].get<std::string>() == "sphere") {
+    return sphere_shape(description["radius_deg"].get<double>() * metres_per_degree);
+  }
+  return mesh_shape(mesh_of(description, metres_per_degree), tree_depth);
 }
 
 }  // namespace

@@ -180,6 +180,57 @@ TEST(Scene, ARegionAndItsSchedulerComeTogether) {
             "/engine/schedule/lists: expected two lists, inside and outside the region, got 3");
 }
 
+/// The free scene with its box replaced.
+json scene_with(const std::string& shape) {
+  return changed(free_scene(), "/bodies/1/shape", json::parse(shape));
+}
+
+TEST(Scene, EveryShapeCanBeNamedWithoutAFile) {
+  std::vector<std::string> kinds;
+  for (const char* shape :
+       {R"({"kind": "sphere", "radius_deg": 1})",
+        R"({"kind": "box", "width_deg": 2, "height_deg": 1, "depth_deg": 3})",
+        R"({"kind": "plate", "width_deg": 2, "height_deg": 1, "thickness_deg": 0.1})",
+        R"({"kind": "l-block", "arm_deg": 2, "thickness_deg": 0.7})",
+        R"({"kind": "torus", "radius_deg": 1, "tube_deg": 0.3, "resolution": 12})",
+        R"({"kind": "knot", "radius_deg": 1, "tube_deg": 0.2, "resolution": 4})",
+        R"({"kind": "creature", "length_deg": 3})"}) {
+    EXPECT_EQ(scene_refusal(scene_with(shape)), "accepted") << shape;
+    EXPECT_GT(built(scene_with(shape)).world.models()[1].inverse_mass, 0.0) << shape;
+    kinds.push_back(json::parse(shape)["kind"]);
+  }
+  EXPECT_EQ(kinds, scene_schema()["definitions"]["shape"]["properties"]["kind"]["enum"]
+                       .get<std::vector<std::string>>());
+}
+
+TEST(Scene, MeasuresThatMakeNoSolidAreRefused) {
+  const auto refused = [](const std::string& shape) { return scene_refusal(scene_with(shape)); };
+  const std::string place = "/bodies/1/shape";
+  EXPECT_EQ(refused(R"({"kind": "torus", "radius_deg": 1, "tube_deg": 1})"),
+            place + "/tube_deg: expected less than radius_deg, got 1");
+  EXPECT_EQ(refused(R"({"kind": "knot", "radius_deg": 1, "tube_deg": 0.26})"),
+            place +
+                "/tube_deg: expected at most a quarter of radius_deg, or the knot would touch "
+                "itself, got 0.26");
+  EXPECT_EQ(refused(R"({"kind": "plate", "width_deg": 2, "height_deg": 1, "thickness_deg": 1.5})"),
+            place + "/thickness_deg: expected less than height_deg, got 1.5");
+  EXPECT_EQ(refused(R"({"kind": "l-block", "arm_deg": 2, "thickness_deg": 2})"),
+            place + "/thickness_deg: expected less than arm_deg, got 2");
+}
+
+TEST(Scene, AShapeHasTheMeasuresOfItsKindAlone) {
+  const auto refused = [](const std::string& shape) { return scene_refusal(scene_with(shape)); };
+  const std::string place = "/bodies/1/shape";
+  EXPECT_EQ(refused(R"({"kind": "creature", "resolution": 4})"),
+            place + ": expected the key \"length_deg\" for kind creature, which is missing");
+  EXPECT_EQ(refused(R"({"kind": "knot", "radius_deg": 1, "tube_deg": 0.2, "arm_deg": 1})"),
+            place + ": expected the measures of kind knot alone, radius_deg, tube_deg, got 3");
+  EXPECT_EQ(refused(R"({"kind": "sphere", "radius_deg": 1, "resolution": 5})"),
+            place + "/resolution: expected none for kind sphere, got 5");
+  EXPECT_EQ(refused(R"({"kind": "creature", "length_deg": 3, "resolution": 3})"),
+            place + "/resolution: expected a whole number ≥ 4 and ≤ 12, got 3");
+}
+
 TEST(Scene, BodiesThatOverlapAtTheStartAreRefusedByName) {
   EXPECT_EQ(scene_refusal(free_scene()), "accepted");
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/1/position_deg", {-4.0, 0.0, 0.0})),

@@ -1,0 +1,15 @@
+// What a scene's shape must fulfil beyond the schema: the measures of its kind, and that they fit.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/scenes/scene_checks.hpp"
+
+namespace impetus {
+
+/// Adds what is wrong with the shape at `place`, at most one problem: each kind needs its own
+/// measures and takes no other's; `resolution` is for kinds whose fineness is a choice.
+/// Precondition: `shape` is valid by the scene's schema.
+void add_shape_problems(const nlohmann::json& shape, const std::string& place,
+                        std::vector<SceneProblem>& problems);
+
+}  // namespace impetus
