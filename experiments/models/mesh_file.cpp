@@ -4,6 +4,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <array>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
@@ -42,8 +43,9 @@ class ErrorLog {
    public:
     explicit Line(std::string& first) : first_(&first) {}
     void write(const char* message) override {
-      if (first_->empty()) {
-        *first_ = message;
+      const std::string text = message;
+      if (first_->empty() && text.find("material file") == std::string::npos) {  // not needed
+        *first_ = text;
         first_->erase(first_->find_last_not_of('\n') + 1);
       }
     }
@@ -71,11 +73,13 @@ void refuse_endless_header(const std::filesystem::path& file) {
 
 /// Checks what assimp's own steps take for granted; returns whether a face has over three corners.
 bool check(const aiMesh& part, const std::filesystem::path& file) {
-  for (unsigned int i = 0; i < part.mNumVertices; ++i) {
-    const aiVector3D& place = part.mVertices[i];
-    if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
-      refuse(file, "a vertex has a coordinate that is not a finite number");
-    }
+  const auto bad = std::count_if(
+      part.mVertices, part.mVertices + part.mNumVertices, [](const aiVector3D& place) {
+        return !std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z);
+      });
+  if (bad > 0) {
+    refuse(file, std::to_string(bad) + (bad == 1 ? " vertex has" : " vertices have") +
+                     " a coordinate that is not a finite number");
   }
   bool has_polygons = false;
   for (unsigned int i = 0; i < part.mNumFaces; ++i) {
