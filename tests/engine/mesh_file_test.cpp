@@ -202,7 +202,7 @@ TEST_F(MeshFile, RefusesAFileWithoutTriangles) {
 }
 
 TEST_F(MeshFile, AMaterialFileThatIsMissingIsNotMissed) {
-  expect_cube(load_mesh(write("painted.obj", "mtllib missing.mtl\n" + cube_obj())));
+  expect_cube(load_mesh(write("painted.obj", "mtllib missing.mtl\nusemtl red\n" + cube_obj())));
 }
 
 TEST_F(MeshFile, RefusesAnIndexOutOfRange) {
