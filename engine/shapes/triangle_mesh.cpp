@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "engine/shapes/useless_triangles.hpp"
+
 namespace impetus {
 namespace {
 
@@ -11,13 +13,6 @@ struct EdgeUse {
   int forward{0};
   int backward{0};
 };
-
-bool degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const Vector3& a = mesh.vertices[triangle[0]];
-  const Vector3& b = mesh.vertices[triangle[1]];
-  const Vector3& c = mesh.vertices[triangle[2]];
-  return (b - a).cross(c - a).squaredNorm() == 0.0;
-}
 
 }  // namespace
 
@@ -28,7 +23,7 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> edges;
   for (const auto& triangle : mesh.triangles) {
-    defects.degenerate_triangles += degenerate(mesh, triangle) ? 1 : 0;
+    defects.degenerate_triangles += is_degenerate(mesh, triangle) ? 1 : 0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t from = triangle[corner];
       const std::uint32_t to = triangle[(corner + 1) % 3];

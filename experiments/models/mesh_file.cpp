@@ -8,9 +8,12 @@
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,6 +23,12 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
   throw std::runtime_error(file.string() + ": " + problem);
+}
+
+/// Errors of assimp's OBJ reader about what is dropped here: materials and the names of groups.
+bool is_harmless(const std::string& error) {
+  return error.find("material") != std::string::npos ||
+         error.find("No object detected to attach a new mesh") != std::string::npos;
 }
 
 /// The errors that assimp logs and then repairs in its own way: its OFF reader, for one, replaces
@@ -42,8 +51,9 @@ class ErrorLog {
    public:
     explicit Line(std::string& first) : first_(&first) {}
     void write(const char* message) override {
-      if (first_->empty()) {
-        *first_ = message;
+      const std::string text = message;
+      if (first_->empty() && !is_harmless(text)) {
+        *first_ = text;
         first_->erase(first_->find_last_not_of('\n') + 1);
       }
     }
@@ -69,13 +79,26 @@ void refuse_endless_header(const std::filesystem::path& file) {
   refuse(file, "cannot be read as a mesh: its PLY header has no end");
 }
 
-/// Checks what assimp's own steps take for granted; returns whether a face has over three corners.
-bool check(const aiMesh& part, const std::filesystem::path& file) {
+/// Places with a coordinate that is not finite; a place that assimp repeats, bit by bit, counts
+/// once.
+std::size_t count_not_finite(const aiMesh& part) {
+  std::set<std::array<std::uint32_t, 3>> places;
   for (unsigned int i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& place = part.mVertices[i];
     if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z)) {
-      refuse(file, "a vertex has a coordinate that is not a finite number");
+      places.insert({std::bit_cast<std::uint32_t>(place.x), std::bit_cast<std::uint32_t>(place.y),
+                     std::bit_cast<std::uint32_t>(place.z)});
     }
+  }
+  return places.size();
+}
+
+/// Checks what assimp's own steps take for granted; returns whether a face has over three corners.
+bool check(const aiMesh& part, const std::filesystem::path& file) {
+  const std::size_t bad = count_not_finite(part);
+  if (bad > 0) {
+    refuse(file, std::to_string(bad) + (bad == 1 ? " vertex has" : " vertices have") +
+                     " a coordinate that is not a finite number");
   }
   bool has_polygons = false;
   for (unsigned int i = 0; i < part.mNumFaces; ++i) {

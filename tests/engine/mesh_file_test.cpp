@@ -201,6 +201,10 @@ TEST_F(MeshFile, RefusesAFileWithoutTriangles) {
             "points.obj: has no triangles");
 }
 
+TEST_F(MeshFile, AMaterialFileThatIsMissingIsNotMissed) {
+  expect_cube(load_mesh(write("painted.obj", "mtllib missing.mtl\nusemtl red\n" + cube_obj())));
+}
+
 TEST_F(MeshFile, RefusesAnIndexOutOfRange) {
   std::string off = cube_off();
   off.replace(off.rfind("4 1 3 7 5"), 9, "4 1 3 7 8");
@@ -215,9 +219,9 @@ TEST_F(MeshFile, RefusesAnIndexOutOfRange) {
 
 TEST_F(MeshFile, RefusesACoordinateThatIsNotFinite) {
   EXPECT_EQ(refusal(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
-            "nan.obj: a vertex has a coordinate that is not a finite number");
-  EXPECT_EQ(refusal(write("inf.obj", "v inf 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
-            "inf.obj: a vertex has a coordinate that is not a finite number");
+            "nan.obj: 1 vertex has a coordinate that is not a finite number");
+  EXPECT_EQ(refusal(write("inf.obj", "v inf 0 0\nv 1 -inf 0\nv 0 1 0\nf 1 2 3\n")),
+            "inf.obj: 2 vertices have a coordinate that is not a finite number");
 }
 
 TEST_F(MeshFile, AReportDescribesASolid) {
@@ -225,7 +229,12 @@ TEST_F(MeshFile, AReportDescribesASolid) {
             "triangles     12\n"
             "vertices      8\n"
             "components    1\n"
-            "defects       none: a closed, consistently oriented surface\n"
+            "closed        yes\n"
+            "oriented      yes\n"
+            "outward       yes\n"
+            "manifold      yes\n"
+            "clean faces   yes\n"
+            "self-crossing none\n"
             "volume        8 m^3\n"
             "centre        (0, 0, 0) m\n"
             "mass          8000 kg at 1000 kg/m^3\n"
@@ -239,8 +248,12 @@ TEST_F(MeshFile, AReportSaysWhyASurfaceIsNoSolid) {
             "triangles     2\n"
             "vertices      4\n"
             "components    1\n"
-            "defects       4 open edges, 0 misoriented edges, 0 edges of more than two triangles, "
-            "0 degenerate triangles, 0 vertices that are not finite\n"
+            "closed        no: 4 open edges\n"
+            "oriented      yes\n"
+            "outward       unknown: the surface encloses no solid\n"
+            "manifold      yes\n"
+            "clean faces   yes\n"
+            "self-crossing none\n"
             "volume        undefined: the surface encloses no solid\n");
 }
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "engine/shapes/mesh_components.hpp"
+
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace impetus {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Sets of indices that grow together.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t root(std::uint32_t member) {
+    while (parent_[member] != member) {
+      parent_[member] = parent_[parent_[member]];
+      member = parent_[member];
+    }
+    return member;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The corners (3 · triangle + place) at the lesser and at the greater vertex of an edge.
+using EdgeCorners = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Corners of the same vertex in triangles that share an edge there.
+DisjointSets fans_of(const TriangleMesh& mesh, DisjointSets& triangles) {
+  DisjointSets fans(3 * mesh.triangles.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeCorners> first;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      std::uint32_t one = 3 * t + i;
+      std::uint32_t other = 3 * t + (i + 1) % 3;
+      std::pair edge(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
+      if (edge.second < edge.first) {
+        std::swap(edge.first, edge.second);
+        std::swap(one, other);
+      }
+      const auto [entry, is_new] = first.try_emplace(edge, one, other);
+      if (!is_new) {
+        triangles.join(t, entry->second.first / 3);
+        fans.join(one, entry->second.first);
+        fans.join(other, entry->second.second);
+      }
+    }
+  }
+  return fans;
+}
+
+std::int64_t count_pinched(const TriangleMesh& mesh, DisjointSets fans) {
+  std::vector<std::uint32_t> fan_of(mesh.vertices.size(), kNone);
+  std::vector<bool> pinched(mesh.vertices.size(), false);
+  std::int64_t count = 0;
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    const std::uint32_t vertex = mesh.triangles[corner / 3][corner % 3];
+    const std::uint32_t fan = fans.root(corner);
+    if (fan_of[vertex] == kNone) {
+      fan_of[vertex] = fan;
+    } else if (fan_of[vertex] != fan && !pinched[vertex]) {
+      pinched[vertex] = true;
+      ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+MeshComponents find_components(const TriangleMesh& mesh) {
+  MeshComponents result;
+  DisjointSets triangles(mesh.triangles.size());
+  result.pinched_vertices = count_pinched(mesh, fans_of(mesh, triangles));
+  std::vector<std::uint32_t> number(mesh.triangles.size(), kNone);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::uint32_t& of_root = number[triangles.root(t)];
+    if (of_root == kNone) {
+      of_root = result.count++;
+    }
+    result.of_triangle.push_back(of_root);
+  }
+  return result;
+}
+
+std::vector<TriangleMesh> split(const TriangleMesh& mesh, const MeshComponents& components) {
+  std::vector<TriangleMesh> parts(components.count);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> index_of;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    TriangleMesh& part = parts[components.of_triangle[t]];
+    std::array<std::uint32_t, 3> triangle = mesh.triangles[t];
+    for (std::uint32_t& vertex : triangle) {
+      const auto next = static_cast<std::uint32_t>(part.vertices.size());
+      const auto [entry, is_new] = index_of.try_emplace({components.of_triangle[t], vertex}, next);
+      if (is_new) {
+        part.vertices.push_back(mesh.vertices[vertex]);
+      }
+      vertex = entry->second;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return parts;
+}
+
+}  // namespace impetus

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "engine/shapes/triangle_meeting.hpp"
+
+#include <algorithm>
+
+#include "engine/shapes/exact_orientation.hpp"
+#include "engine/shapes/triangle_distance.hpp"
+
+namespace impetus {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+
+constexpr int kNoAxis = -1;
+
+/// An axis along which the triangle can be flattened and keeps an area; none when it has no area.
+int flattening_axis(const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  int likely = 0;
+  (b - a).cross(c - a).cwiseAbs().maxCoeff(&likely);
+  for (int i = 0; i < 3; ++i) {
+    const int axis = (likely + i) % 3;
+    if (turn_across(axis, a, b, c) != 0) {
+      return axis;
+    }
+  }
+  return kNoAxis;
+}
+
+/// Whether the flattened `point` is in the flattened triangle, its border included.
+bool covers(int axis, const Triangle& triangle, const Vector3& point) {
+  const auto& [a, b, c] = triangle;
+  const std::array<int, 3> turns{turn_across(axis, a, b, point), turn_across(axis, b, c, point),
+                                 turn_across(axis, c, a, point)};
+  const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
+  return *least >= 0 || *most <= 0;
+}
+
+/// Whether flattened segments p–q and r–s, not all in line, have a point in common.
+bool segments_meet(int axis, const Vector3& p, const Vector3& q, const Vector3& r,
+                   const Vector3& s) {
+  const int turn_r = turn_across(axis, p, q, r);
+  const int turn_s = turn_across(axis, p, q, s);
+  const bool in_line = turn_r == 0 && turn_s == 0;
+  return !in_line && turn_r * turn_s <= 0 &&
+         turn_across(axis, r, s, p) * turn_across(axis, r, s, q) <= 0;
+}
+
+/// A segment in the triangle's own plane. One that runs along an edge ends on it or meets the next.
+bool meets_in_plane(const Vector3& from, const Vector3& to, const Triangle& triangle) {
+  const int axis = flattening_axis(triangle);
+  const auto& [a, b, c] = triangle;
+  return covers(axis, triangle, from) || covers(axis, triangle, to) ||
+         segments_meet(axis, from, to, a, b) || segments_meet(axis, from, to, b, c) ||
+         segments_meet(axis, from, to, c, a);
+}
+
+/// Whether the segment and the triangle, border included, have a point in common.
+bool meets(const Vector3& from, const Vector3& to, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const int side_from = side_of_plane(a, b, c, from);
+  const int side_to = side_of_plane(a, b, c, to);
+  if (side_from == 0 && side_to == 0) {
+    return meets_in_plane(from, to, triangle);
+  }
+  if (side_from == side_to) {
+    return false;
+  }
+  const std::array<int, 3> turns{side_of_plane(from, to, a, b), side_of_plane(from, to, b, c),
+                                 side_of_plane(from, to, c, a)};
+  const auto [least, most] = std::minmax_element(turns.begin(), turns.end());
+  return *least >= 0 || *most <= 0;
+}
+
+/// Whether all of `b` lies strictly on one side of the plane of `a`.
+bool apart(const Triangle& a, const Triangle& b) {
+  const int side = side_of_plane(a[0], a[1], a[2], b[0]);
+  return side != 0 && side == side_of_plane(a[0], a[1], a[2], b[1]) &&
+         side == side_of_plane(a[0], a[1], a[2], b[2]);
+}
+
+/// Triangles share a point exactly when an edge of one meets the other.
+bool share_a_point(const Triangle& a, const Triangle& b) {
+  if (apart(a, b) || apart(b, a)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (meets(a[i], a[(i + 1) % 3], b) || meets(b[i], b[(i + 1) % 3], a)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Triangles with the common corners a[i] and b[j]. What else they share reaches the edge opposite
+/// to that corner in one of them.
+bool meet_beyond_corner(const Triangle& a, std::size_t i, const Triangle& b, std::size_t j) {
+  return meets(a[(i + 1) % 3], a[(i + 2) % 3], b) || meets(b[(j + 1) % 3], b[(j + 2) % 3], a);
+}
+
+/// Triangles with a common edge, opposite to a[i] and b[j]: in one plane and on the same side.
+bool meet_beyond_edge(const Triangle& a, std::size_t i, const Triangle& b, std::size_t j) {
+  const Vector3& from = a[(i + 1) % 3];
+  const Vector3& to = a[(i + 2) % 3];
+  if (side_of_plane(a[0], a[1], a[2], b[j]) != 0) {
+    return false;
+  }
+  const int axis = flattening_axis(a);
+  return turn_across(axis, from, to, a[i]) == turn_across(axis, from, to, b[j]);
+}
+
+/// The place in `a` of a corner that `b` has (`wanted`) or has not.
+std::size_t corner(const Corners& a, const Corners& b, bool wanted) {
+  std::size_t i = 0;
+  while (i < 2 && (std::find(b.begin(), b.end(), a[i]) != b.end()) != wanted) {
+    ++i;
+  }
+  return i;
+}
+
+Triangle placed(const TriangleMesh& mesh, const Corners& corners) {
+  return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
+}
+
+}  // namespace
+
+Meeting meeting(const TriangleMesh& mesh, const Corners& a, const Corners& b) {
+  const auto shared = std::count_if(a.begin(), a.end(), [&b](std::uint32_t vertex) {
+    return std::find(b.begin(), b.end(), vertex) != b.end();
+  });
+  const Triangle of_a = placed(mesh, a);
+  const Triangle of_b = placed(mesh, b);
+  if (shared == 3 || flattening_axis(of_a) == kNoAxis || flattening_axis(of_b) == kNoAxis) {
+    return Meeting::kNone;
+  }
+  if (shared == 0) {
+    return share_a_point(of_a, of_b) ? Meeting::kCrossing : Meeting::kNone;
+  }
+  const bool folded = shared == 1
+                          ? meet_beyond_corner(of_a, corner(a, b, true), of_b, corner(b, a, true))
+                          : meet_beyond_edge(of_a, corner(a, b, false), of_b, corner(b, a, false));
+  return folded ? Meeting::kFolded : Meeting::kNone;
+}
+
+}  // namespace impetus

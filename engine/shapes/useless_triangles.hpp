@@ -1,0 +1,24 @@
+// Triangles that add nothing to a surface: without area, or there already.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/shapes/triangle_mesh.hpp"
+
+namespace impetus {
+
+/// Whether the triangle has a repeated vertex or no area.
+bool is_degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
+
+/// Removes triangles that are degenerate; returns how many.
+std::int64_t drop_degenerate(TriangleMesh& mesh);
+
+/// Removes triangles with the vertices of an earlier one, either way round; returns how many.
+std::int64_t drop_duplicates(TriangleMesh& mesh);
+
+/// How many drop_duplicates() would remove.
+std::int64_t count_duplicates(const TriangleMesh& mesh);
+
+}  // namespace impetus
