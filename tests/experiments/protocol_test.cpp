@@ -259,8 +259,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/bodies/0/colour: expected a text such as \"#d9813b\", got "
         "\"red\""},
        {"/bodies/0/shape/kind", "cube",
-        "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"l-block\", got "
-        "\"cube\""},
+        "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"plate\", "
+        "\"l-block\", \"torus\", \"knot\", \"creature\", got \"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,
