@@ -56,11 +56,9 @@ bool covers(const DrawnBody& body, const Pose& pose, const Vector3& eye, const V
 
 /// The point of the screen's plane that a point of the world projects to (pixels, from centre).
 Eigen::Vector2d projected_px(const Viewer& viewer, const Vector3& point) {
-  const Vector3 forward = -viewer.eye.normalized();
-  const Vector3 ray = point - viewer.eye;
-  const double scale = viewer.screen.viewing_distance_m / ray.dot(forward);
-  return {scale * ray.dot(viewer.right) * viewer.screen.width_px / viewer.screen.width_m,
-          scale * ray.dot(viewer.up) * viewer.screen.height_px / viewer.screen.height_m};
+  const ScreenPoint at = projected(viewer, point).value_or(ScreenPoint{});
+  return {at.x_m * viewer.screen.width_px / viewer.screen.width_m,
+          at.y_m * viewer.screen.height_px / viewer.screen.height_m};
 }
 
 /// A body as it is drawn, which may cover a gap.

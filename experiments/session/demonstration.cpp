@@ -2,6 +2,7 @@
 #include "experiments/session/demonstration.hpp"
 
 #include "experiments/session/playback.hpp"
+#include "experiments/session/whole_frames.hpp"
 
 namespace impetus {
 
@@ -10,8 +11,8 @@ Interruption show_demonstration(const std::string& id, const Script& script,
   Playback playback(ports.scenes.stage_demonstration(id, ports.display.geometry()), 0,
                     ports.work_clock);
   const double hz = ports.display.refresh_hz();
-  const auto interval = static_cast<std::int64_t>(script.timing.interval_ms / 1e3 * hz);
-  const auto last = static_cast<std::int64_t>(playback.scene().duration_s * hz);
+  const std::int64_t interval = whole_frames(script.timing.interval_ms / 1e3, hz);
+  const std::int64_t last = whole_frames(playback.scene().duration_s, hz);
   ports.display.restart_grid();
   for (std::int64_t frame = -interval; frame <= last; ++frame) {
     const std::vector<Pose> poses =

@@ -9,6 +9,7 @@
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/playback.hpp"
 #include "experiments/session/region_coverage.hpp"
+#include "experiments/session/whole_frames.hpp"
 
 namespace impetus {
 namespace {
@@ -52,7 +53,8 @@ class Attempt {
  private:
   bool show_interval() {
     ports_.display.restart_grid();
-    const std::int64_t frames = whole_frames(script_.timing.interval_ms / 1e3);
+    const std::int64_t frames =
+        whole_frames(script_.timing.interval_ms / 1e3, ports_.display.refresh_hz());
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       const Flip flip = ports_.display.show(picture());
       result_.record.late_untimed_frames += flip.late() ? 1 : 0;
@@ -68,7 +70,8 @@ class Attempt {
     ports_.display.restart_grid();
     Picture cross = picture();
     cross.fixation_cross = true;
-    const std::int64_t frames = whole_frames(script_.timing.fixation_ms / 1e3);
+    const std::int64_t frames =
+        whole_frames(script_.timing.fixation_ms / 1e3, ports_.display.refresh_hz());
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
         return false;
@@ -78,7 +81,8 @@ class Attempt {
   }
 
   bool show_stimulus() {
-    const std::int64_t last_frame = whole_frames(playback_.scene().duration_s);
+    const std::int64_t last_frame =
+        whole_frames(playback_.scene().duration_s, ports_.display.refresh_hz());
     fixation_frames_ = static_cast<std::int64_t>(result_.record.frames.size());
     follower_.begin();
     if (script_.clicks) {
@@ -193,11 +197,6 @@ class Attempt {
   bool interrupted() {
     result_.interruption = ports_.input.interruption();
     return result_.interruption != Interruption::kNone;
-  }
-
-  /// The frames that cover a duration; whole for every duration that a protocol's check passed.
-  [[nodiscard]] std::int64_t whole_frames(double duration_s) const {
-    return static_cast<std::int64_t>(std::ceil(duration_s * ports_.display.refresh_hz() - 1e-6));
   }
 
   const Script& script_;
