@@ -25,7 +25,7 @@
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 

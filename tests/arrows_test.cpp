@@ -25,9 +25,10 @@ struct Room {
 
 const std::vector<Room> kRooms = {
     {"engine/numerics", {}, {"Eigen"}},
+    {"engine/volumes", {"engine/numerics"}, {}},
     {"engine/shapes", {"engine/numerics"}, {}},
-    {"engine/trees", {"engine/shapes"}, {}},
-    {"engine/scheduling", {"engine/shapes"}, {}},
+    {"engine/trees", {"engine/shapes", "engine/volumes"}, {}},
+    {"engine/scheduling", {"engine/volumes"}, {}},
     {"engine/collision", {"engine/trees", "engine/scheduling"}, {}},
     {"engine/dynamics", {"engine/collision"}, {}},
     {"engine", {"engine/dynamics"}, {}},
@@ -180,7 +181,7 @@ struct Planted {
 
 TEST(Arrows, PlantedViolationsAreCaught) {
   const std::vector<Planted> plants = {
-      {"engine/shapes/sphere.hpp", "#include \"engine/trees/volume_tree.hpp\""},
+      {"engine/volumes/sphere.hpp", "#include \"engine/trees/volume_tree.hpp\""},
       {"engine/scheduling/viewer.hpp", "#include \"engine/trees/volume_tree.hpp\""},
       {"engine/dynamics/body.cpp", "#include \"engine/world.hpp\""},
       {"engine/world.cpp", "  #  include \"experiments/session/plan.hpp\""},

@@ -18,12 +18,12 @@ NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
   if (placed == nullptr) {
     return {index, 1};
   }
-  const VolumeNode& node = placed->tree().node(index);
+  const NodeLinks& node = placed->tree().links(index);
   return node.child_count > 0 ? NodeRange{node.first_child, node.child_count} : NodeRange{index, 1};
 }
 
 bool has_children(const PlacedTree* placed, std::int32_t index) {
-  return placed != nullptr && placed->tree().node(index).child_count > 0;
+  return placed != nullptr && placed->tree().links(index).child_count > 0;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 

@@ -29,7 +29,7 @@ class PlacedTree {
   const Sphere& world_volume(std::int32_t index) {
     const auto slot = static_cast<std::size_t>(index);
     if (placed_in_[slot] != step_) {
-      const Sphere& volume = tree_->node(index).volume;
+      const Sphere volume = std::get<Sphere>(tree_->volume(index));
       world_[slot] = {pose_.transform(volume.centre), volume.radius_m};
       placed_in_[slot] = step_;
     }

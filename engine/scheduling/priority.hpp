@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "engine/scheduling/viewer.hpp"
-#include "engine/shapes/sphere.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/numerics/rounding.hpp"
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/point_in_solid.hpp"
 
@@ -200,8 +201,7 @@ class Builder {
     add_level({sphere_about(Vector3::Zero(), solid_->vertices, margin_m_)});
     for (int made = 0; made < depth && split_level(); ++made) {
     }
-    return {VolumeTree(std::move(nodes_), std::move(starts_), std::move(fit_errors_m_)),
-            std::move(cells_)};
+    return {VolumeTree(nodes_, std::move(starts_)), std::move(cells_)};
   }
 
  private:
@@ -209,14 +209,12 @@ class Builder {
   void add_level(const std::vector<Sphere>& spheres) {
     starts_.push_back(static_cast<std::int32_t>(nodes_.size()));
     protrusions_m_.clear();
-    double worst_m = 0.0;  // leaves further up lie within the solid
     for (std::size_t i = 0; i < level_.size(); ++i) {
-      nodes_.push_back({spheres[i], 0, 0});
-      cells_.push_back(level_[i].cell);
       protrusions_m_.push_back(protrusion_m(spheres[i], *solid_));
-      worst_m = std::max(worst_m, protrusions_m_.back());
+      nodes_.push_back({spheres[i], 0, 0, {}});
+      nodes_.back().surface.fit_error_m = rounded_up(protrusions_m_.back());
+      cells_.push_back(level_[i].cell);
     }
-    fit_errors_m_.push_back(worst_m);
   }
 
   /// Splits every part whose sphere reaches beyond the solid; false when none does.
@@ -250,7 +248,6 @@ class Builder {
   std::vector<double> protrusions_m_;
   std::vector<VolumeNode> nodes_;
   std::vector<std::int32_t> starts_;
-  std::vector<double> fit_errors_m_;
   std::vector<OctreeCell> cells_;
 };
 

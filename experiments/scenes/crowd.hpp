@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 

@@ -9,24 +9,9 @@ namespace impetus {
 namespace {
 
 std::vector<Sphere> nodes_at(const VolumeTree& tree, const Quaternion& orientation, int level) {
-  std::vector<std::int32_t> indices{0};
-  for (int depth = 0; depth < level; ++depth) {
-    std::vector<std::int32_t> deeper;
-    for (const std::int32_t index : indices) {
-      const VolumeNode& node = tree.node(index);
-      if (node.child_count == 0) {
-        deeper.push_back(index);
-      }
-      for (std::int32_t child = 0; child < node.child_count; ++child) {
-        deeper.push_back(node.first_child + child);
-      }
-    }
-    indices.swap(deeper);
-  }
   std::vector<Sphere> nodes;
-  nodes.reserve(indices.size());
-  for (const std::int32_t index : indices) {
-    const Sphere& volume = tree.node(index).volume;
+  for (const std::int32_t index : tree.standing_at(level)) {
+    const Sphere volume = bounding_sphere(tree.volume(index));
     nodes.push_back({orientation * volume.centre, volume.radius_m});
   }
   return nodes;

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 BodyShape sphere_shape(double radius_m) {
-  const VolumeTree tree = single_node_tree({Vector3::Zero(), radius_m});
+  const VolumeTree tree = single_node_tree(Sphere{Vector3::Zero(), radius_m});
   return {nullptr, std::make_shared<const VolumeTree>(tree), solid_sphere(radius_m, 1.0), radius_m};
 }
 

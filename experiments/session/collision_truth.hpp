@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 #include "experiments/session/staged_scene.hpp"
 
 namespace impetus {

@@ -7,7 +7,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 

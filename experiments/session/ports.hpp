@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/scheduling/priority.hpp"
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 #include "experiments/session/ports.hpp"
 
 namespace impetus {

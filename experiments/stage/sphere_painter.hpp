@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "engine/shapes/sphere.hpp"
+#include "engine/volumes/sphere.hpp"
 #include "experiments/stage/pixel_area.hpp"
 
 namespace impetus {

@@ -12,24 +12,9 @@ constexpr std::array<float, 3> kVolumeColour{0.10F, 0.36F, 0.20F};
 }  // namespace
 
 std::vector<Sphere> volumes_at_level(const VolumeTree& tree, int level) {
-  std::vector<std::int32_t> standing{0};
-  for (int depth = 0; depth < level; ++depth) {
-    std::vector<std::int32_t> next;
-    for (const std::int32_t index : standing) {
-      const VolumeNode& node = tree.node(index);
-      for (std::int32_t child = 0; child < node.child_count; ++child) {
-        next.push_back(node.first_child + child);
-      }
-      if (node.child_count == 0) {
-        next.push_back(index);
-      }
-    }
-    standing = std::move(next);
-  }
   std::vector<Sphere> volumes;
-  volumes.reserve(standing.size());
-  for (const std::int32_t index : standing) {
-    volumes.push_back(tree.node(index).volume);
+  for (const std::int32_t index : tree.standing_at(level)) {
+    volumes.push_back(bounding_sphere(tree.volume(index)));
   }
   return volumes;
 }

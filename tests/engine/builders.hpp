@@ -46,7 +46,7 @@ inline Quaternion random_turn(RandomStream& random) {
 inline BodyModel ball(double radius_m, double mass_kg) {
   BodyModel model;
   model.name = "ball";
-  model.tree = std::make_shared<VolumeTree>(single_node_tree({Vector3::Zero(), radius_m}));
+  model.tree = std::make_shared<VolumeTree>(single_node_tree(Sphere{Vector3::Zero(), radius_m}));
   model.inverse_mass = 1.0 / mass_kg;
   model.inverse_inertia = Matrix3::Identity() / (0.4 * mass_kg * radius_m * radius_m);
   return model;
@@ -148,7 +148,7 @@ inline double total_energy(const World& world) {
 /// A tree of random spheres in which every child lies within its parent, of at most `levels`
 /// levels. A quarter of the inner nodes end early, so that leaves meet inner nodes.
 inline VolumeTree random_tree(RandomStream& random, int levels) {
-  std::vector<VolumeNode> nodes{{{0.2 * random_direction(random), 1.0}, 0, 0}};
+  std::vector<VolumeNode> nodes{{Sphere{0.2 * random_direction(random), 1.0}, 0, 0, {}}};
   std::vector<std::int32_t> starts{0};
   for (int level = 1; level < levels; ++level) {
     const auto begin = static_cast<std::size_t>(starts.back());
@@ -156,14 +156,15 @@ inline VolumeTree random_tree(RandomStream& random, int levels) {
     for (std::size_t parent = begin; parent < end; ++parent) {
       const bool ends_early = level > 1 && random.below(4) == 0;
       const std::uint64_t children = ends_early ? 0 : 1 + random.below(4);
-      const Sphere outer = nodes[parent].volume;
+      const auto outer = std::get<Sphere>(nodes[parent].volume);
       nodes[parent].child_count = static_cast<std::int32_t>(children);
       nodes[parent].first_child = static_cast<std::int32_t>(nodes.size());
       for (std::uint64_t child = 0; child < children; ++child) {
         const double radius_m = outer.radius_m * uniform_in(random, 0.4, 0.8);
         // 0.999: rounding in the world's coordinates must not push a child out of its parent.
         const double reach_m = 0.999 * (outer.radius_m - radius_m) * random.uniform();
-        nodes.push_back({{outer.centre + reach_m * random_direction(random), radius_m}, 0, 0});
+        nodes.push_back(
+            {Sphere{outer.centre + reach_m * random_direction(random), radius_m}, 0, 0, {}});
       }
     }
     if (nodes.size() == end) {

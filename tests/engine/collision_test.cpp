@@ -26,31 +26,12 @@ Answer as_set(const std::vector<NodePair>& pairs) {
   return answer;
 }
 
-/// The nodes that stand for the whole object at `level`: those of the level, and leaves above it.
-std::vector<std::int32_t> nodes_at(const VolumeTree& tree, int level) {
-  std::vector<std::int32_t> nodes{0};
-  for (int depth = 0; depth < level; ++depth) {
-    std::vector<std::int32_t> deeper;
-    for (const std::int32_t index : nodes) {
-      const VolumeNode& node = tree.node(index);
-      for (std::int32_t child = 0; child < node.child_count; ++child) {
-        deeper.push_back(node.first_child + child);
-      }
-      if (node.child_count == 0) {
-        deeper.push_back(index);
-      }
-    }
-    nodes = deeper;
-  }
-  return nodes;
-}
-
 /// The oracle: every node of one level against every node of the other, no descent. Equal to the
 /// descent because children of random_tree() lie within their parents.
 Answer brute_force(PlacedTree& a, PlacedTree& b, int level) {
   Answer answer;
-  for (const std::int32_t i : nodes_at(a.tree(), level)) {
-    for (const std::int32_t j : nodes_at(b.tree(), level)) {
+  for (const std::int32_t i : a.tree().standing_at(level)) {
+    for (const std::int32_t j : b.tree().standing_at(level)) {
       if (overlap(a.world_volume(i), b.world_volume(j))) {
         answer.emplace(i, j);
       }
@@ -217,15 +198,16 @@ TEST(PairRefinement, SeparatedMeansThatNoLeavesOverlap) {
 
 /// A tree whose root has one child for each centre.
 VolumeTree two_levels(const std::vector<Vector3>& centres, double radius_m) {
-  std::vector<VolumeNode> nodes{{{Vector3::Zero(), 2.0}, 1, static_cast<int>(centres.size())}};
+  std::vector<VolumeNode> nodes{
+      {Sphere{Vector3::Zero(), 2.0}, 1, static_cast<int>(centres.size()), {}}};
   for (const Vector3& centre : centres) {
-    nodes.push_back({{centre, radius_m}, 0, 0});
+    nodes.push_back({Sphere{centre, radius_m}, 0, 0, {}});
   }
   return {nodes, {0, 1}};
 }
 
 TEST(PairRefinement, ALeafAgainstAnInnerNodeDescendsTheInnerNode) {
-  const VolumeTree sphere = single_node_tree({Vector3::Zero(), 0.5});
+  const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 0.5});
   const VolumeTree pair_of_spheres = two_levels({{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}, 0.75);
   PlacedTree a(sphere);
   PlacedTree b(pair_of_spheres);
@@ -241,7 +223,7 @@ TEST(PairRefinement, ALeafAgainstAnInnerNodeDescendsTheInnerNode) {
 }
 
 TEST(PairRefinement, TwoSpheresAreResolvedByTheFirstTest) {
-  const VolumeTree sphere = single_node_tree({Vector3::Zero(), 0.5});
+  const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 0.5});
   PlacedTree a(sphere);
   PlacedTree b(sphere);
   b.move_to({Vector3(1.0, 0.0, 0.0), Quaternion::Identity()});
@@ -279,7 +261,7 @@ TEST(PlacedTree, NodesOfAnOldPoseAreNeverSeenAgain) {
     const Pose pose{random_in_cube(random, 5.0), random_turn(random)};
     placed.move_to(pose);
     for (std::int32_t index = 0; index < tree.node_count(); ++index) {
-      const Sphere& volume = tree.node(index).volume;
+      const auto volume = std::get<Sphere>(tree.volume(index));
       ASSERT_EQ(placed.world_volume(index).centre, pose.transform(volume.centre));
       ASSERT_EQ(placed.world_volume(index).radius_m, volume.radius_m);
     }
@@ -320,7 +302,7 @@ TEST(BroadPhase, NeverPairsTwoStaticBodies) {
 }
 
 TEST(ContactModel, OneNodePairGivesTheContactOfTwoSpheres) {
-  const VolumeTree sphere = single_node_tree({Vector3::Zero(), 0.5});
+  const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 0.5});
   PlacedTree a(sphere);
   PlacedTree b(sphere);
   b.move_to({Vector3(0.75, 0.0, 0.0), Quaternion::Identity()});
@@ -333,7 +315,7 @@ TEST(ContactModel, OneNodePairGivesTheContactOfTwoSpheres) {
 
 TEST(ContactModel, SeveralNodePairsAreAveraged) {
   // A ball above two balls: the normals lean outwards alike and average to the vertical.
-  const VolumeTree sphere = single_node_tree({Vector3::Zero(), 1.0});
+  const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 1.0});
   const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0);
   PlacedTree a(sphere);
   PlacedTree b(twins);
@@ -350,7 +332,7 @@ TEST(ContactModel, SeveralNodePairsAreAveraged) {
 
 TEST(ContactModel, OpposedNormalsFallBackOnTheChain) {
   // A ball exactly between two balls: the two normals cancel.
-  const VolumeTree sphere = single_node_tree({Vector3::Zero(), 1.0});
+  const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 1.0});
   const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0);
   PlacedTree a(sphere);
   PlacedTree b(twins);

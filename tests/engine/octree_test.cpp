@@ -93,23 +93,8 @@ bool holds(const Sphere& sphere, const Polygon& polygon) {
   });
 }
 
-/// Node indices of one level, and the leaves above that still stand for their parts.
-std::vector<std::int32_t> standing_at(const VolumeTree& tree, int level) {
-  std::vector<std::int32_t> nodes{0};
-  for (int depth = 0; depth < level; ++depth) {
-    std::vector<std::int32_t> deeper;
-    for (const std::int32_t index : nodes) {
-      const VolumeNode& node = tree.node(index);
-      if (node.child_count == 0) {
-        deeper.push_back(index);
-      }
-      for (std::int32_t child = 0; child < node.child_count; ++child) {
-        deeper.push_back(node.first_child + child);
-      }
-    }
-    nodes = deeper;
-  }
-  return nodes;
+Sphere sphere_of(const VolumeTree& tree, std::int32_t node) {
+  return std::get<Sphere>(tree.volume(node));
 }
 
 TEST(Octree, EveryLevelCoversTheWholeSurface) {
@@ -120,13 +105,13 @@ TEST(Octree, EveryLevelCoversTheWholeSurface) {
     ASSERT_EQ(octree.cells.size(), static_cast<std::size_t>(octree.tree.node_count()));
     ASSERT_GT(octree.tree.level_count(), 3) << name;
     for (int level = 0; level < octree.tree.level_count(); ++level) {
-      const std::vector<std::int32_t> nodes = standing_at(octree.tree, level);
+      const std::vector<std::int32_t> nodes = octree.tree.standing_at(level);
       for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         long double held = 0.0L;
         for (const std::int32_t index : nodes) {
           const OctreeCell& cell = octree.cells[static_cast<std::size_t>(index)];
           const Polygon polygon = clipped_to(cell, mesh, triangle);
-          if (holds(octree.tree.node(index).volume, polygon)) {
+          if (holds(sphere_of(octree.tree, index), polygon)) {
             held += area_of(polygon);
           }
         }
@@ -151,7 +136,7 @@ TEST(Octree, EveryNodeHoldsAllOfTheSurfaceInItsCell) {
         // What reaches in by no more than the snapping belongs to the neighbour.
         const bool within = !clipped_to(shrunk(cell), mesh, triangle).empty();
         if (within) {
-          ASSERT_TRUE(holds(octree.tree.node(index).volume, polygon)) << name << ", node " << index;
+          ASSERT_TRUE(holds(sphere_of(octree.tree, index), polygon)) << name << ", node " << index;
         }
       }
     }
@@ -162,7 +147,7 @@ TEST(Octree, AChildsPartLiesInItsParents) {
   for (const auto& [name, mesh, depth] : solids()) {
     const Octree octree = build_octree(mesh, depth);
     for (std::int32_t index = 0; index < octree.tree.node_count(); ++index) {
-      const VolumeNode& node = octree.tree.node(index);
+      const NodeLinks& node = octree.tree.links(index);
       const OctreeCell& outer = octree.cells[static_cast<std::size_t>(index)];
       for (std::int32_t child = node.first_child; child < node.first_child + node.child_count;
            ++child) {
@@ -180,11 +165,11 @@ TEST(Octree, CoversTheInsideToo) {
   for (const auto& [name, mesh, depth] : solids()) {
     const VolumeTree tree = octree(mesh, depth);
     for (int level = 0; level < tree.level_count(); ++level) {
-      const std::vector<std::int32_t> nodes = standing_at(tree, level);
+      const std::vector<std::int32_t> nodes = tree.standing_at(level);
       for (int trial = 0; trial < 200; ++trial) {
         const Vector3 point = random_in_cube(random, 1.0);
         const bool held = std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t index) {
-          return overlap(tree.node(index).volume, {point, 0.0});
+          return overlap(sphere_of(tree, index), Sphere{point, 0.0});
         });
         ASSERT_TRUE(held || !contains(mesh, point)) << name << ", level " << level;
       }
@@ -194,7 +179,7 @@ TEST(Octree, CoversTheInsideToo) {
 
 TEST(Octree, RootLiesAboutTheCentreOfMassAndTouchesTheFarthestVertex) {
   const TriangleMesh mesh = about_centre_of_mass(l_block_mesh(2.0, 0.7));
-  const Sphere root = octree(mesh, 2).node(0).volume;
+  const Sphere root = sphere_of(octree(mesh, 2), 0);
   double farthest = 0.0;
   for (const Vector3& vertex : mesh.vertices) {
     farthest = std::max(farthest, vertex.norm());
@@ -210,8 +195,8 @@ TEST(Octree, FitErrorBoundsHowFarNodesReachBeyondTheSolidAndFallsWithDepth) {
     const VolumeTree tree = octree(mesh, depth);
     for (int level = 0; level < tree.level_count(); ++level) {
       double worst = 0.0;
-      for (const std::int32_t index : standing_at(tree, level)) {
-        const Sphere& sphere = tree.node(index).volume;
+      for (const std::int32_t index : tree.standing_at(level)) {
+        const Sphere sphere = sphere_of(tree, index);
         for (int sample = 0; sample < 30; ++sample) {
           const Vector3 point = sphere.centre + sphere.radius_m * random_direction(random);
           if (!contains(mesh, point)) {
@@ -241,8 +226,8 @@ TEST(Octree, IsTheSameEveryTimeAndQuick) {
   const VolumeTree again = octree(mesh, 4);
   ASSERT_EQ(once.node_count(), again.node_count());
   for (std::int32_t index = 0; index < once.node_count(); ++index) {
-    ASSERT_EQ(once.node(index).volume.centre, again.node(index).volume.centre);
-    ASSERT_EQ(once.node(index).volume.radius_m, again.node(index).volume.radius_m);
+    ASSERT_EQ(sphere_of(once, index).centre, sphere_of(again, index).centre);
+    ASSERT_EQ(sphere_of(once, index).radius_m, sphere_of(again, index).radius_m);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/sphere.hpp"
+#include "engine/volumes/sphere.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 #include "tests/engine/builders.hpp"
 

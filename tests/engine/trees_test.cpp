@@ -12,15 +12,15 @@ namespace {
 
 using Nodes = std::vector<VolumeNode>;
 
-VolumeNode leaf() { return {{Vector3::Zero(), 1.0}, 0, 0}; }
+VolumeNode leaf() { return {Sphere{Vector3::Zero(), 1.0}, 0, 0, {}}; }
 
 VolumeNode inner(std::int32_t first_child, std::int32_t child_count) {
-  return {{Vector3::Zero(), 1.0}, first_child, child_count};
+  return {Sphere{Vector3::Zero(), 1.0}, first_child, child_count, {}};
 }
 
 void expect_refused(Nodes nodes, std::vector<std::int32_t> starts) {
   try {
-    const VolumeTree tree(std::move(nodes), std::move(starts));
+    const VolumeTree tree(nodes, std::move(starts));
     ADD_FAILURE() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "volume tree: nodes are not in breadth-first order by level");
@@ -28,7 +28,7 @@ void expect_refused(Nodes nodes, std::vector<std::int32_t> starts) {
 }
 
 TEST(VolumeTree, ASphereIsATreeOfOneNodeAndOneLevel) {
-  const VolumeTree tree = single_node_tree({Vector3(3.0, 0.0, 4.0), 0.5});
+  const VolumeTree tree = single_node_tree(Sphere{Vector3(3.0, 0.0, 4.0), 0.5});
   EXPECT_EQ(tree.node_count(), 1);
   EXPECT_EQ(tree.level_count(), 1);
   EXPECT_EQ(tree.bounding_radius_m(), 5.5) << "about the centre of mass";
@@ -53,7 +53,7 @@ TEST(VolumeTree, RefusesNodesOutOfBreadthFirstOrder) {
 
 TEST(VolumeTree, RefusesLevelsThatDoNotMatchItsNodes) {
   const Nodes nodes{inner(1, 2), inner(3, 1), leaf(), leaf()};
-  EXPECT_NO_THROW(VolumeTree(nodes, {0, 1, 3}));
+  EXPECT_NO_THROW((VolumeTree(nodes, {0, 1, 3})));
   expect_refused(nodes, {});
   expect_refused(nodes, {0, 1});
   expect_refused(nodes, {0, 2, 3});
@@ -66,7 +66,7 @@ TEST(VolumeTree, BoundingRadiusBoundsEveryNodeOfANestedTree) {
   for (int trial = 0; trial < 50; ++trial) {
     const VolumeTree tree = random_tree(random, 5);
     for (std::int32_t index = 0; index < tree.node_count(); ++index) {
-      const Sphere& volume = tree.node(index).volume;
+      const auto volume = std::get<Sphere>(tree.volume(index));
       ASSERT_LE(volume.centre.norm() + volume.radius_m, tree.bounding_radius_m());
     }
   }

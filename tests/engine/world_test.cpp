@@ -402,10 +402,10 @@ TEST(World, WorkNeverExceedsTheGrantExceptForTheFloor) {
 
 TEST(World, WorkIsTheNumberOfNodePairTests) {
   // Roots: 1 test. Two children each, all near: 4 more; 1 + 4 = 5.
-  const VolumeTree tree({{{Vector3::Zero(), 1.0}, 1, 2},
-                         {{Vector3(0.1, 0.0, 0.0), 0.9}, 0, 0},
-                         {{Vector3(-0.1, 0.0, 0.0), 0.9}, 0, 0}},
-                        {0, 1});
+  const std::vector<VolumeNode> nodes{{Sphere{Vector3::Zero(), 1.0}, 1, 2, {}},
+                                      {Sphere{Vector3(0.1, 0.0, 0.0), 0.9}, 0, 0, {}},
+                                      {Sphere{Vector3(-0.1, 0.0, 0.0), 0.9}, 0, 0, {}}};
+  const VolumeTree tree(nodes, {0, 1});
   BodyModel model = ball(1.0, 1.0);
   model.tree = std::make_shared<VolumeTree>(tree);
   const World start({model, model}, {resting_at(Vector3::Zero()), resting_at({1.0, 0.0, 0.0})}, {});

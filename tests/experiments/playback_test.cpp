@@ -12,7 +12,7 @@ namespace {
 StagedScene ball_in_a_cube() {
   BodyModel ball;
   ball.name = "ball";
-  ball.tree = std::make_shared<const VolumeTree>(single_node_tree({Vector3::Zero(), 0.1}));
+  ball.tree = std::make_shared<const VolumeTree>(single_node_tree(Sphere{Vector3::Zero(), 0.1}));
   ball.inverse_mass = 1.0;
   BodyState state;
   state.linear_momentum = Vector3::UnitX();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/shapes/sphere.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 

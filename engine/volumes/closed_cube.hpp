@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/shapes/sphere.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/shapes/closed_cube.hpp"
+#include "engine/volumes/closed_cube.hpp"
 
 namespace impetus {
 namespace {

@@ -1,0 +1,56 @@
+// How far a point lies from a closed surface, and on which side: many questions to one mesh.
+//
+// A tree of boxes over the triangles finds the nearest one. Its sign is that of the angle-weighted
+// pseudonormal of the face, edge or vertex that the nearest point lies on, which is right wherever
+// the surface does not pass through itself (Bærentzen and Aanæs 2005).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/shapes/triangle_mesh.hpp"
+
+namespace impetus {
+
+/// The point of a surface nearest to another; the triangle of the least index among equals.
+struct NearestOnSurface {
+  double distance_m{0.0};
+  Vector3 point{Vector3::Zero()};
+  std::uint32_t triangle{0};
+};
+
+class SurfaceDistance {
+ public:
+  /// Copies what it needs of `mesh`. Precondition: find_defects(mesh).none(), one triangle or more.
+  explicit SurfaceDistance(const TriangleMesh& mesh);
+
+  [[nodiscard]] NearestOnSurface nearest(const Vector3& point) const;
+
+  /// Metres; negative inside the solid.
+  [[nodiscard]] double signed_distance_m(const Vector3& point) const;
+
+ private:
+  struct Node {
+    Vector3 least;
+    Vector3 most;
+    std::uint32_t begin;  ///< of its triangles in order_
+    std::uint32_t end;
+    std::uint32_t second_child;  ///< the first follows its parent; 0 for a leaf
+  };
+
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+  void search(std::uint32_t node, const Vector3& point, double& best_squared,
+              NearestOnSurface& best) const;
+  [[nodiscard]] Vector3 pseudonormal(const NearestOnSurface& at) const;
+
+  TriangleMesh mesh_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Vector3> face_normals_;                   ///< unit
+  std::vector<std::array<Vector3, 3>> edge_normals_;    ///< by triangle; edge i from corner i
+  std::vector<Vector3> vertex_normals_;
+};
+
+}  // namespace impetus

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "engine/trees/tree_settings.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace impetus {
+namespace {
+
+bool is_cube_number(int count) {
+  int root = 1;
+  while (root * root * root < count) {
+    ++root;
+  }
+  return root * root * root == count;
+}
+
+std::string range(const std::string& what, int least, int most, int got) {
+  return "tree: expected a " + what + " from " + std::to_string(least) + " to " +
+         std::to_string(most) + ", got " + std::to_string(got);
+}
+
+}  // namespace
+
+const std::vector<std::string>& tree_kind_names() {
+  static const std::vector<std::string> kNames{"octree", "medial", "voxel",
+                                               "box",    "swept",  "heterogeneous"};
+  return kNames;
+}
+
+std::string name_of(TreeKind kind) { return tree_kind_names()[static_cast<std::size_t>(kind)]; }
+
+TreeKind tree_kind(const std::string& name) {
+  const std::vector<std::string>& names = tree_kind_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    std::string message = "tree: expected a kind among";
+    for (const std::string& known : names) {
+      message += (known == names.front() ? " " : ", ") + known;
+    }
+    throw std::invalid_argument(message + ", got \"" + name + "\"");
+  }
+  return static_cast<TreeKind>(found - names.begin());
+}
+
+std::string problem_of(const TreeSettings& settings) {
+  const int branching = settings.branching;
+  if (settings.depth < 0 || settings.depth > kGreatestTreeDepth) {
+    return range("depth", 0, kGreatestTreeDepth, settings.depth);
+  }
+  if (branching < kLeastBranching || branching > kGreatestBranching) {
+    return range("branching", kLeastBranching, kGreatestBranching, branching);
+  }
+  if (settings.kind == TreeKind::kOctree && branching != 8) {
+    return "tree: expected a branching of 8 for an octree, got " + std::to_string(branching);
+  }
+  if (settings.kind == TreeKind::kVoxel && !is_cube_number(branching)) {
+    return "tree: expected a branching of 8, 27 or 64 for voxels, got " +
+           std::to_string(branching);
+  }
+  return {};
+}
+
+}  // namespace impetus

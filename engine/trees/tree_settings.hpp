@@ -1,0 +1,47 @@
+// What kind of volume tree to build, how deep and how wide.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+/// octree         spheres round the cubes of an octree: fast and simple
+/// medial         spheres near the medial axis: tight
+/// voxel          cubes of a regular grid, their places implicit
+/// box            oriented boxes
+/// swept          spheres swept along a point, a segment or a rectangle, whichever fits best
+/// heterogeneous  for each node the volume of any kind that fits best for its cost
+enum class TreeKind { kOctree, kMedial, kVoxel, kBox, kSwept, kHeterogeneous };
+
+struct TreeSettings {
+  TreeKind kind{TreeKind::kOctree};
+  int depth{4};      ///< levels beyond the root, at most; see kGreatestTreeDepth
+  int branching{8};  ///< children of a node, at most; voxels take a cube of a whole number
+
+  friend bool operator==(const TreeSettings&, const TreeSettings&) = default;
+};
+
+inline constexpr int kGreatestTreeDepth = 8;
+inline constexpr int kLeastBranching = 2;
+inline constexpr int kGreatestBranching = 64;
+
+/// The kind's name in files and on the command line, such as "octree".
+std::string name_of(TreeKind kind);
+
+/// The names of all kinds, in the order of the enum.
+const std::vector<std::string>& tree_kind_names();
+
+/// The kind of a name. Throws std::invalid_argument that lists the names when there is none.
+TreeKind tree_kind(const std::string& name);
+
+/// What is wrong with the settings, in words; empty when nothing is.
+std::string problem_of(const TreeSettings& settings);
+
+/// Called between pieces of work with the share that is done, from 0 to 1. It may throw, which
+/// abandons the work.
+using Progress = std::function<void(double share)>;
+
+}  // namespace impetus

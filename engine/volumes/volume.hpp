@@ -1,0 +1,28 @@
+// A volume of any kind: what a node of a volume tree may be.
+//
+// All kinds are convex: a polygon lies within a volume when its corners do.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <variant>
+
+#include "engine/volumes/box.hpp"
+#include "engine/volumes/sphere.hpp"
+#include "engine/volumes/swept.hpp"
+
+namespace impetus {
+
+/// One row for each kind. Every pair of rows has its overlap and its contact (see
+/// pair_procedures.hpp).
+using Volume = std::variant<Sphere, LineSwept, RectangleSwept, Box, Cube>;
+
+/// The smallest sphere about the volume's centre that holds it.
+Sphere bounding_sphere(const Volume& volume);
+
+/// Whether `point` lies in the volume or on its surface.
+bool holds(const Volume& volume, const Vector3& point);
+
+/// The volume's content (m³).
+double content_m3(const Volume& volume);
+
+}  // namespace impetus
