@@ -69,6 +69,23 @@ double content_of(const RectangleSwept& rectangle) {
 double content_of(const Box& box) { return 8.0 * box.half_extents_m.prod(); }
 double content_of(const Cube& cube) { return 8.0 * cube.half_edge_m * square(cube.half_edge_m); }
 
+Sphere placed_kind(const Sphere& sphere, const Pose& pose) {
+  return {pose.transform(sphere.centre), sphere.radius_m};
+}
+LineSwept placed_kind(const LineSwept& line, const Pose& pose) {
+  return {pose.transform(line.centre), pose.orientation * line.half_axis, line.radius_m};
+}
+RectangleSwept placed_kind(const RectangleSwept& rectangle, const Pose& pose) {
+  return {pose.transform(rectangle.centre), pose.orientation * rectangle.half_u,
+          pose.orientation * rectangle.half_v, rectangle.radius_m};
+}
+Box placed_kind(const Box& box, const Pose& pose) {
+  return {pose.transform(box.centre), box.half_extents_m, pose.orientation * box.orientation};
+}
+Cube placed_kind(const Cube& cube, const Pose& pose) {
+  return {pose.transform(cube.centre), cube.half_edge_m, pose.orientation * cube.orientation};
+}
+
 }  // namespace
 
 Sphere bounding_sphere(const Volume& volume) {
@@ -77,6 +94,10 @@ Sphere bounding_sphere(const Volume& volume) {
 
 bool holds(const Volume& volume, const Vector3& point) {
   return std::visit([&](const auto& kind) { return holds_point(kind, point); }, volume);
+}
+
+Volume placed(const Volume& volume, const Pose& pose) {
+  return std::visit([&](const auto& kind) { return Volume(placed_kind(kind, pose)); }, volume);
 }
 
 double content_m3(const Volume& volume) {

@@ -22,6 +22,9 @@ Sphere bounding_sphere(const Volume& volume);
 /// Whether `point` lies in the volume or on its surface.
 bool holds(const Volume& volume, const Vector3& point);
 
+/// A volume of a body's frame in the world.
+Volume placed(const Volume& volume, const Pose& pose);
+
 /// The volume's content (m³).
 double content_m3(const Volume& volume);
 
