@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "engine/volumes/core.hpp"
-
 namespace impetus {
 namespace {
 

@@ -6,10 +6,28 @@
 #include <compare>
 
 namespace impetus {
-namespace {
 
-/// The axes of a block with those of no extent last.
-Core with_flat_axes_last(const Vector3& centre, const Matrix3& axes, const Vector3& half_m) {
+Core point_core(const Vector3& centre) {
+  Core core;
+  core.centre = centre;
+  return core;
+}
+
+Core rectangle_core(const Vector3& centre, const Vector3& half_u, const Vector3& half_v) {
+  const double u_m = half_u.norm();
+  const double v_m = half_v.norm();
+  if (!(u_m > 0.0) && !(v_m > 0.0)) {
+    return point_core(centre);
+  }
+  const Vector3 first = u_m > 0.0 ? half_u / u_m : half_v / v_m;
+  const Vector3 second = u_m > 0.0 && v_m > 0.0 ? Vector3(half_v / v_m) : unit_across(first);
+  Matrix3 axes;
+  axes << first, second, first.cross(second);
+  const Vector3 half_m = u_m > 0.0 ? Vector3(u_m, v_m, 0.0) : Vector3(v_m, 0.0, 0.0);
+  return block_core(centre, axes, half_m);
+}
+
+Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_m) {
   Core core;
   core.centre = centre;
   int last = 2;
@@ -20,48 +38,6 @@ Core with_flat_axes_last(const Vector3& centre, const Matrix3& axes, const Vecto
     core.half_m[place] = extended ? half_m[axis] : 0.0;
   }
   return core;
-}
-
-/// The core of a rectangle; a segment or a point when one half or both have no length.
-Core core_between(const Vector3& centre, const Vector3& half_u, const Vector3& half_v) {
-  const Vector3 lengths(half_u.norm(), half_v.norm(), 0.0);
-  Core core;
-  core.centre = centre;
-  if (!(lengths[0] > 0.0) && !(lengths[1] > 0.0)) {
-    return core;
-  }
-  Matrix3 axes;
-  const bool u_leads = lengths[0] > 0.0;
-  const Vector3 leading = u_leads ? half_u / lengths[0] : half_v / lengths[1];
-  const bool both = u_leads && lengths[1] > 0.0;
-  const Vector3 other = both ? Vector3(half_v / lengths[1]) : unit_across(leading);
-  axes << leading, other, leading.cross(other);
-  return with_flat_axes_last(centre, axes, u_leads ? lengths : Vector3(lengths[1], 0.0, 0.0));
-}
-
-CoredVolume cored_of(const Sphere& sphere) {
-  Core core;
-  core.centre = sphere.centre;
-  return {core, sphere.radius_m};
-}
-CoredVolume cored_of(const LineSwept& line) {
-  return {core_between(line.centre, line.half_axis, Vector3::Zero()), line.radius_m};
-}
-CoredVolume cored_of(const RectangleSwept& rectangle) {
-  return {core_between(rectangle.centre, rectangle.half_u, rectangle.half_v), rectangle.radius_m};
-}
-CoredVolume cored_of(const Box& box) {
-  return {with_flat_axes_last(box.centre, box.orientation.toRotationMatrix(), box.half_extents_m),
-          0.0};
-}
-CoredVolume cored_of(const Cube& cube) {
-  return cored_of(Box{cube.centre, Vector3::Constant(cube.half_edge_m), cube.orientation});
-}
-
-}  // namespace
-
-CoredVolume cored(const Volume& volume) {
-  return std::visit([](const auto& kind) { return cored_of(kind); }, volume);
 }
 
 bool comes_after(const CoredVolume& a, const CoredVolume& b) {

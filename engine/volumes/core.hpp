@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/volumes/volume.hpp"
+#include "engine/numerics/vector.hpp"
 
 namespace impetus {
 
@@ -26,7 +26,13 @@ struct CoredVolume {
   double radius_m{0.0};
 };
 
-CoredVolume cored(const Volume& volume);
+Core point_core(const Vector3& centre);
+
+/// Of orthogonal halves; a segment or a point when one of them or both have no length.
+Core rectangle_core(const Vector3& centre, const Vector3& half_u, const Vector3& half_v);
+
+/// Of half extents, any of which may be zero, along the columns of `axes`.
+Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_m);
 
 /// Whether a comes after b in an order that nothing but their numbers decides: what is worked out
 /// in this order is the same both ways round.

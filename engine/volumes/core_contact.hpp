@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/volumes/core.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 

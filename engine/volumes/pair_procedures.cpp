@@ -60,14 +60,16 @@ constexpr PairProcedures kBoxCube{boxes_overlap, touch_of_circumscribed};
 constexpr PairProcedures kMirrored{};  // the row of the other kind has the pair
 
 // In the order of Volume's kinds.
+// clang-format off
 constexpr PairProcedures kTable[][std::variant_size_v<Volume>] = {
-    //                    Sphere     LineSwept  RectangleSwept  Box        Cube
-    /* Sphere         */ {kSpheres, kSwept, kSwept, kSwept, kSweptCube},
-    /* LineSwept      */ {kMirrored, kSwept, kSwept, kSwept, kSweptCube},
-    /* RectangleSwept */ {kMirrored, kMirrored, kSwept, kSwept, kSweptCube},
-    /* Box            */ {kMirrored, kMirrored, kMirrored, kBoxes, kBoxCube},
-    /* Cube           */ {kMirrored, kMirrored, kMirrored, kMirrored, kBoxCube},
+    //                     Sphere     LineSwept  RectangleSwept  Box        Cube
+    /* Sphere         */ { kSpheres,  kSwept,    kSwept,         kSwept,    kSweptCube },
+    /* LineSwept      */ { kMirrored, kSwept,    kSwept,         kSwept,    kSweptCube },
+    /* RectangleSwept */ { kMirrored, kMirrored, kSwept,         kSwept,    kSweptCube },
+    /* Box            */ { kMirrored, kMirrored, kMirrored,      kBoxes,    kBoxCube   },
+    /* Cube           */ { kMirrored, kMirrored, kMirrored,      kMirrored, kBoxCube   },
 };
+// clang-format on
 static_assert(std::size(kTable) == std::variant_size_v<Volume>);
 
 double width_along(const Volume& volume, const Vector3& direction) {

@@ -87,6 +87,44 @@ TEST(VolumeContact, AStackedBoxTouchesAtTheCentroidOfTheOverlap) {
   expect_contact(above, below, kZ, 0.25, {0.75, 0.5, 0.875});
 }
 
+TEST(VolumeContact, FacesThatTwoBoxesShareCountOnce) {
+  const Box wide{{1.0, 1.0, 1.0}, {1.0, 1.0, 1.0}, kUpright};
+  const Box long_and_low{{2.5, 1.0, 0.5}, {1.5, 1.0, 0.5}, kUpright};
+  // They share x from 1 to 2, y from 0 to 2, z from 0 to 1.
+  expect_contact(long_and_low, wide, kX, 1.0, {1.5, 1.0, 0.5});
+}
+
+TEST(VolumeContact, TheOverlapOfTwoBoxesHasTheCentroidOfItsSampledPoints) {
+  RandomStream random(kSeed, "centroid");
+  int compared = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Box a{random_in_cube(random, 0.5), {1.0, 0.6, 0.8}, random_turn(random)};
+    const Box b{random_in_cube(random, 0.5), {0.5, 1.0, 0.3}, random_turn(random)};
+    Vector3 sum = Vector3::Zero();
+    Vector3 squares = Vector3::Zero();
+    int count = 0;
+    for (int sample = 0; sample < 10'000; ++sample) {
+      const Vector3 shares = random_in_cube(random, 1.0);
+      const Vector3 point = b.centre + b.orientation * shares.cwiseProduct(b.half_extents_m);
+      if (holds(a, point)) {
+        sum += point;
+        squares += point.cwiseAbs2();
+        ++count;
+      }
+    }
+    if (count < 1'000) {
+      continue;
+    }
+    ++compared;
+    const Vector3 mean = sum / count;
+    const Vector3 variance = squares / count - mean.cwiseAbs2();
+    // Six standard errors of the mean.
+    const double allowed_m = 6.0 * std::sqrt(variance.sum() / count);
+    ASSERT_LT((touch(a, b, kZ).point - mean).norm(), allowed_m) << "seed " << kSeed;
+  }
+  EXPECT_GT(compared, 30);
+}
+
 TEST(VolumeContact, BoxesThatJustTouchShareAFaceAnEdgeOrACorner) {
   const Box still{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, kUpright};
   const auto beside = [&](double x, double y, double z) {
@@ -207,7 +245,7 @@ TEST(VolumeContact, SpheresAsVolumesGiveTheBitsOfSpheres) {
     ASSERT_EQ(general.point, plain.point);
     ASSERT_EQ(general.normal, plain.normal);
     ASSERT_EQ(general.depth_m, plain.depth_m);
-    ASSERT_EQ(std::get<Sphere>(placed(a, pose)).centre, pose.transform(a.centre));
+    ASSERT_EQ(std::get<Sphere>(placed(Volume(a), pose)).centre, pose.transform(a.centre));
     const ClosedCube walls{1.0};
     ASSERT_EQ(reaches_wall(walls, Volume(a)), reaches_wall(walls, a));
     for (int wall = 0; wall < kWallCount; ++wall) {
