@@ -92,9 +92,16 @@ TouchPoint contact_of_apart(const CoredVolume& a, const CoredVolume& b,
   return contact;
 }
 
-TouchPoint contact_in_order(const CoredVolume& a, const CoredVolume& b, const Vector3& fallback) {
+/// Worked out about a's centre, so that it is as exact far from the origin as near it.
+TouchPoint contact_in_order(CoredVolume a, CoredVolume b, const Vector3& fallback) {
+  const Vector3 origin = a.core.centre;
+  b.core.centre -= origin;
+  a.core.centre.setZero();
   const std::optional<ClosestPoints> closest = closest_points(a.core, b.core);
-  return closest ? contact_of_apart(a, b, *closest) : contact_of_meeting(a, b, fallback);
+  TouchPoint contact =
+      closest ? contact_of_apart(a, b, *closest) : contact_of_meeting(a, b, fallback);
+  contact.point += origin;
+  return contact;
 }
 
 }  // namespace

@@ -153,6 +153,23 @@ TEST(VolumeContact, BoxesEdgeToEdgePartAlongTheProductOfTheEdges) {
   EXPECT_LT((contact.normal - kZ).norm(), kRounding);
 }
 
+TEST(VolumeContact, IsAsExactFarFromTheOriginAsNearIt) {
+  const Vector3 away(0x1p20, -0x1p21, 0x1p19);  // metres; every coordinate below stays exact
+  const auto expect_same = [&](const Volume& a, const Volume& b) {
+    const TouchPoint near = touch(a, b, kZ);
+    const TouchPoint far = touch(moved(a, away), moved(b, away), kZ);
+    EXPECT_EQ(far.normal, near.normal);
+    EXPECT_EQ(far.depth_m, near.depth_m);
+    EXPECT_LT((far.point - away - near.point).norm(), 1e-9);
+  };
+  const Box below{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, kUpright};
+  expect_same(Box{{1.5, 1.0, 1.75}, {1.0, 1.0, 1.0}, kUpright}, below);
+  expect_same(LineSwept{{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, 0.3},
+              LineSwept{{3.0, 0.375, 0.0}, {-2.0, 0.0, 0.0}, 0.1});
+  expect_same(RectangleSwept{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5},
+              RectangleSwept{{2.0, 0.0, 0.75}, {1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}, 0.5});
+}
+
 TEST(VolumeContact, ABallOnABoxTouchesOnItsFace) {
   const Box box{{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}, kUpright};
   expect_contact(Sphere{{1.25, 0.5, 0.5}, 0.5}, box, kX, 0.25, {1.0, 0.5, 0.5});
