@@ -9,20 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "engine/shapes/triangle_in_box.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
 namespace impetus {
 namespace {
 
-/// Above rounding in a bound, as a share of the volume's size.
+/// Shares of the volume's size: above rounding in a bound, and above what builders add to nodes.
 constexpr double kRounding = 1e-14;
+constexpr double kSkin = 1e-9;
 constexpr int kMostAnchors = 4;
 
-/// A ball in the solid, or a point of it.
+/// A triangle of the surface, or a ball in the solid (all corners one): convex, so that the
+/// distance to it is greatest at a corner of whatever is convex too.
 struct Anchor {
-  Vector3 centre;
+  Triangle core;
   double radius_m;
+
+  [[nodiscard]] bool is_ball() const { return core[0] == core[1] && core[1] == core[2]; }
 };
+
+Anchor ball_about(const Vector3& centre, double radius_m) {
+  return {{centre, centre, centre}, radius_m};
+}
 
 /// Dimensions of a cell, each a range: 0 to 2 of the core, 3 of the radius, 4 to 6 of the direction
 /// before it is made unit. Those that are one value are not split.
@@ -90,26 +99,70 @@ Cone cone_of(const Cell& cell) {
   return cone;
 }
 
+/// A point of the volume, and a bound for the distances of a whole cell that comes from there.
 struct Farthest {
   Vector3 point{Vector3::Zero()};
   double distance_m{-std::numeric_limits<double>::infinity()};
 };
 
-/// The point of a cell (or, of its cone's rim, of the volume) farthest from the anchor.
-Farthest farthest_from(const Anchor& anchor, const Cell& cell, const Cone& cone) {
+/// The point of a cell (or, on its cone's rim, of the volume) farthest from a ball.
+Farthest farthest_from_ball(const Anchor& anchor, const Cell& cell, const Cone& cone) {
   Farthest farthest;
+  const Vector3& centre = anchor.core[0];
   for (unsigned which = 0; which < 8; ++which) {
     const Vector3 core = corner_of(cell, 0, which);
-    const Vector3 direction = cone.farthest_along(core - anchor.centre);
+    const Vector3 direction = cone.farthest_along(core - centre);
     for (const double radius_m : cell.ranges[kRadius]) {
       const Vector3 point = core + radius_m * direction;
-      const double distance_m = (point - anchor.centre).norm() - anchor.radius_m;
+      const double distance_m = (point - centre).norm() - anchor.radius_m;
       if (distance_m > farthest.distance_m) {
         farthest = {point, distance_m};
       }
     }
   }
   return farthest;
+}
+
+/// A bound for the cell's points from the corners of a hull round it, and the corner of the cell
+/// next to the one that it comes from. A direction w of the cell is a sum
+/// of the unit vectors w_i to its corners, made unit; the sum is no shorter than the cone's cosine,
+/// so w lies in the hull of the w_i and w_i/cosine.
+Farthest farthest_from_triangle(const Anchor& anchor, const Cell& cell, const Cone& cone) {
+  Farthest farthest;
+  const auto differs = [&](std::size_t first, unsigned which) {
+    for (std::size_t i = 0; i < 3; ++i) {  // of corners that coincide the first
+      const auto& [low, high] = cell.ranges[first + i];
+      if (low == high && ((which >> i) & 1U) != 0) {
+        return false;
+      }
+    }
+    return true;
+  };
+  for (unsigned at = 0; at < 8; ++at) {
+    for (unsigned towards = 0; towards < 8 && differs(0, at); ++towards) {
+      if (!differs(kDirection, towards)) {
+        continue;
+      }
+      const Vector3 corner = corner_of(cell, kDirection, towards);
+      const Vector3 direction = corner.isZero() ? corner : Vector3(corner.normalized());
+      const Vector3 core = corner_of(cell, 0, at);
+      for (const double radius_m : cell.ranges[kRadius]) {
+        for (const double stretch : {1.0, 1.0 / cone.cosine}) {
+          const Vector3 point = core + stretch * radius_m * direction;
+          const double distance_m = (point - closest_on_triangle(anchor.core, point)).norm();
+          if (distance_m > farthest.distance_m) {
+            farthest = {core + radius_m * direction, distance_m};
+          }
+        }
+      }
+    }
+  }
+  return farthest;
+}
+
+Farthest farthest_from(const Anchor& anchor, const Cell& cell, const Cone& cone) {
+  return anchor.is_ball() ? farthest_from_ball(anchor, cell, cone)
+                          : farthest_from_triangle(anchor, cell, cone);
 }
 
 class Search {
@@ -158,15 +211,20 @@ class Search {
   /// Balls of the solid near a point, whose signed distance is known.
   std::vector<Anchor> anchors_about(const Vector3& local, double signed_m) {
     if (signed_m <= 0.0) {
-      return {{local, -signed_m}};
+      return {ball_about(local, -signed_m)};
     }
-    const Vector3 nearest = volume_.local(solid_.nearest(volume_.placed(local)).point);
+    const NearestOnSurface found = solid_.nearest(volume_.placed(local));
+    const Vector3 nearest = volume_.local(found.point);
+    Triangle triangle = solid_.corners(found.triangle);
+    for (Vector3& corner : triangle) {
+      corner = volume_.local(corner);
+    }
     // Behind the surface lies a ball of the solid that bounds more of what lies before it.
-    std::vector<Anchor> anchors{{nearest, 0.0}};
+    std::vector<Anchor> anchors{{triangle, 0.0}};
     const Vector3 behind = nearest + (0.5 * size_m_ / signed_m) * (nearest - local);
     const double behind_m = ask(behind);
     if (behind_m < 0.0) {
-      anchors.push_back({behind, -behind_m});
+      anchors.push_back(ball_about(behind, -behind_m));
     }
     return anchors;
   }
@@ -201,11 +259,43 @@ class Search {
     const Vector3 core = middle_of(cell, 0);
     const Cone cone = cone_of(cell);
     const Vector3 middle = core + cell.ranges[kRadius][1] * cone.axis;
+    const double signed_m = ask(middle);
+    if (signed_m < 0.0 && lies_inside(cell, cone)) {
+      cell.bound_m = kSkin * size_m_;
+      return;
+    }
     Farthest where;
-    bound(cell, anchors_about(middle, ask(middle)), &where);
+    bound(cell, anchors_about(middle, signed_m), &where);
     if (cell.bound_m > enough_m() && where.distance_m < std::numeric_limits<double>::infinity()) {
       bound(cell, anchors_about(where.point, ask(where.point)));
     }
+  }
+
+  /// Whether a cell that is a box, of which a point lies inside, lies in the solid but for a skin:
+  /// no triangle reaches into it.
+  bool lies_inside(const Cell& cell, const Cone& cone) {
+    if (cone.cosine < 1.0) {
+      return false;
+    }
+    if (!surface_known_) {
+      surface_known_ = true;
+      surface_ = solid_.triangles_near(volume_.centre, size_m_);
+      for (Triangle& triangle : surface_) {
+        for (Vector3& corner : triangle) {
+          corner = volume_.local(corner);
+        }
+      }
+    }
+    const Vector3 far = cell.ranges[kRadius][1] * cone.axis;
+    const Vector3 near = cell.ranges[kRadius][0] * cone.axis;
+    const Vector3 first = corner_of(cell, 0, 0) + near.cwiseMin(far);
+    const Vector3 last = corner_of(cell, 0, 7) + near.cwiseMax(far);
+    const Vector3 centre = 0.5 * (first + last);
+    const Vector3 skin = Vector3::Constant(0.5 * kSkin * size_m_);
+    const Vector3 half = (0.5 * (last - first) - skin).cwiseMax(0.0);
+    return std::none_of(surface_.begin(), surface_.end(), [&](const Triangle& triangle) {
+      return meets_box({triangle[0] - centre, triangle[1] - centre, triangle[2] - centre}, half);
+    });
   }
 
   /// Halves the range along which the bound grows most.
@@ -310,6 +400,8 @@ class Search {
   double found_m_{0.0};    ///< the greatest distance found outside
   double settled_m_{0.0};  ///< the greatest bound of cells that are done with
   int made_{0};
+  bool surface_known_{false};
+  std::vector<Triangle> surface_;  ///< near the volume
   std::priority_queue<Cell, std::vector<Cell>, Looser> open_;
 };
 

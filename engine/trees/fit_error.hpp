@@ -23,6 +23,6 @@ inline constexpr double kFitResolution = 1e-3;
 /// in the solid. A result at or below `indifferent_m` may be any bound that is not above
 /// `indifferent_m`.
 double fit_error_m(const Volume& volume, const SurfaceDistance& solid, double indifferent_m = 0.0,
-                   int most_questions = 600);
+                   int most_questions = 1000);
 
 }  // namespace impetus
