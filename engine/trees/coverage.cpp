@@ -13,7 +13,7 @@
 namespace impetus {
 namespace {
 
-constexpr int kMostHalvings = 40;
+constexpr int kMostHalvings = 100;
 /// Of the mesh's size: what is narrower is rounding.
 constexpr double kNarrow = 1e-12;
 /// A node must take this share of a piece, else halving gets on faster.
@@ -97,11 +97,14 @@ std::vector<Polygon> rest_of(const Polygon& polygon, const CoveringNode& node) {
     const Vector3& from = polygon[i];
     const Vector3& to = polygon[(i + 1) % count];
     const bool starts_within = holds(node.volume, from);
+    const bool ends_within = holds(node.volume, to);
+    // What the node holds decides; at its surface the span may differ by rounding.
     auto span = span_within(node.form, from, to);
     if (starts_within) {
       span = SegmentSpan{0.0, span ? span->end : 0.0};
     } else {
       chain->push_back(from);
+      span = ends_within && !span ? SegmentSpan{1.0, 1.0} : span;
     }
     if (!span) {
       continue;
@@ -110,7 +113,7 @@ std::vector<Polygon> rest_of(const Polygon& polygon, const CoveringNode& node) {
     if (!starts_within) {
       chain->push_back(from + span->begin * (to - from));
     }
-    if (holds(node.volume, to)) {
+    if (ends_within) {
       continue;
     }
     chains.push_back({Vector3(from + span->end * (to - from))});
