@@ -19,18 +19,38 @@ namespace {
 constexpr double kRounding = 1e-14;
 constexpr double kSkin = 1e-9;
 constexpr int kMostAnchors = 4;
+/// Volumes that these do not settle are worth a box inside the solid, unless the surface about them
+/// has so many triangles that its faces are small beside the volume.
+constexpr int kEasyQuestions = 60;
+/// Half the side of a cube in a ball, over its radius: below 1/√3.
+constexpr double kInnerCube = 0.57;
+constexpr std::size_t kMostTrianglesForBox = 2'000;
 
-/// A triangle of the surface, or a ball in the solid (all corners one): convex, so that the
-/// distance to it is greatest at a corner of whatever is convex too.
+/// What is known of the solid: a triangle of its surface, a box along the volume's axes inside it
+/// (given by two opposite corners), or a ball inside it (given by its centre). All are convex, so
+/// the distance to one is greatest at a corner of whatever is convex too.
 struct Anchor {
-  Triangle core;
-  double radius_m;
+  enum class Kind { kBall, kTriangle, kBox };
 
-  [[nodiscard]] bool is_ball() const { return core[0] == core[1] && core[1] == core[2]; }
+  Kind kind{Kind::kBall};
+  Triangle core;
+  double radius_m{0.0};  ///< of a ball
+
+  [[nodiscard]] double distance_m(const Vector3& point) const {
+    switch (kind) {
+      case Kind::kTriangle:
+        return (point - closest_on_triangle(core, point)).norm();
+      case Kind::kBox:
+        return (core[0] - point).cwiseMax(point - core[1]).cwiseMax(0.0).norm();
+      case Kind::kBall:
+      default:
+        return (point - core[0]).norm() - radius_m;
+    }
+  }
 };
 
 Anchor ball_about(const Vector3& centre, double radius_m) {
-  return {{centre, centre, centre}, radius_m};
+  return {Anchor::Kind::kBall, {centre, centre, centre}, radius_m};
 }
 
 /// Dimensions of a cell, each a range: 0 to 2 of the core, 3 of the radius, 4 to 6 of the direction
@@ -114,7 +134,7 @@ Farthest farthest_from_ball(const Anchor& anchor, const Cell& cell, const Cone& 
     const Vector3 direction = cone.farthest_along(core - centre);
     for (const double radius_m : cell.ranges[kRadius]) {
       const Vector3 point = core + radius_m * direction;
-      const double distance_m = (point - centre).norm() - anchor.radius_m;
+      const double distance_m = anchor.distance_m(point);
       if (distance_m > farthest.distance_m) {
         farthest = {point, distance_m};
       }
@@ -127,7 +147,7 @@ Farthest farthest_from_ball(const Anchor& anchor, const Cell& cell, const Cone& 
 /// next to the one that it comes from. A direction w of the cell is a sum
 /// of the unit vectors w_i to its corners, made unit; the sum is no shorter than the cone's cosine,
 /// so w lies in the hull of the w_i and w_i/cosine.
-Farthest farthest_from_triangle(const Anchor& anchor, const Cell& cell, const Cone& cone) {
+Farthest farthest_from_convex(const Anchor& anchor, const Cell& cell, const Cone& cone) {
   Farthest farthest;
   const auto differs = [&](std::size_t first, unsigned which) {
     for (std::size_t i = 0; i < 3; ++i) {  // of corners that coincide the first
@@ -149,7 +169,7 @@ Farthest farthest_from_triangle(const Anchor& anchor, const Cell& cell, const Co
       for (const double radius_m : cell.ranges[kRadius]) {
         for (const double stretch : {1.0, 1.0 / cone.cosine}) {
           const Vector3 point = core + stretch * radius_m * direction;
-          const double distance_m = (point - closest_on_triangle(anchor.core, point)).norm();
+          const double distance_m = anchor.distance_m(point);
           if (distance_m > farthest.distance_m) {
             farthest = {core + radius_m * direction, distance_m};
           }
@@ -161,8 +181,8 @@ Farthest farthest_from_triangle(const Anchor& anchor, const Cell& cell, const Co
 }
 
 Farthest farthest_from(const Anchor& anchor, const Cell& cell, const Cone& cone) {
-  return anchor.is_ball() ? farthest_from_ball(anchor, cell, cone)
-                          : farthest_from_triangle(anchor, cell, cone);
+  return anchor.kind == Anchor::Kind::kBall ? farthest_from_ball(anchor, cell, cone)
+                                            : farthest_from_convex(anchor, cell, cone);
 }
 
 class Search {
@@ -181,7 +201,14 @@ class Search {
       return std::max(0.0, size_m_ + signed_m);
     }
     add_first_cells(anchors_about(Vector3::Zero(), signed_m));
+    const int easy = questions_left_ - kEasyQuestions;
+    bool boxed = false;
     while (!open_.empty() && questions_left_ > 0 && open_.top().bound_m > enough_m()) {
+      if (!boxed && questions_left_ < easy) {
+        boxed = true;
+        bound_by_inner_box();
+        continue;
+      }
       Cell worst = open_.top();
       open_.pop();
       sharpen(worst);
@@ -208,10 +235,21 @@ class Search {
     return signed_m;
   }
 
+  /// Of balls whose inner cubes lie where the surface is known, the largest is kept.
+  void note(const Anchor& ball) {
+    const Vector3 reach = volume_.reach_m() - Vector3::Constant(kInnerCube * ball.radius_m);
+    if ((ball.core[0].cwiseAbs().array() <= reach.array()).all() &&
+        ball.radius_m > largest_ball_.radius_m) {
+      largest_ball_ = ball;
+    }
+  }
+
   /// Balls of the solid near a point, whose signed distance is known.
   std::vector<Anchor> anchors_about(const Vector3& local, double signed_m) {
     if (signed_m <= 0.0) {
-      return {ball_about(local, -signed_m)};
+      const Anchor ball = ball_about(local, -signed_m);
+      note(ball);
+      return {ball};
     }
     const NearestOnSurface found = solid_.nearest(volume_.placed(local));
     const Vector3 nearest = volume_.local(found.point);
@@ -220,11 +258,12 @@ class Search {
       corner = volume_.local(corner);
     }
     // Behind the surface lies a ball of the solid that bounds more of what lies before it.
-    std::vector<Anchor> anchors{{triangle, 0.0}};
+    std::vector<Anchor> anchors{{Anchor::Kind::kTriangle, triangle, 0.0}};
     const Vector3 behind = nearest + (0.5 * size_m_ / signed_m) * (nearest - local);
     const double behind_m = ask(behind);
     if (behind_m < 0.0) {
       anchors.push_back(ball_about(behind, -behind_m));
+      note(anchors.back());
     }
     return anchors;
   }
@@ -277,25 +316,77 @@ class Search {
     if (cone.cosine < 1.0) {
       return false;
     }
+    const Vector3 far = cell.ranges[kRadius][1] * cone.axis;
+    const Vector3 near = cell.ranges[kRadius][0] * cone.axis;
+    const Vector3 first = corner_of(cell, 0, 0) + near.cwiseMin(far);
+    const Vector3 last = corner_of(cell, 0, 7) + near.cwiseMax(far);
+    return is_clear(first, last);
+  }
+
+  /// Whether no triangle reaches into the box between two corners, but for a skin.
+  bool is_clear(const Vector3& first, const Vector3& last) {
     if (!surface_known_) {
       surface_known_ = true;
-      surface_ = solid_.triangles_near(volume_.centre, size_m_);
+      surface_ = solid_.triangles_near(volume_.centre, volume_.reach_m().norm());
       for (Triangle& triangle : surface_) {
         for (Vector3& corner : triangle) {
           corner = volume_.local(corner);
         }
       }
     }
-    const Vector3 far = cell.ranges[kRadius][1] * cone.axis;
-    const Vector3 near = cell.ranges[kRadius][0] * cone.axis;
-    const Vector3 first = corner_of(cell, 0, 0) + near.cwiseMin(far);
-    const Vector3 last = corner_of(cell, 0, 7) + near.cwiseMax(far);
     const Vector3 centre = 0.5 * (first + last);
     const Vector3 skin = Vector3::Constant(0.5 * kSkin * size_m_);
     const Vector3 half = (0.5 * (last - first) - skin).cwiseMax(0.0);
     return std::none_of(surface_.begin(), surface_.end(), [&](const Triangle& triangle) {
       return meets_box({triangle[0] - centre, triangle[1] - centre, triangle[2] - centre}, half);
     });
+  }
+
+  /// From the cube in the largest ball known inside, each face is moved out as far as the surface
+  /// and the volume's reach allow: solids with flat faces fill most of their nodes so.
+  void bound_by_inner_box() {
+    if (largest_ball_.radius_m <= 0.0 || !is_clear(largest_ball_.core[0], largest_ball_.core[0]) ||
+        surface_.size() > kMostTrianglesForBox) {
+      return;
+    }
+    const Vector3 half = Vector3::Constant(kInnerCube * largest_ball_.radius_m);
+    const Vector3 reach = volume_.reach_m();
+    std::array<Vector3, 2> corners{largest_ball_.core[0] - half, largest_ball_.core[0] + half};
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const double limit = side == 0 ? -reach[axis] : reach[axis];
+        push_out(corners, side, axis, limit);
+      }
+    }
+    // The skin that was not looked at is given back.
+    const Vector3 skin = Vector3::Constant(0.5 * kSkin * size_m_);
+    const Anchor box{Anchor::Kind::kBox, {corners[0] + skin, corners[1] - skin, corners[0]}, 0.0};
+    std::priority_queue<Cell, std::vector<Cell>, Looser> open;
+    std::swap(open, open_);
+    for (; !open.empty(); open.pop()) {
+      Cell cell = open.top();
+      bound(cell, {box});
+      open_.push(cell);
+    }
+  }
+
+  /// Moves one face of a clear box towards the limit while it stays clear.
+  void push_out(std::array<Vector3, 2>& corners, std::size_t side, int axis, double limit) {
+    double clear = corners[side][axis];
+    if ((side == 0) != (limit < clear)) {
+      return;  // beyond the volume already
+    }
+    double beyond = limit;
+    for (int step = 0; step < 30; ++step) {
+      std::array<Vector3, 2> tried = corners;
+      tried[side][axis] = step == 0 ? limit : 0.5 * (clear + beyond);
+      const bool is = is_clear(tried[0], tried[1]);
+      (is ? clear : beyond) = tried[side][axis];
+      if (clear == limit) {
+        break;
+      }
+    }
+    corners[side][axis] = clear;
   }
 
   /// Halves the range along which the bound grows most.
@@ -400,8 +491,9 @@ class Search {
   double found_m_{0.0};    ///< the greatest distance found outside
   double settled_m_{0.0};  ///< the greatest bound of cells that are done with
   int made_{0};
+  Anchor largest_ball_{};
   bool surface_known_{false};
-  std::vector<Triangle> surface_;  ///< near the volume
+  std::vector<Triangle> surface_;  ///< all that comes within the volume's reach
   std::priority_queue<Cell, std::vector<Cell>, Looser> open_;
 };
 
