@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/shapes/triangle_in_box.hpp"
+#include "engine/trees/fit_cell.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
 namespace impetus {
@@ -18,7 +19,6 @@ namespace {
 /// Shares of the volume's size: above rounding in a bound, and above what builders add to nodes.
 constexpr double kRounding = 1e-14;
 constexpr double kSkin = 1e-9;
-constexpr int kMostAnchors = 4;
 /// Volumes that these do not settle are worth a box inside the solid, unless the surface about them
 /// has so many triangles that its faces are small beside the volume.
 constexpr int kEasyQuestions = 60;
@@ -26,164 +26,11 @@ constexpr int kEasyQuestions = 60;
 constexpr double kInnerCube = 0.57;
 constexpr std::size_t kMostTrianglesForBox = 2'000;
 
-/// What is known of the solid: a triangle of its surface, a box along the volume's axes inside it
-/// (given by two opposite corners), or a ball inside it (given by its centre). All are convex, so
-/// the distance to one is greatest at a corner of whatever is convex too.
-struct Anchor {
-  enum class Kind { kBall, kTriangle, kBox };
-
-  Kind kind{Kind::kBall};
-  Triangle core;
-  double radius_m{0.0};  ///< of a ball
-
-  [[nodiscard]] double distance_m(const Vector3& point) const {
-    switch (kind) {
-      case Kind::kTriangle:
-        return (point - closest_on_triangle(core, point)).norm();
-      case Kind::kBox:
-        return (core[0] - point).cwiseMax(point - core[1]).cwiseMax(0.0).norm();
-      case Kind::kBall:
-      default:
-        return (point - core[0]).norm() - radius_m;
-    }
-  }
-};
-
-Anchor ball_about(const Vector3& centre, double radius_m) {
-  return {Anchor::Kind::kBall, {centre, centre, centre}, radius_m};
-}
-
-/// Dimensions of a cell, each a range: 0 to 2 of the core, 3 of the radius, 4 to 6 of the direction
-/// before it is made unit. Those that are one value are not split.
-using Range = std::array<double, 2>;
-constexpr std::size_t kRadius = 3;
-constexpr std::size_t kDirection = 4;
-
-struct Cell {
-  std::array<Range, 7> ranges;
-  double bound_m;
-  std::array<Anchor, kMostAnchors> anchors;
-  int anchor_count;
-  int rank;  ///< order of making: breaks ties
-};
-
 struct Looser {
-  bool operator()(const Cell& a, const Cell& b) const {
+  bool operator()(const FitCell& a, const FitCell& b) const {
     return std::pair(a.bound_m, -a.rank) < std::pair(b.bound_m, -b.rank);
   }
 };
-
-Vector3 corner_of(const Cell& cell, std::size_t first, unsigned which) {
-  return {cell.ranges[first][which & 1U], cell.ranges[first + 1][(which >> 1U) & 1U],
-          cell.ranges[first + 2][(which >> 2U) & 1U]};
-}
-
-Vector3 middle_of(const Cell& cell, std::size_t first) {
-  return {0.5 * (cell.ranges[first][0] + cell.ranges[first][1]),
-          0.5 * (cell.ranges[first + 1][0] + cell.ranges[first + 1][1]),
-          0.5 * (cell.ranges[first + 2][0] + cell.ranges[first + 2][1])};
-}
-
-/// All directions within `cosine` of the unit vector `axis`; without directions, axis zero.
-struct Cone {
-  Vector3 axis{Vector3::Zero()};
-  double cosine{1.0};
-
-  /// The direction of the cone that runs farthest along `v`.
-  [[nodiscard]] Vector3 farthest_along(const Vector3& v) const {
-    const double along = v.dot(axis);
-    const double length = v.norm();
-    if (length == 0.0 || axis.isZero() || along >= cosine * length) {
-      return length == 0.0 || axis.isZero() ? axis : Vector3(v / length);
-    }
-    const Vector3 across = v - along * axis;
-    const double width = across.norm();
-    if (width == 0.0) {  // straight against the axis: the rim is all the same
-      return cosine * axis +
-             std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) * Vector3(axis.unitOrthogonal());
-    }
-    return cosine * axis + (std::sqrt(std::max(0.0, 1.0 - cosine * cosine)) / width) * across;
-  }
-};
-
-Cone cone_of(const Cell& cell) {
-  const Vector3 middle = middle_of(cell, kDirection);
-  if (middle.isZero()) {
-    return {};
-  }
-  Cone cone{middle.normalized(), 1.0};
-  for (unsigned which = 0; which < 8; ++which) {
-    const Vector3 corner = corner_of(cell, kDirection, which).normalized();
-    cone.cosine = std::min(cone.cosine, corner.dot(cone.axis));
-  }
-  return cone;
-}
-
-/// A point of the volume, and a bound for the distances of a whole cell that comes from there.
-struct Farthest {
-  Vector3 point{Vector3::Zero()};
-  double distance_m{-std::numeric_limits<double>::infinity()};
-};
-
-/// The point of a cell (or, on its cone's rim, of the volume) farthest from a ball.
-Farthest farthest_from_ball(const Anchor& anchor, const Cell& cell, const Cone& cone) {
-  Farthest farthest;
-  const Vector3& centre = anchor.core[0];
-  for (unsigned which = 0; which < 8; ++which) {
-    const Vector3 core = corner_of(cell, 0, which);
-    const Vector3 direction = cone.farthest_along(core - centre);
-    for (const double radius_m : cell.ranges[kRadius]) {
-      const Vector3 point = core + radius_m * direction;
-      const double distance_m = anchor.distance_m(point);
-      if (distance_m > farthest.distance_m) {
-        farthest = {point, distance_m};
-      }
-    }
-  }
-  return farthest;
-}
-
-/// A bound for the cell's points from the corners of a hull round it, and the corner of the cell
-/// next to the one that it comes from. A direction w of the cell is a sum
-/// of the unit vectors w_i to its corners, made unit; the sum is no shorter than the cone's cosine,
-/// so w lies in the hull of the w_i and w_i/cosine.
-Farthest farthest_from_convex(const Anchor& anchor, const Cell& cell, const Cone& cone) {
-  Farthest farthest;
-  const auto differs = [&](std::size_t first, unsigned which) {
-    for (std::size_t i = 0; i < 3; ++i) {  // of corners that coincide the first
-      const auto& [low, high] = cell.ranges[first + i];
-      if (low == high && ((which >> i) & 1U) != 0) {
-        return false;
-      }
-    }
-    return true;
-  };
-  for (unsigned at = 0; at < 8; ++at) {
-    for (unsigned towards = 0; towards < 8 && differs(0, at); ++towards) {
-      if (!differs(kDirection, towards)) {
-        continue;
-      }
-      const Vector3 corner = corner_of(cell, kDirection, towards);
-      const Vector3 direction = corner.isZero() ? corner : Vector3(corner.normalized());
-      const Vector3 core = corner_of(cell, 0, at);
-      for (const double radius_m : cell.ranges[kRadius]) {
-        for (const double stretch : {1.0, 1.0 / cone.cosine}) {
-          const Vector3 point = core + stretch * radius_m * direction;
-          const double distance_m = anchor.distance_m(point);
-          if (distance_m > farthest.distance_m) {
-            farthest = {core + radius_m * direction, distance_m};
-          }
-        }
-      }
-    }
-  }
-  return farthest;
-}
-
-Farthest farthest_from(const Anchor& anchor, const Cell& cell, const Cone& cone) {
-  return anchor.kind == Anchor::Kind::kBall ? farthest_from_ball(anchor, cell, cone)
-                                            : farthest_from_convex(anchor, cell, cone);
-}
 
 class Search {
  public:
@@ -209,7 +56,7 @@ class Search {
         bound_by_inner_box();
         continue;
       }
-      Cell worst = open_.top();
+      FitCell worst = open_.top();
       open_.pop();
       sharpen(worst);
       if (worst.bound_m > enough_m()) {
@@ -268,7 +115,7 @@ class Search {
     return anchors;
   }
 
-  void bound(Cell& cell, const std::vector<Anchor>& fresh, Farthest* where = nullptr) {
+  void bound(FitCell& cell, const std::vector<Anchor>& fresh, Farthest* where = nullptr) {
     const Cone cone = cone_of(cell);
     Farthest nearest{Vector3::Zero(), std::numeric_limits<double>::infinity()};
     const auto consider = [&](const Anchor& anchor) {
@@ -280,12 +127,7 @@ class Search {
     }
     for (const Anchor& anchor : fresh) {
       consider(anchor);
-      const int last = std::min(cell.anchor_count, kMostAnchors - 1);
-      for (int i = last; i > 0; --i) {
-        cell.anchors[static_cast<std::size_t>(i)] = cell.anchors[static_cast<std::size_t>(i) - 1];
-      }
-      cell.anchors[0] = anchor;
-      cell.anchor_count = last + 1;
+      cell.remember(anchor);
     }
     cell.bound_m = std::min(cell.bound_m, nearest.distance_m);
     if (where != nullptr) {
@@ -294,10 +136,10 @@ class Search {
   }
 
   /// Asks about the cell's middle, and about the point that its bound comes from.
-  void sharpen(Cell& cell) {
-    const Vector3 core = middle_of(cell, 0);
+  void sharpen(FitCell& cell) {
+    const Vector3 core = cell.middle(0);
     const Cone cone = cone_of(cell);
-    const Vector3 middle = core + cell.ranges[kRadius][1] * cone.axis;
+    const Vector3 middle = core + cell.ranges[FitCell::kRadius][1] * cone.axis;
     const double signed_m = ask(middle);
     if (signed_m < 0.0 && lies_inside(cell, cone)) {
       cell.bound_m = kSkin * size_m_;
@@ -312,14 +154,14 @@ class Search {
 
   /// Whether a cell that is a box, of which a point lies inside, lies in the solid but for a skin:
   /// no triangle reaches into it.
-  bool lies_inside(const Cell& cell, const Cone& cone) {
+  bool lies_inside(const FitCell& cell, const Cone& cone) {
     if (cone.cosine < 1.0) {
       return false;
     }
-    const Vector3 far = cell.ranges[kRadius][1] * cone.axis;
-    const Vector3 near = cell.ranges[kRadius][0] * cone.axis;
-    const Vector3 first = corner_of(cell, 0, 0) + near.cwiseMin(far);
-    const Vector3 last = corner_of(cell, 0, 7) + near.cwiseMax(far);
+    const Vector3 far = cell.ranges[FitCell::kRadius][1] * cone.axis;
+    const Vector3 near = cell.ranges[FitCell::kRadius][0] * cone.axis;
+    const Vector3 first = cell.corner(0, 0) + near.cwiseMin(far);
+    const Vector3 last = cell.corner(0, 7) + near.cwiseMax(far);
     return is_clear(first, last);
   }
 
@@ -361,10 +203,10 @@ class Search {
     // The skin that was not looked at is given back.
     const Vector3 skin = Vector3::Constant(0.5 * kSkin * size_m_);
     const Anchor box{Anchor::Kind::kBox, {corners[0] + skin, corners[1] - skin, corners[0]}, 0.0};
-    std::priority_queue<Cell, std::vector<Cell>, Looser> open;
+    std::priority_queue<FitCell, std::vector<FitCell>, Looser> open;
     std::swap(open, open_);
     for (; !open.empty(); open.pop()) {
-      Cell cell = open.top();
+      FitCell cell = open.top();
       bound(cell, {box});
       open_.push(cell);
     }
@@ -390,7 +232,7 @@ class Search {
   }
 
   /// Halves the range along which the bound grows most.
-  void split(const Cell& cell) {
+  void split(const FitCell& cell) {
     std::size_t dimension = 0;
     double least_m = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < cell.ranges.size(); ++i) {
@@ -398,10 +240,10 @@ class Search {
       if (low == high) {
         continue;
       }
-      Cell flat = cell;
+      FitCell flat = cell;
       flat.bound_m = std::numeric_limits<double>::infinity();
       flat.ranges[i] =
-          i == kRadius ? Range{high, high} : Range{0.5 * (low + high), 0.5 * (low + high)};
+          i == FitCell::kRadius ? Range{high, high} : Range{0.5 * (low + high), 0.5 * (low + high)};
       bound(flat, {});
       if (flat.bound_m < least_m) {
         least_m = flat.bound_m;
@@ -414,13 +256,13 @@ class Search {
     }
     const auto [low, high] = cell.ranges[dimension];
     for (const Range range : {Range{low, 0.5 * (low + high)}, Range{0.5 * (low + high), high}}) {
-      Cell half = cell;
+      FitCell half = cell;
       half.ranges[dimension] = range;
       add(half);
     }
   }
 
-  void add(Cell cell) {
+  void add(FitCell cell) {
     bound(cell, {});
     cell.rank = made_++;
     if (cell.bound_m > 0.0) {
@@ -442,7 +284,7 @@ class Search {
 
   void add_sector(const std::array<int, 3>& signs, const std::vector<Anchor>& anchors) {
     const double infinity = std::numeric_limits<double>::infinity();
-    Cell cell{{}, infinity, {}, 0, 0};
+    FitCell cell{{}, infinity, {}, 0, 0};
     for (const Anchor& anchor : anchors) {
       cell.anchors[static_cast<std::size_t>(cell.anchor_count++)] = anchor;
     }
@@ -455,15 +297,15 @@ class Search {
       }
       cell.ranges[axis] = sign == 0 ? Range{-half, half} : Range{sign * half, sign * half};
       const bool free = volume_.radius_m > 0.0 && half == 0.0;
-      cell.ranges[kDirection + axis] = free        ? Range{-1.0, 1.0}
-                                       : sign == 0 ? Range{0.0, 0.0}
-                                       : sign > 0  ? Range{0.0, 1.0}
-                                                   : Range{-1.0, 0.0};
+      cell.ranges[FitCell::kDirection + axis] = free        ? Range{-1.0, 1.0}
+                                                : sign == 0 ? Range{0.0, 0.0}
+                                                : sign > 0  ? Range{0.0, 1.0}
+                                                            : Range{-1.0, 0.0};
       any = any || free || sign != 0;
     }
-    cell.ranges[kRadius] = {0.0, volume_.radius_m};
+    cell.ranges[FitCell::kRadius] = {0.0, volume_.radius_m};
     if (!any) {
-      cell.ranges[kRadius] = {0.0, 0.0};
+      cell.ranges[FitCell::kRadius] = {0.0, 0.0};
       add(cell);
       return;
     }
@@ -471,11 +313,11 @@ class Search {
   }
 
   /// Directions through the faces of the cube of their ranges that lie away from the origin.
-  void add_faces(const Cell& cell) {
-    for (std::size_t i = kDirection; i < cell.ranges.size(); ++i) {
+  void add_faces(const FitCell& cell) {
+    for (std::size_t i = FitCell::kDirection; i < cell.ranges.size(); ++i) {
       for (const std::size_t end : {0U, 1U}) {
         if (cell.ranges[i][end] != 0.0) {
-          Cell face = cell;
+          FitCell face = cell;
           face.ranges[i] = {cell.ranges[i][end], cell.ranges[i][end]};
           add(face);
         }
@@ -494,7 +336,7 @@ class Search {
   Anchor largest_ball_{};
   bool surface_known_{false};
   std::vector<Triangle> surface_;  ///< all that comes within the volume's reach
-  std::priority_queue<Cell, std::vector<Cell>, Looser> open_;
+  std::priority_queue<FitCell, std::vector<FitCell>, Looser> open_;
 };
 
 }  // namespace
