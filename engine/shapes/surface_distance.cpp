@@ -149,6 +149,26 @@ const Vector3& SurfaceDistance::pseudonormal(const Found& at) const {
   return feature < 6 ? edge_normals_[at.triangle][feature - 3] : face_normals_[at.triangle];
 }
 
+std::vector<Triangle> SurfaceDistance::triangles_near(const Vector3& point, double radius_m) const {
+  std::vector<Triangle> near;
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    const Node& node = nodes_[index];
+    open.pop_back();
+    if (squared_distance(node.least, node.most, point) > radius_m * radius_m) {
+      continue;
+    }
+    if (node.second_child == 0) {
+      near.insert(near.end(), in_order_.begin() + node.begin, in_order_.begin() + node.end);
+    } else {
+      open.push_back(node.second_child);
+      open.push_back(index + 1);
+    }
+  }
+  return near;
+}
+
 SignedDistance SurfaceDistance::signed_distance(const Vector3& point, std::uint32_t near) const {
   const Found found = find(point, near);
   const double distance_m = std::sqrt(found.squared_m2);

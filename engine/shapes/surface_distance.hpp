@@ -44,6 +44,12 @@ class SurfaceDistance {
   /// To one triangle: never less than to the surface (metres, not negative).
   [[nodiscard]] double distance_to_m(std::uint32_t triangle, const Vector3& point) const;
 
+  /// Every triangle that comes within the radius of the point, and some that do not.
+  [[nodiscard]] std::vector<Triangle> triangles_near(const Vector3& point, double radius_m) const;
+
+  /// The corners of a triangle of the mesh.
+  [[nodiscard]] Triangle corners(std::uint32_t triangle) const;
+
  private:
   struct Node {
     Vector3 least;
@@ -66,7 +72,6 @@ class SurfaceDistance {
   void try_triangles(const Node& node, const Vector3& point, Found& best) const;
   [[nodiscard]] Found find(const Vector3& point, std::uint32_t near) const;
   [[nodiscard]] const Vector3& pseudonormal(const Found& at) const;
-  [[nodiscard]] Triangle corners(std::uint32_t triangle) const;
 
   TriangleMesh mesh_;
   std::vector<Node> nodes_;
