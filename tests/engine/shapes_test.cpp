@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/volumes/sphere.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
+#include "engine/volumes/sphere.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {
