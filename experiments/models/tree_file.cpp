@@ -100,7 +100,9 @@ void save_tree(const StoredTree& stored, const std::filesystem::path& file, bool
   if (!replace && std::filesystem::exists(file)) {
     refuse(file.string(), "exists already and is not overwritten");
   }
-  write_whole_file(file, bytes_of(stored));
+  const std::string bytes = bytes_of(stored);
+  stored_tree_from(bytes, file.string());
+  write_whole_file(file, bytes);
 }
 
 StoredTree load_tree(const std::filesystem::path& file) {

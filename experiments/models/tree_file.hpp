@@ -42,7 +42,8 @@ StoredTree stored_tree_from(std::string_view bytes, const std::string& name);
 std::string sealed(std::string content);
 
 /// Writes the file whole or not at all. An existing one is replaced only when `replace` is set.
-/// Throws std::runtime_error, in one sentence that names the file.
+/// What could not be read again is not written. Throws std::runtime_error, in one sentence that
+/// names the file.
 void save_tree(const StoredTree& stored, const std::filesystem::path& file, bool replace = false);
 
 /// Throws std::runtime_error, in one sentence that names the file.

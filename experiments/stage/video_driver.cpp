@@ -24,6 +24,13 @@ void open_video() {
   }
 }
 
+void open_unseen_video() {
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,wayland,offscreen");
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+    throw std::runtime_error(std::string("no picture can be drawn: ") + SDL_GetError());
+  }
+}
+
 void refuse_display(const std::string& why) {
   throw std::runtime_error("no display could be opened: " + why +
                            "; run with --observer to go on without a window");
