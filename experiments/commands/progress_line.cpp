@@ -19,14 +19,19 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::tell(double share) {
-  constexpr int kSparse = 25;
+  constexpr std::chrono::seconds kSparse{2};
   const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
-  const int step = terminal_ ? percent : percent / kSparse * kSparse;
-  if (step <= told_percent_) {
+  const auto now = std::chrono::steady_clock::now();
+  if (percent <= told_percent_ || (!terminal_ && now - told_at_ < kSparse)) {
     return;
   }
-  told_percent_ = step;
-  std::fprintf(stderr, terminal_ ? "\r%s %d %%" : "%s %d %%\n", what_.c_str(), step);
+  told_percent_ = percent;
+  told_at_ = now;
+  if (terminal_) {
+    std::fprintf(stderr, "\r%s %d %%", what_.c_str(), percent);
+  } else {
+    std::fprintf(stderr, "%s %d %%\n", what_.c_str(), percent);
+  }
   std::fflush(stderr);
 }
 

@@ -1,8 +1,9 @@
 // How far a piece of work has come, on standard error: one line that changes on a terminal, a line
-// for every quarter elsewhere.
+// every two seconds elsewhere.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace impetus {
@@ -23,6 +24,7 @@ class ProgressLine {
   std::string what_;
   bool terminal_;
   int told_percent_{-1};
+  std::chrono::steady_clock::time_point told_at_{std::chrono::steady_clock::now()};
 };
 
 }  // namespace impetus

@@ -26,6 +26,8 @@ struct TreeLook {
   TreeColour colour{TreeColour::kLevel};
   bool volumes{true};
   bool mesh{true};  ///< seen through the volumes, which are clear then
+
+  friend bool operator==(const TreeLook&, const TreeLook&) = default;
 };
 
 /// A node's colour (sRGB, 0–1).

@@ -14,7 +14,7 @@ constexpr double kDistanceInRadii = 7.0;
 constexpr double kRoomAround = 1.06;
 constexpr double kTurnOfAPicture = 3.0;  ///< radians for a drag over the picture's height
 constexpr double kZoomOfANotch = 1.15;
-constexpr float kShellOpacity = 0.42F;
+constexpr float kShellOpacity = 0.5F;
 constexpr std::array<float, 3> kMeshColour{0.86F, 0.84F, 0.80F};
 
 /// Of the root volume and the mesh, for the middle of the picture.
@@ -95,8 +95,12 @@ void TreePainter::choose(const TreeLook& look) {
 
 void TreePainter::paint(const TreeLook& look, const Orbit& orbit, const PixelArea& area,
                         float ground) {
+  const Painted wanted{look, orbit, area.width, area.height, ground};
   target_.begin(area.width, area.height);
-  paint_here(look, orbit, area.width, area.height, ground);
+  if (wanted != painted_) {
+    paint_here(look, orbit, area.width, area.height, ground);
+    painted_ = wanted;
+  }
   target_.end_onto(area);
 }
 

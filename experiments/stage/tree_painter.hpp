@@ -23,8 +23,12 @@ struct Orbit {
 
   /// Turns as if the object were dragged by so many pictures' heights, right and up.
   void drag(double right, double up);
-  /// Closer by one notch of the wheel, or away.
+  /// Closer by notches of the wheel, or away.
   void notch(double notches);
+
+  friend bool operator==(const Orbit& one, const Orbit& other) {
+    return one.turn.coeffs() == other.turn.coeffs() && one.zoom == other.zoom;
+  }
 };
 
 class TreePainter {
@@ -32,13 +36,25 @@ class TreePainter {
   /// Needs a current OpenGL 3.3 context, now and for every call; `shown` must outlive it.
   explicit TreePainter(const ShownTree& shown);
 
-  /// Paints the area of the window on a ground of a grey (sRGB, 0–1).
+  /// Paints the area of the window on a ground of a grey (sRGB, 0–1); what is as it was the last
+  /// time costs next to nothing.
   void paint(const TreeLook& look, const Orbit& orbit, const PixelArea& area, float ground);
 
   /// Paints the current target, `width` × `height` pixels at 0, 0.
   void paint_here(const TreeLook& look, const Orbit& orbit, int width, int height, float ground);
 
  private:
+  /// What the target holds.
+  struct Painted {
+    TreeLook look;
+    Orbit orbit;
+    int width{0};
+    int height{0};
+    float ground{0.0F};
+
+    friend bool operator==(const Painted&, const Painted&) = default;
+  };
+
   void choose(const TreeLook& look);
 
   const ShownTree& shown_;
@@ -50,6 +66,7 @@ class TreePainter {
   VolumePainter volume_painter_;
   MeshPainter mesh_painter_;
   MultisampledTarget target_;
+  Painted painted_;
 };
 
 }  // namespace impetus

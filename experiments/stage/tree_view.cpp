@@ -108,7 +108,9 @@ class TreeScreen {
 
   void draw_and_flip() {
     canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
-    painter_.paint(look_, orbit_, {0, 0, picture_width(), canvas_.window.height_px()},
+    const int keys_px = static_cast<int>(keys_height());
+    painter_.paint(look_, orbit_,
+                   {0, keys_px, picture_width(), canvas_.window.height_px() - keys_px},
                    palette::kPageGrey);
     canvas_.gui.begin();
     draw_panel();
@@ -174,14 +176,19 @@ class TreeScreen {
 
   void draw_keys(float width_px) {
     const Gui& gui = canvas_.gui;
-    const float margin = std::round(0.02F * gui.height());
     ImFont* font = gui.fonts().small;
-    ImGui::SetCursorScreenPos(ImVec2(margin, gui.height() - margin - 2.0F * font->FontSize));
+    const float margin = font->FontSize;
+    ImGui::SetCursorScreenPos(ImVec2(margin, gui.height() - keys_height() + 0.5F * margin));
     draw_text(kKeys, font, palette::kQuietText, width_px - 2.0F * margin, Align::kLeft);
   }
 
   [[nodiscard]] int picture_width() const {
     return canvas_.window.width_px() - static_cast<int>(panel_width());
+  }
+
+  /// Room for two lines.
+  [[nodiscard]] float keys_height() const {
+    return std::round(4.0F * canvas_.gui.fonts().small->FontSize);
   }
 
   [[nodiscard]] float panel_width() const {

@@ -25,7 +25,8 @@ void open_video() {
 }
 
 void open_unseen_video() {
-  SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,wayland,offscreen");
+  const bool wayland = SDL_getenv("WAYLAND_DISPLAY") != nullptr;
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "wayland,x11,offscreen" : "x11,offscreen");
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
     throw std::runtime_error(std::string("no picture can be drawn: ") + SDL_GetError());
   }

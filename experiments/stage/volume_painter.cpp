@@ -52,11 +52,15 @@ Instance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
           {volume.colour[0], volume.colour[1], volume.colour[2]}};
 }
 
-/// The coarsest mesh whose facets are not seen: by the radius of the rounding in pixels.
+/// The coarsest mesh that is within half a pixel of the rounding, by its radius in pixels.
 std::size_t fineness_of(const Instance& instance, float px_at_a_metre) {
   const float ahead = std::max(-instance.place[2], 1e-6F);
   const float radius_px = instance.place[3] * px_at_a_metre / ahead;
-  return radius_px <= 0.0F ? 0 : radius_px < 6.0F ? 1 : radius_px < 24.0F ? 2 : 3;
+  return radius_px <= 0.0F   ? 0
+         : radius_px < 5.0F  ? 1
+         : radius_px < 20.0F ? 2
+         : radius_px < 70.0F ? 3
+                             : 4;
 }
 
 }  // namespace

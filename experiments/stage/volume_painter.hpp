@@ -38,7 +38,7 @@ class VolumePainter {
     std::array<unsigned, 2> buffers{};
     int indices{0};
   };
-  static constexpr std::array<int, 4> kParts{1, 3, 6, 14};
+  static constexpr std::array<int, 5> kParts{1, 2, 4, 8, 14};
 
   static Uploaded upload(int parts, unsigned instances);
 
