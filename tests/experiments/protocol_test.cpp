@@ -251,7 +251,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
       {{"/gravity", 9.8,
         "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"imposed\", \"meeting\", \"meshes\", \"schema_version\", \"source\", \"title\", "
+        "\"engine\", \"imposed\", \"meeting\", \"meshes\", \"schema_version\", \"source\", "
+        "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
        {"/bodies", json::array(), "/bodies: expected a list of 1 to 1000 values, got []"},

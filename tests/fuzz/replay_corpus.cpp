@@ -49,7 +49,7 @@ void feed_found(const Target& target, const std::string& kind) {
 }
 
 TEST(FuzzCorpus, NoMeshFileEndsTheProgram) {
-  feed(fuzz_mesh_file, mesh_seeds(), 30);
+  feed(fuzz_mesh_file, mesh_seeds(), 20);
   feed_found(fuzz_mesh_file, "mesh");
 }
 
