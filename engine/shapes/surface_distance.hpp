@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus {
@@ -31,6 +32,12 @@ class SurfaceDistance {
   /// Metres; negative inside the solid.
   [[nodiscard]] double signed_distance_m(const Vector3& point) const;
 
+  /// Every triangle that comes within the radius of the point, and some that do not.
+  [[nodiscard]] std::vector<Triangle> triangles_near(const Vector3& point, double radius_m) const;
+
+  /// The corners of a triangle of the mesh.
+  [[nodiscard]] Triangle corners(std::uint32_t triangle) const;
+
  private:
   struct Node {
     Vector3 least;
@@ -40,17 +47,27 @@ class SurfaceDistance {
     std::uint32_t second_child;  ///< the first follows its parent; 0 for a leaf
   };
 
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
-  void search(std::uint32_t node, const Vector3& point, double& best_squared,
-              NearestOnSurface& best) const;
-  [[nodiscard]] Vector3 pseudonormal(const NearestOnSurface& at) const;
+  struct Found {
+    double squared_m2;
+    Vector3 point;
+    std::uint32_t triangle;
+    TriangleFeature feature;
+  };
+
+  void build(std::uint32_t begin, std::uint32_t end, const std::vector<Vector3>& middles);
+  void add_normals();
+  void search(std::uint32_t index, const Vector3& point, Found& best) const;
+  void try_triangles(const Node& node, const Vector3& point, Found& best) const;
+  [[nodiscard]] Found find(const Vector3& point) const;
+  [[nodiscard]] const Vector3& pseudonormal(const Found& at) const;
 
   TriangleMesh mesh_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  std::vector<Vector3> face_normals_;                   ///< unit
-  std::vector<std::array<Vector3, 3>> edge_normals_;    ///< by triangle; edge i from corner i
-  std::vector<Vector3> vertex_normals_;
+  std::vector<Triangle> in_order_;                    ///< corners of the triangles of order_
+  std::vector<Vector3> face_normals_;                 ///< unit, by triangle
+  std::vector<std::array<Vector3, 3>> edge_normals_;  ///< by triangle, of any length
+  std::vector<Vector3> vertex_normals_;               ///< of any length
 };
 
 }  // namespace impetus

@@ -51,39 +51,43 @@ ClosestPoints between_points(const Vector3& on_a, const Vector3& on_b) {
 
 }  // namespace
 
-Vector3 closest_on_triangle(const Triangle& triangle, const Vector3& point) {
+ClosestOnTriangle closest_feature(const Triangle& triangle, const Vector3& point) {
   const auto& [a, b, c] = triangle;
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
   const double d1 = ab.dot(point - a);
   const double d2 = ac.dot(point - a);
   if (d1 <= 0.0 && d2 <= 0.0) {
-    return a;
+    return {a, TriangleFeature::kCorner0};
   }
   const double d3 = ab.dot(point - b);
   const double d4 = ac.dot(point - b);
   if (d3 >= 0.0 && d4 <= d3) {
-    return b;
+    return {b, TriangleFeature::kCorner1};
   }
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-    return a + d1 / (d1 - d3) * ab;
+    return {a + d1 / (d1 - d3) * ab, TriangleFeature::kEdge0};
   }
   const double d5 = ab.dot(point - c);
   const double d6 = ac.dot(point - c);
   if (d6 >= 0.0 && d5 <= d6) {
-    return c;
+    return {c, TriangleFeature::kCorner2};
   }
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-    return a + d2 / (d2 - d6) * ac;
+    return {a + d2 / (d2 - d6) * ac, TriangleFeature::kEdge2};
   }
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), TriangleFeature::kEdge1};
   }
   const double sum = va + vb + vc;
-  return a + vb / sum * ab + vc / sum * ac;
+  return {a + vb / sum * ab + vc / sum * ac, TriangleFeature::kFace};
+}
+
+Vector3 closest_on_triangle(const Triangle& triangle, const Vector3& point) {
+  return closest_feature(triangle, point).point;
 }
 
 ClosestPoints segment_distance(const Vector3& a0, const Vector3& a1, const Vector3& b0,

@@ -17,7 +17,18 @@ struct ClosestPoints {
   Vector3 on_b{Vector3::Zero()};
 };
 
-/// The point of `triangle` nearest to `point`. (Ericson 2005, sec. 5.1.5)
+/// What of a triangle a point lies on. Edge i runs from corner i to the next.
+enum class TriangleFeature { kCorner0, kCorner1, kCorner2, kEdge0, kEdge1, kEdge2, kFace };
+
+struct ClosestOnTriangle {
+  Vector3 point;
+  TriangleFeature feature;
+};
+
+/// The point of `triangle` nearest to `point`, and what it lies on. (Ericson 2005, sec. 5.1.5)
+ClosestOnTriangle closest_feature(const Triangle& triangle, const Vector3& point);
+
+/// closest_feature().point
 Vector3 closest_on_triangle(const Triangle& triangle, const Vector3& point);
 
 /// Segments a0–a1 and b0–b1. (Ericson 2005, sec. 5.1.9)

@@ -39,11 +39,21 @@ NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes) {
   for (const Volume& volume : volumes) {
     const auto kind = static_cast<std::uint32_t>(volume.index());
     switch (kind) {
-      case 0: store(spheres_, std::get<0>(volume), kind); break;
-      case 1: store(lines_, std::get<1>(volume), kind); break;
-      case 2: store(rectangles_, std::get<2>(volume), kind); break;
-      case 3: store(boxes_, std::get<3>(volume), kind); break;
-      default: store(cubes_, std::get<4>(volume), kind); break;
+      case 0:
+        store(spheres_, std::get<0>(volume), kind);
+        break;
+      case 1:
+        store(lines_, std::get<1>(volume), kind);
+        break;
+      case 2:
+        store(rectangles_, std::get<2>(volume), kind);
+        break;
+      case 3:
+        store(boxes_, std::get<3>(volume), kind);
+        break;
+      default:
+        store(cubes_, std::get<4>(volume), kind);
+        break;
     }
   }
 }
@@ -88,11 +98,11 @@ Cube NodeVolumes::voxel(std::int32_t node) const {
 }
 
 std::int32_t NodeVolumes::size() const {
-  const std::size_t stored = are_voxels() ? cells_.size()
-                             : slots_.empty()
-                                 ? spheres_.size() + lines_.size() + rectangles_.size() +
-                                       boxes_.size() + cubes_.size()
-                                 : slots_.size();
+  const std::size_t stored =
+      are_voxels() ? cells_.size()
+      : slots_.empty()
+          ? spheres_.size() + lines_.size() + rectangles_.size() + boxes_.size() + cubes_.size()
+          : slots_.size();
   return static_cast<std::int32_t>(stored);
 }
 
@@ -105,11 +115,16 @@ Volume NodeVolumes::at(std::int32_t node) const {
     const std::uint32_t slot = slots_[element];
     element = slot >> kKindBits;
     switch (slot & kKindMask) {
-      case 0: return spheres_[element];
-      case 1: return lines_[element];
-      case 2: return rectangles_[element];
-      case 3: return boxes_[element];
-      default: return cubes_[element];
+      case 0:
+        return spheres_[element];
+      case 1:
+        return lines_[element];
+      case 2:
+        return rectangles_[element];
+      case 3:
+        return boxes_[element];
+      default:
+        return cubes_[element];
     }
   }
   if (!spheres_.empty()) {

@@ -55,8 +55,7 @@ std::string problem_of(const TreeSettings& settings) {
     return "tree: expected a branching of 8 for an octree, got " + std::to_string(branching);
   }
   if (settings.kind == TreeKind::kVoxel && !is_cube_number(branching)) {
-    return "tree: expected a branching of 8, 27 or 64 for voxels, got " +
-           std::to_string(branching);
+    return "tree: expected a branching of 8, 27 or 64 for voxels, got " + std::to_string(branching);
   }
   return {};
 }

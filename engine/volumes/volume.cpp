@@ -28,9 +28,7 @@ Sphere bound_of(const RectangleSwept& rectangle) {
   return {rectangle.centre, half_diagonal + rectangle.radius_m};
 }
 Sphere bound_of(const Box& box) { return {box.centre, box.half_extents_m.norm()}; }
-Sphere bound_of(const Cube& cube) {
-  return {cube.centre, std::sqrt(3.0) * cube.half_edge_m};
-}
+Sphere bound_of(const Cube& cube) { return {cube.centre, std::sqrt(3.0) * cube.half_edge_m}; }
 
 bool holds_point(const Sphere& sphere, const Vector3& point) {
   return (point - sphere.centre).squaredNorm() <= square(sphere.radius_m);
