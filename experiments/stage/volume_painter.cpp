@@ -45,7 +45,7 @@ Instance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
   const RoundedBox& shape = volume.shape;
   const Eigen::Vector3f place = seen_from_eye(viewer, shape.centre).cast<float>();
   const Eigen::Vector3f extents = shape.half_extents_m.cast<float>();
-  const Eigen::Quaternionf turn = (Quaternion(R_EW) * shape.orientation).normalized().cast<float>();
+  const Eigen::Quaternionf turn = Quaternion(Matrix3(R_EW * shape.axes)).normalized().cast<float>();
   return {{place.x(), place.y(), place.z(), static_cast<float>(shape.radius_m)},
           {extents.x(), extents.y(), extents.z()},
           {turn.x(), turn.y(), turn.z(), turn.w()},

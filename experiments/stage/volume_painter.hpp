@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "experiments/stage/rounded_box.hpp"
+#include "experiments/stage/rounded_box_mesh.hpp"
 
 namespace impetus {
 

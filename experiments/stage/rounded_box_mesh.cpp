@@ -1,43 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/stage/rounded_box.hpp"
+#include "experiments/stage/rounded_box_mesh.hpp"
 
 #include <cstddef>
 #include <utility>
 
 namespace impetus {
 namespace {
-
-struct AsRoundedBox {
-  RoundedBox operator()(const Sphere& sphere) const {
-    return {sphere.centre, Quaternion::Identity(), Vector3::Zero(), sphere.radius_m};
-  }
-  RoundedBox operator()(const LineSwept& swept) const {
-    const double half_m = swept.half_axis.norm();
-    const Quaternion turn = half_m > 0.0
-                                ? Quaternion::FromTwoVectors(Vector3::UnitX(), swept.half_axis)
-                                : Quaternion::Identity();
-    return {swept.centre, turn, {half_m, 0.0, 0.0}, swept.radius_m};
-  }
-  RoundedBox operator()(const RectangleSwept& swept) const {
-    const double u_m = swept.half_u.norm();
-    const double v_m = swept.half_v.norm();
-    if (u_m == 0.0 || v_m == 0.0) {
-      const Vector3 axis = u_m == 0.0 ? swept.half_v : swept.half_u;
-      return (*this)(LineSwept{swept.centre, axis, swept.radius_m});
-    }
-    Matrix3 axes;
-    axes.col(0) = swept.half_u / u_m;
-    axes.col(2) = axes.col(0).cross(swept.half_v).normalized();
-    axes.col(1) = axes.col(2).cross(axes.col(0));
-    return {swept.centre, Quaternion(axes), {u_m, v_m, 0.0}, swept.radius_m};
-  }
-  RoundedBox operator()(const Box& box) const {
-    return {box.centre, box.orientation, box.half_extents_m, 0.0};
-  }
-  RoundedBox operator()(const Cube& cube) const {
-    return {cube.centre, cube.orientation, Vector3::Constant(cube.half_edge_m), 0.0};
-  }
-};
 
 /// Places the eight pieces of the sphere and joins them.
 class Joiner {
@@ -155,11 +123,9 @@ class Joiner {
 
 }  // namespace
 
-RoundedBox rounded_box(const Volume& volume) { return std::visit(AsRoundedBox{}, volume); }
-
 RoundedBox posed(const RoundedBox& box, const Pose& pose) {
-  return {pose.transform(box.centre), pose.orientation * box.orientation, box.half_extents_m,
-          box.radius_m};
+  return {pose.transform(box.centre), pose.orientation.toRotationMatrix() * box.axes,
+          box.half_extents_m, box.radius_m};
 }
 
 RoundedBoxMesh rounded_box_mesh(int parts) { return Joiner(parts).take(); }
