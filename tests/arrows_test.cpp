@@ -32,7 +32,7 @@ const std::vector<Room> kRooms = {
     {"engine/collision", {"engine/trees", "engine/scheduling"}, {}},
     {"engine/dynamics", {"engine/collision"}, {}},
     {"engine", {"engine/dynamics"}, {}},
-    {"experiments/models", {"engine"}, {"assimp"}},
+    {"experiments/models", {"engine"}, {"assimp", "JSON"}},
     {"experiments/session", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
@@ -40,7 +40,7 @@ const std::vector<Room> kRooms = {
      {"experiments/session", "experiments/scenes", "experiments/observers"},
      {"JSON", "valijson"}},
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
-    {"experiments/stage", {"experiments/session"}, {"window"}},
+    {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
      {"experiments/protocol", "experiments/store", "experiments/stage"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
@@ -57,7 +57,8 @@ const std::vector<Library> kLibraries = {
     {"Eigen", "Eigen/"},       {"assimp", "assimp/"}, {"JSON", "nlohmann/"},
     {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
     {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
-    {"window", "imgui"},       {"CLI", "CLI/"},       {"FCL", "fcl/"},  // FCL: tests alone
+    {"window", "imgui"},       {"CLI", "CLI/"},       {"PNG", "png.h"},
+    {"FCL", "fcl/"},  // tests alone
 };
 
 /// The engine reads no clock, no file and no global random state, prints nothing, has no threads

@@ -30,7 +30,7 @@ namespace {
 constexpr double kDistanceM = 0.57;
 constexpr double kPi = 3.14159265358979323846;
 const double kRadiusM = kDistanceM * std::tan(kPi / 180.0);  // 1° at the screen
-const Progress kSome{11, 81, "Trial 12 of 81"};
+const SessionProgress kSome{11, 81, "Trial 12 of 81"};
 
 ScreenGeometry lab_screen(const Window& window) {
   const double width_m = 0.376;

@@ -4,6 +4,8 @@
 //
 // Normals, texture coordinates and materials are dropped, and vertices at exactly the same place
 // become one: without that every STL, and every OBJ with hard edges, would look open.
+//
+// assimp's readers crash over some damaged files, so they run in a process of their own.
 // SPDX-License-Identifier: MIT
 #pragma once
 

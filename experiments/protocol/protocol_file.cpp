@@ -139,6 +139,28 @@ void require_schema(const JsonDocument& document, const json& schema) {
   }
 }
 
+/// The mesh files that factors and demonstrations put into the scene.
+std::vector<std::string> mesh_files_of_design(const json& protocol) {
+  std::vector<std::string> files;
+  const auto add = [&](const std::string& pointer, const json& value) {
+    if (pointer.ends_with("/shape/file") && value.is_string()) {
+      files.push_back(value.get<std::string>());
+    }
+  };
+  for (const json& factor : protocol["design"]["factors"]) {
+    for (const json& level : factor["levels"]) {
+      add(factor["pointer"].get<std::string>(), level);
+    }
+  }
+  const json entries = protocol["session"].value("demonstrations", json::array());
+  for (const json& entry : entries) {
+    for (auto value = entry["set"].begin(); value != entry["set"].end(); ++value) {
+      add(value.key(), value.value());
+    }
+  }
+  return files;
+}
+
 std::string hash_of(const json& protocol, const json& scene) {
   const std::string canonical = protocol.dump() + "\n" + scene.dump();
   const XXH128_hash_t hash = XXH3_128bits(canonical.data(), canonical.size());
@@ -227,7 +249,8 @@ Protocol load_protocol(const std::filesystem::path& path) {
            "expected a file, seen from this one, got " + document.value["scene"].dump() +
                ", but there is no " + scene.string());
   }
-  return make_protocol(std::move(document), read_json(scene));
+  const std::vector<std::string> files = mesh_files_of_design(document.value);
+  return make_protocol(std::move(document), read_scene(scene, files));
 }
 
 }  // namespace impetus

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/scenes/scene_tree.hpp"
 
 namespace impetus {
 namespace {
@@ -35,12 +36,13 @@ void add_body(const std::string& name, const std::string& colour, double density
 }  // namespace
 
 SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary& library) {
-  const int tree_depth = scene["engine"].value("tree_depth", 0);
+  const ShapeFrame frame{metres_per_degree, tree_settings_of(scene["engine"])};
+  const json meshes = scene.value("meshes", json::object());
   const bool no_spin = scene.contains("imposed") && scene["imposed"].value("no_spin", false);
   SceneBodies bodies;
   if (scene.contains("crowd")) {
     const json& crowd = scene["crowd"];
-    const BodyShape& shape = library.shape(crowd["shape"], metres_per_degree, tree_depth);
+    const BodyShape& shape = library.shape(crowd["shape"], meshes, frame);
     const json& colours = crowd["colours"];
     for (std::size_t i = 0; i < crowd["count"].get<std::size_t>(); ++i) {
       add_body(std::to_string(i + 1), colours[i % colours.size()].get<std::string>(),
@@ -50,8 +52,8 @@ SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary&
   }
   for (const json& body : scene["bodies"]) {
     add_body(body["name"].get<std::string>(), body["colour"].get<std::string>(),
-             body["density_kg_m3"].get<double>(),
-             library.shape(body["shape"], metres_per_degree, tree_depth), no_spin, bodies);
+             body["density_kg_m3"].get<double>(), library.shape(body["shape"], meshes, frame),
+             no_spin, bodies);
   }
   return bodies;
 }

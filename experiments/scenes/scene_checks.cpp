@@ -7,6 +7,7 @@
 #include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/scene_tree.hpp"
 #include "experiments/scenes/shape_checks.hpp"
 #include "experiments/session/wall_names.hpp"
 
@@ -112,8 +113,10 @@ void add_overlap_problems(const json& scene, Problems& problems) {
 
 std::vector<SceneProblem> scene_problems(const json& scene) {
   Problems problems = schedule_problems(scene["engine"]);
+  add_tree_problems(scene["engine"], problems);
+  const json meshes = scene.value("meshes", json::object());
   if (scene.contains("crowd")) {
-    add_shape_problems(scene["crowd"]["shape"], "/crowd/shape", problems);
+    add_shape_problems(scene["crowd"]["shape"], meshes, "/crowd/shape", problems);
     if (problems.empty()) {
       add_crowd_problems(scene, problems);
     }
@@ -124,8 +127,8 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
     return problems;
   }
   for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    add_shape_problems(scene["bodies"][i]["shape"], "/bodies/" + std::to_string(i) + "/shape",
-                       problems);
+    add_shape_problems(scene["bodies"][i]["shape"], meshes,
+                       "/bodies/" + std::to_string(i) + "/shape", problems);
   }
   add_name_problems(scene, problems);
   if (scene.contains("meeting")) {

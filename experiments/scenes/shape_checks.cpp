@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/shape_checks.hpp"
 
+#include <exception>
 #include <map>
 #include <optional>
 
 #include "engine/shapes/knot_mesh.hpp"
+#include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus {
 namespace {
@@ -24,7 +26,8 @@ const Kind& kind_of(const json& shape) {
       {"l-block", {{"arm_deg", "thickness_deg"}, false}},
       {"torus", {{"radius_deg", "tube_deg"}, true}},
       {"knot", {{"radius_deg", "tube_deg"}, true}},
-      {"creature", {{"length_deg"}, true}}};
+      {"creature", {{"length_deg"}, true}},
+      {"mesh", {{"file", "size_deg"}, false}}};
   return kKinds.at(shape["kind"].get<std::string>());
 }
 
@@ -85,13 +88,32 @@ std::optional<SceneProblem> unfit_measures(const json& shape, const std::string&
   return {};
 }
 
+/// A mesh is known by its content: a file may change after a scene was recorded.
+std::optional<SceneProblem> content_problem(const json& shape, const json& meshes,
+                                            const std::string& place) {
+  const auto file = shape["file"].get<std::string>();
+  if (!meshes.contains(file)) {
+    return SceneProblem{place + "/file",
+                        "expected a mesh whose content the scene holds, got " + json(file).dump()};
+  }
+  try {
+    mesh_content(meshes, file);
+  } catch (const std::exception& error) {
+    return SceneProblem{place + "/file", std::string(error.what()) + " for " + json(file).dump()};
+  }
+  return {};
+}
+
 }  // namespace
 
-void add_shape_problems(const json& shape, const std::string& place,
+void add_shape_problems(const json& shape, const json& meshes, const std::string& place,
                         std::vector<SceneProblem>& problems) {
   auto problem = wrong_keys(shape, place);
   if (!problem) {
     problem = unfit_measures(shape, place);
+  }
+  if (!problem && is_mesh(shape)) {
+    problem = content_problem(shape, meshes, place);
   }
   if (problem) {
     problems.push_back(*problem);

@@ -7,9 +7,9 @@
 namespace impetus {
 
 /// Adds what is wrong with the shape at `place`, at most one problem: each kind needs its own
-/// measures and takes no other's; `resolution` is for kinds whose fineness is a choice.
-/// Precondition: `shape` is valid by the scene's schema.
-void add_shape_problems(const nlohmann::json& shape, const std::string& place,
-                        std::vector<SceneProblem>& problems);
+/// measures and takes no other's; `resolution` is for kinds whose fineness is a choice; a mesh is
+/// among the scene's `meshes`. Precondition: both are valid by the scene's schema.
+void add_shape_problems(const nlohmann::json& shape, const nlohmann::json& meshes,
+                        const std::string& place, std::vector<SceneProblem>& problems);
 
 }  // namespace impetus

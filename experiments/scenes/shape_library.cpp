@@ -9,7 +9,8 @@
 #include "engine/shapes/knot_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/torus_mesh.hpp"
-#include "engine/trees/octree.hpp"
+#include "engine/trees/build_tree.hpp"
+#include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus {
 namespace {
@@ -21,19 +22,14 @@ BodyShape sphere_shape(double radius_m) {
   return {nullptr, std::make_shared<const VolumeTree>(tree), solid_sphere(radius_m, 1.0), radius_m};
 }
 
-BodyShape mesh_shape(const TriangleMesh& solid, int tree_depth) {
-  const TriangleMesh mesh = about_centre_of_mass(solid);
-  double radius_m = 0.0;
-  for (const Vector3& vertex : mesh.vertices) {
-    radius_m = std::max(radius_m, vertex.norm());
-  }
-  return {std::make_shared<const TriangleMesh>(mesh),
-          std::make_shared<const VolumeTree>(octree(mesh, tree_depth)), solid_of(mesh, 1.0),
-          radius_m};
+/// A tree that takes less time to build than to fetch is not worth a file.
+bool builds_at_once(const TriangleMesh& mesh, const TreeSettings& tree) {
+  constexpr std::size_t kFewTriangles = 2000;
+  return tree.kind == TreeKind::kOctree && mesh.triangles.size() < kFewTriangles;
 }
 
-/// The mesh of any kind but a sphere. Resolution counts the sides of a torus' or a knot's tube and
-/// a quarter of the cells along a creature's length.
+/// The mesh of any kind but a sphere or a file. Resolution counts the sides of a torus' or a knot's
+/// tube and a quarter of the cells along a creature's length.
 TriangleMesh mesh_of(const json& shape, double metres_per_degree) {
   const auto length_m = [&](const char* key) {
     return shape[key].get<double>() * metres_per_degree;
@@ -60,21 +56,57 @@ TriangleMesh mesh_of(const json& shape, double metres_per_degree) {
   return l_block_mesh(length_m("arm_deg"), length_m("thickness_deg"));
 }
 
-BodyShape build(const json& description, double metres_per_degree, int tree_depth) {
-  if (description["kind"].get<std::string>() == "sphere") {
-    return sphere_shape(description["radius_deg"].get<double>() * metres_per_degree);
+/// The mesh with its longest side as long as `size_m`.
+TriangleMesh scaled_to(double size_m, TriangleMesh mesh) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& vertex : mesh.vertices) {
+    bounds.extend(vertex);
   }
-  return mesh_shape(mesh_of(description, metres_per_degree), tree_depth);
+  const double scale = size_m / bounds.sizes().maxCoeff();
+  for (Vector3& vertex : mesh.vertices) {
+    vertex *= scale;
+  }
+  return mesh;
 }
 
 }  // namespace
 
-const BodyShape& ShapeLibrary::shape(const json& description, double metres_per_degree,
-                                     int tree_depth) {
-  const Key key{description.dump(), metres_per_degree, tree_depth};
+BodyShape ShapeLibrary::mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const {
+  const TriangleMesh mesh = about_centre_of_mass(solid);
+  double radius_m = 0.0;
+  for (const Vector3& vertex : mesh.vertices) {
+    radius_m = std::max(radius_m, vertex.norm());
+  }
+  VolumeTree volumes =
+      builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree);
+  return {std::make_shared<const TriangleMesh>(mesh),
+          std::make_shared<const VolumeTree>(std::move(volumes)), solid_of(mesh, 1.0), radius_m};
+}
+
+BodyShape ShapeLibrary::built(const json& description, const json& meshes,
+                              const ShapeFrame& frame) const {
+  if (is_mesh(description)) {
+    const double size_m = description["size_deg"].get<double>() * frame.metres_per_degree;
+    const auto file = description["file"].get<std::string>();
+    return mesh_shape(scaled_to(size_m, mesh_content(meshes, file)), frame.tree);
+  }
+  if (description["kind"].get<std::string>() == "sphere") {
+    return sphere_shape(description["radius_deg"].get<double>() * frame.metres_per_degree);
+  }
+  return mesh_shape(mesh_of(description, frame.metres_per_degree), frame.tree);
+}
+
+const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes,
+                                     const ShapeFrame& frame) {
+  std::string what = description.dump();
+  if (is_mesh(description)) {
+    what += meshes[description["file"].get<std::string>()]["hash"].get<std::string>();
+  }
+  const Key key{what, frame.metres_per_degree, frame.tree.kind, frame.tree.depth,
+                frame.tree.branching};
   const auto known = shapes_.find(key);
   if (known == shapes_.end()) {
-    shapes_[key] = build(description, metres_per_degree, tree_depth);
+    shapes_[key] = built(description, meshes, frame);
   }
   return shapes_[key];
 }

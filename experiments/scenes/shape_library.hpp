@@ -7,10 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/volume_tree.hpp"
+#include "experiments/models/tree_cache.hpp"
 
 namespace impetus {
 
@@ -22,15 +24,31 @@ struct BodyShape {
   double radius_m{0.0};      ///< of a ball about the centre of mass that holds the shape
 };
 
+/// What a shape depends on beyond its description.
+struct ShapeFrame {
+  double metres_per_degree{1.0};
+  TreeSettings tree;
+};
+
 class ShapeLibrary {
  public:
-  /// The shape of a scene's body. `description` is valid by the scene's schema and checks.
-  const BodyShape& shape(const nlohmann::json& description, double metres_per_degree,
-                         int tree_depth);
+  /// Trees that take long to build are kept in `cache`: they are the same with it and without.
+  explicit ShapeLibrary(TreeCache cache = TreeCache::of_user()) : cache_(std::move(cache)) {}
+
+  /// The shape of a scene's body; `meshes` is the scene's. Both are valid by the scene's schema and
+  /// checks.
+  const BodyShape& shape(const nlohmann::json& description, const nlohmann::json& meshes,
+                         const ShapeFrame& frame);
 
  private:
-  /// Description, metres per degree, depth of the tree.
-  using Key = std::tuple<std::string, double, int>;
+  /// Description and hash of a mesh, metres per degree; kind, depth and branching of the tree.
+  using Key = std::tuple<std::string, double, TreeKind, int, int>;
+
+  [[nodiscard]] BodyShape built(const nlohmann::json& description, const nlohmann::json& meshes,
+                                const ShapeFrame& frame) const;
+  [[nodiscard]] BodyShape mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const;
+
+  TreeCache cache_;
   std::map<Key, BodyShape> shapes_;
 };
 

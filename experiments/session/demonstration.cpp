@@ -7,7 +7,7 @@
 namespace impetus {
 
 Interruption show_demonstration(const std::string& id, const Script& script,
-                                const Progress& progress, const Ports& ports) {
+                                const SessionProgress& progress, const Ports& ports) {
   Playback playback(ports.scenes.stage_demonstration(id, ports.display.geometry()), 0,
                     ports.work_clock);
   const double hz = ports.display.refresh_hz();

@@ -12,6 +12,6 @@ namespace impetus {
 /// Plays a demonstration once, after an interval; nothing of it is recorded. Returns what
 /// interrupted it.
 Interruption show_demonstration(const std::string& id, const Script& script,
-                                const Progress& progress, const Ports& ports);
+                                const SessionProgress& progress, const Ports& ports);
 
 }  // namespace impetus

@@ -9,7 +9,7 @@
 namespace impetus {
 
 /// How far the session has come; always visible.
-struct Progress {
+struct SessionProgress {
   std::int64_t done{0};
   std::int64_t total{0};
   std::string label;  ///< "Practice 2 of 6", "Trial 12 of 81"
@@ -44,7 +44,7 @@ struct Page {
   std::string low_anchor;      ///< words under the first point of a scale
   std::string high_anchor;     ///< words under the last
   std::size_t best_choice{0};  ///< of a scale: the index of its good end
-  Progress progress;
+  SessionProgress progress;
   bool can_pause{true};  ///< Esc asks for a pause; false where Esc is one of the choices
 };
 

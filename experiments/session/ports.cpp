@@ -4,7 +4,7 @@
 namespace impetus {
 
 Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
-                   const Progress& progress) {
+                   const SessionProgress& progress) {
   Picture picture;
   picture.viewer = scene.viewer;
   picture.progress = progress;

@@ -47,12 +47,12 @@ struct Picture {
   std::optional<ClosedCube> enclosure{};  ///< drawn as seen from inside: walls that face the eye
   bool pointer{false};                    ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
-  Progress progress;
+  SessionProgress progress;
 };
 
 /// The picture of the scene with its bodies in these poses; without poses, nothing but the ground.
 Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
-                   const Progress& progress);
+                   const SessionProgress& progress);
 
 class Display {
  public:

@@ -156,7 +156,7 @@ class Session {
     }
     std::int64_t done = trials.total - static_cast<std::int64_t>(trials.waiting.size());
     for (const PlannedTrial* trial : trials.waiting) {
-      const Progress here = standing_.trial_progress(phase, done + 1, trials.total);
+      const SessionProgress here = standing_.trial_progress(phase, done + 1, trials.total);
       if (!run_trial(*trial, here) || !after_trial(phase, ++done, trials.total)) {
         return false;
       }
@@ -165,7 +165,7 @@ class Session {
   }
 
   /// Shows a trial until it is completed; after a pause it starts again from the interval.
-  bool run_trial(const PlannedTrial& trial, const Progress& here) {
+  bool run_trial(const PlannedTrial& trial, const SessionProgress& here) {
     std::int64_t number = standing_.attempts_before(trial.slot);
     while (true) {
       AttemptResult attempt = run_attempt(trial, ++number, script_, here, ports_);
@@ -236,7 +236,7 @@ class Session {
   }
 
   std::optional<Answer> ask(const Page& page) { return talk_.ask(page); }
-  [[nodiscard]] Progress progress() const { return standing_.progress(); }
+  [[nodiscard]] SessionProgress progress() const { return standing_.progress(); }
 
   const Script& script_;
   const SessionHistory& history_;

@@ -32,7 +32,7 @@ Text welcome_back(std::int64_t completed_trials) {
            "The instructions are shown again first."}};
 }
 
-Page text_page(const Text& text, const Progress& progress) {
+Page text_page(const Text& text, const SessionProgress& progress) {
   Page page;
   page.title = text.title;
   page.paragraphs = text.paragraphs;
@@ -41,13 +41,13 @@ Page text_page(const Text& text, const Progress& progress) {
   return page;
 }
 
-Page consent_page(const Text& text, const Progress& progress) {
+Page consent_page(const Text& text, const SessionProgress& progress) {
   Page page = text_page(text, progress);
   page.choices = {{"Yes, I agree", "y"}, {"No, I do not", "n"}};
   return page;
 }
 
-Page demographics_page(const std::vector<Field>& fields, const Progress& progress) {
+Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress) {
   Page page = text_page({"About you", {"Leave empty what you would rather not say."}}, progress);
   page.layout = Page::Layout::kForm;
   page.fields = fields;
@@ -56,7 +56,7 @@ Page demographics_page(const std::vector<Field>& fields, const Progress& progres
 }
 
 Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
-                 const Progress& progress) {
+                 const SessionProgress& progress) {
   const std::string count = std::to_string(trials) + (trials == 1 ? " trial" : " trials");
   if (phase == TrialPhase::kPractice) {
     const std::string words = (round > 1 ? "Again, " : "First, ") + count;
@@ -70,14 +70,14 @@ Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
       progress);
 }
 
-Page demonstration_over(const Text& text, const Progress& progress) {
+Page demonstration_over(const Text& text, const SessionProgress& progress) {
   Page page = text_page({"That was: " + text.title, {}}, progress);
   page.choices = {{"Continue", "space"}, {"See it again", "a"}};
   return page;
 }
 
 Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
-                       const Progress& progress) {
+                       const SessionProgress& progress) {
   Text text{"You answered " + std::to_string(rating), {}};
   if (script.clicks) {
     text.paragraphs.push_back(clicks == 0 ? "You did not click."
@@ -92,13 +92,13 @@ Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t c
   return text_page(text, progress);
 }
 
-Page practice_again(const std::vector<std::string>& missing, const Progress& progress) {
+Page practice_again(const std::vector<std::string>& missing, const SessionProgress& progress) {
   Text text{"Once more", missing};
   text.paragraphs.emplace_back("Please practise once more. Ask the experimenter if in doubt.");
   return text_page(text, progress);
 }
 
-Page practice_not_understood(const Progress& progress) {
+Page practice_not_understood(const SessionProgress& progress) {
   Page page = text_page({"Please call the experimenter",
                          {"Practice is over, but something about the task may not be clear yet.",
                           "The experimenter decides whether the study goes on."}},
@@ -108,7 +108,7 @@ Page practice_not_understood(const Progress& progress) {
 }
 
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
-                      const Progress& progress) {
+                      const SessionProgress& progress) {
   Text text{"Practice is over", {}};
   for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
     const auto used = use.find(point);
@@ -122,14 +122,15 @@ Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std
   return text_page(text, progress);
 }
 
-Page break_page(const Text& text, std::int64_t done, std::int64_t total, const Progress& progress) {
+Page break_page(const Text& text, std::int64_t done, std::int64_t total,
+                const SessionProgress& progress) {
   Text with_count = text;
   with_count.paragraphs.push_back(std::to_string(done) + " of " + std::to_string(total) +
                                   " trials are done and saved.");
   return text_page(with_count, progress);
 }
 
-Page question_page(const FreeQuestion& question, const Progress& progress) {
+Page question_page(const FreeQuestion& question, const SessionProgress& progress) {
   Page page = text_page({"One question", {}}, progress);
   page.layout = Page::Layout::kForm;
   page.fields = {{question.id, question.text, Field::Kind::kText, {}, 0.0, 0.0}};
@@ -137,7 +138,7 @@ Page question_page(const FreeQuestion& question, const Progress& progress) {
   return page;
 }
 
-Page pause_page(const Progress& progress) {
+Page pause_page(const SessionProgress& progress) {
   Page page = text_page({"Pause",
                          {"Everything you have answered is saved.",
                           "If you pause within a trial, it is shown again from its start."}},
@@ -147,7 +148,7 @@ Page pause_page(const Progress& progress) {
   return page;
 }
 
-Page quit_page(const Progress& progress) {
+Page quit_page(const SessionProgress& progress) {
   Page page =
       text_page({"Quit the session?",
                  {"Your answers stay saved. The session can go on later at the next trial."}},
@@ -157,7 +158,7 @@ Page quit_page(const Progress& progress) {
   return page;
 }
 
-Page thanks_page(const Text& text, const Progress& progress) {
+Page thanks_page(const Text& text, const SessionProgress& progress) {
   Page page = text_page(text, progress);
   page.choices = {{"Close", "space"}};
   page.can_pause = false;

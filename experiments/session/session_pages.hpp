@@ -15,35 +15,36 @@ inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
 inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
 
 Text welcome_back(std::int64_t completed_trials);
-Page text_page(const Text& text, const Progress& progress);
-Page consent_page(const Text& text, const Progress& progress);
-Page demographics_page(const std::vector<Field>& fields, const Progress& progress);
+Page text_page(const Text& text, const SessionProgress& progress);
+Page consent_page(const Text& text, const SessionProgress& progress);
+Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
 /// Before the trials of a phase; `round` is of practice, 1 for the first.
 Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
-                 const Progress& progress);
+                 const SessionProgress& progress);
 
 /// After a demonstration: on, or the same again.
-Page demonstration_over(const Text& text, const Progress& progress);
+Page demonstration_over(const Text& text, const SessionProgress& progress);
 
 /// After each practice trial: what the answer meant on the scale and how often was clicked (where
 /// clicks are asked for), never whether it was right.
 Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
-                       const Progress& progress);
+                       const SessionProgress& progress);
 
 /// After a round of practice that was not understood, with another to come: what was missing.
-Page practice_again(const std::vector<std::string>& missing, const Progress& progress);
+Page practice_again(const std::vector<std::string>& missing, const SessionProgress& progress);
 
 /// After the last such round: the experimenter decides (kContinueChoice goes on).
-Page practice_not_understood(const Progress& progress);
+Page practice_not_understood(const SessionProgress& progress);
 
 /// After practice: how often each point was used, and a reminder when only one was.
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
-                      const Progress& progress);
+                      const SessionProgress& progress);
 
-Page break_page(const Text& text, std::int64_t done, std::int64_t total, const Progress& progress);
-Page question_page(const FreeQuestion& question, const Progress& progress);
-Page pause_page(const Progress& progress);
-Page quit_page(const Progress& progress);
-Page thanks_page(const Text& text, const Progress& progress);
+Page break_page(const Text& text, std::int64_t done, std::int64_t total,
+                const SessionProgress& progress);
+Page question_page(const FreeQuestion& question, const SessionProgress& progress);
+Page pause_page(const SessionProgress& progress);
+Page quit_page(const SessionProgress& progress);
+Page thanks_page(const Text& text, const SessionProgress& progress);
 
 }  // namespace impetus

@@ -61,7 +61,7 @@ std::int64_t SessionStanding::completed_count() const {
   return static_cast<std::int64_t>(history_.completed_slots.size() + newly_completed_.size());
 }
 
-Progress SessionStanding::progress() const {
+SessionProgress SessionStanding::progress() const {
   const auto total = std::count_if(plan_.begin(), plan_.end(), [&](const PlannedTrial& trial) {
     return trial.phase == TrialPhase::kMain || trial.repetition <= round_ ||
            is_completed(trial.slot);
@@ -69,9 +69,9 @@ Progress SessionStanding::progress() const {
   return {completed_count(), total, ""};
 }
 
-Progress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,
-                                         std::int64_t total) const {
-  Progress here = progress();
+SessionProgress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,
+                                                std::int64_t total) const {
+  SessionProgress here = progress();
   here.label = std::string(phase == TrialPhase::kPractice ? "Practice " : "Trial ") +
                std::to_string(number) + " of " + std::to_string(total);
   return here;

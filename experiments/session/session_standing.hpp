@@ -53,10 +53,10 @@ class SessionStanding {
   [[nodiscard]] std::int64_t completed_count() const;  ///< earlier sessions included
 
   /// Of the trials that are expected: rounds of practice after the present one are not.
-  [[nodiscard]] Progress progress() const;
+  [[nodiscard]] SessionProgress progress() const;
   /// The same, labelled "Practice 2 of 6" or "Trial 12 of 81".
-  [[nodiscard]] Progress trial_progress(TrialPhase phase, std::int64_t number,
-                                        std::int64_t total) const;
+  [[nodiscard]] SessionProgress trial_progress(TrialPhase phase, std::int64_t number,
+                                               std::int64_t total) const;
 
  private:
   [[nodiscard]] bool is_completed(std::int64_t slot) const;

@@ -22,7 +22,7 @@ std::int64_t nanoseconds(double duration_ms) {
 class Attempt {
  public:
   Attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-          const Progress& progress, const Ports& ports)
+          const SessionProgress& progress, const Ports& ports)
       : script_(script),
         ports_(ports),
         progress_(progress),
@@ -201,7 +201,7 @@ class Attempt {
 
   const Script& script_;
   const Ports& ports_;
-  const Progress& progress_;
+  const SessionProgress& progress_;
   Playback playback_;
   GazeFollower follower_;
   std::int64_t fixation_frames_{0};
@@ -211,7 +211,7 @@ class Attempt {
 }  // namespace
 
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-                          const Progress& progress, const Ports& ports) {
+                          const SessionProgress& progress, const Ports& ports) {
   return Attempt(trial, number, script, progress, ports).run();
 }
 

@@ -29,6 +29,6 @@ struct AttemptResult {
 /// scheduled time, so every participant sees the same frames. Where the script asks for it, clicks
 /// are kept and the gaze is followed during the stimulus. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-                          const Progress& progress, const Ports& ports);
+                          const SessionProgress& progress, const Ports& ports);
 
 }  // namespace impetus

@@ -37,7 +37,7 @@ const char* text_of(GLenum name) { return reinterpret_cast<const char*>(glGetStr
 GlWindow::GlWindow(const WindowOptions& options) {
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
-  open_video();
+  options.seen ? open_video() : open_unseen_video();
   try {
     open(options);
   } catch (...) {
@@ -50,10 +50,11 @@ GlWindow::~GlWindow() { close(); }
 
 void GlWindow::open(const WindowOptions& options) {
   ask_for_context();
+  const Uint32 flags = SDL_WINDOW_OPENGL | (options.seen ? 0U : Uint32{SDL_WINDOW_HIDDEN});
   window_ = options.fullscreen ? create_fullscreen(options)
                                : SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED,
                                                   SDL_WINDOWPOS_CENTERED, options.width_px,
-                                                  options.height_px, SDL_WINDOW_OPENGL);
+                                                  options.height_px, flags);
   if (window_ == nullptr) {
     refuse_display(SDL_GetError());
   }

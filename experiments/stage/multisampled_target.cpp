@@ -60,11 +60,11 @@ void MultisampledTarget::begin(int width, int height) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
-void MultisampledTarget::end_onto(const PixelArea& area) {
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+void MultisampledTarget::end_onto(const PixelArea& area, unsigned framebuffer) {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glBlitFramebuffer(0, 0, width_, height_, area.left, area.bottom, area.left + area.width,
                     area.bottom + area.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 }  // namespace impetus

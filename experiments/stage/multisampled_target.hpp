@@ -18,9 +18,9 @@ class MultisampledTarget {
   /// kept for the next picture of this size. Throws std::runtime_error when the driver refuses.
   void begin(int width, int height);
 
-  /// Averages the picture onto the area of the window, which must have the size given to begin(),
-  /// and draws to the window again.
-  void end_onto(const PixelArea& area);
+  /// Averages the picture onto the area of the window, or of another framebuffer of OpenGL's, which
+  /// must have the size given to begin(), and draws to the window again.
+  void end_onto(const PixelArea& area, unsigned framebuffer = 0);
 
  private:
   void allocate(int width, int height);

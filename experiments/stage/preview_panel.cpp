@@ -296,7 +296,7 @@ class Panel {
         "Contact points with their normals, kept in view for a quarter of a second.");
     ImGui::SameLine(column);
     box("gaze, region", overlays_.gaze, "Where the mouse says you look, and the region.");
-    box("volumes", overlays_.volumes, "The spheres that stand for the bodies.");
+    box("volumes", overlays_.volumes, "The volumes that stand for the bodies.");
     ImGui::SameLine(column);
     draw_volume_level();
     ImGui::EndDisabled();

@@ -33,7 +33,7 @@ float progress_height(const Gui& gui) {
   return bar_height(gui) + std::round(1.7F * gui.fonts().small->FontSize);
 }
 
-void draw_progress(const Gui& gui, const Progress& progress, Ground ground) {
+void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground) {
   if (progress.total <= 0 && progress.label.empty()) {
     return;
   }

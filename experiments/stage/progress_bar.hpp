@@ -14,6 +14,6 @@ enum class Ground { kPage, kPicture };
 [[nodiscard]] float progress_height(const Gui& gui);
 
 /// Draws within the present frame; nothing when there is neither total nor label.
-void draw_progress(const Gui& gui, const Progress& progress, Ground ground);
+void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground);
 
 }  // namespace impetus

@@ -18,7 +18,11 @@ constexpr float kCrossGrey = 0.13F;
 constexpr double kCrossArmDeg = 0.6;
 constexpr double kCrossThicknessDeg = 0.08;
 
+constexpr float kShellOpacity = 0.3F;
+
 bool has_mesh(const PosedBody& body) { return body.look.mesh != nullptr; }
+
+bool is_ball(const ColouredVolume& volume) { return volume.shape.half_extents_m.isZero(0.0); }
 
 std::vector<ColouredSphere> spheres_of(const Picture& picture) {
   std::vector<ColouredSphere> spheres;
@@ -34,7 +38,7 @@ std::vector<ColouredSphere> spheres_of(const Picture& picture) {
 
 ScenePainter::ScenePainter()
     : balls_(kSphereFragmentShader, HidesOthers::kYes),
-      volumes_(kVolumeFragmentShader, HidesOthers::kNo) {}
+      clear_balls_(kVolumeFragmentShader, HidesOthers::kNo) {}
 
 void ScenePainter::fill(const PixelArea& area, float grey) {
   glEnable(GL_SCISSOR_TEST);
@@ -45,14 +49,15 @@ void ScenePainter::fill(const PixelArea& area, float grey) {
 }
 
 void ScenePainter::paint(const Picture& picture, const PixelArea& area,
-                         const std::vector<ColouredSphere>& volumes) {
-  const bool straight_edges =
-      picture.enclosure || std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh);
+                         const std::vector<ColouredVolume>& volumes) {
+  const bool straight_edges = picture.enclosure ||
+                              std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh) ||
+                              !std::all_of(volumes.begin(), volumes.end(), is_ball);
   if (straight_edges) {
     paint_multisampled(picture, volumes, area);
   } else {
     fill(area, palette::kPictureGrey);
-    paint_spheres(picture, volumes, area);
+    paint_rest(picture, volumes, area);
   }
   if (picture.fixation_cross) {
     paint_fixation(picture.viewer.screen, area);
@@ -62,7 +67,7 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area,
 // Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
 // samples knows whether one of them is in front.
 void ScenePainter::paint_multisampled(const Picture& picture,
-                                      const std::vector<ColouredSphere>& volumes,
+                                      const std::vector<ColouredVolume>& volumes,
                                       const PixelArea& area) {
   const PixelArea all{0, 0, area.width, area.height};
   target_.begin(area.width, area.height);
@@ -72,15 +77,28 @@ void ScenePainter::paint_multisampled(const Picture& picture,
     enclosure_.paint(*picture.enclosure, picture.viewer);
   }
   meshes_.paint(picture);
-  paint_spheres(picture, volumes, all);
+  paint_rest(picture, volumes, all);
   target_.end_onto(area);
 }
 
-void ScenePainter::paint_spheres(const Picture& picture, const std::vector<ColouredSphere>& volumes,
-                                 const PixelArea& area) {
+void ScenePainter::paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                              const PixelArea& area) {
   balls_.paint(spheres_of(picture), picture.viewer, area);
-  if (!volumes.empty()) {
-    volumes_.paint(volumes, picture.viewer, area);
+  std::vector<ColouredSphere> balls;
+  std::vector<ColouredVolume> others;
+  for (const ColouredVolume& volume : volumes) {
+    if (is_ball(volume)) {
+      balls.push_back({{volume.shape.centre, volume.shape.radius_m}, volume.colour});
+    } else {
+      others.push_back(volume);
+    }
+  }
+  if (!others.empty()) {
+    glViewport(area.left, area.bottom, area.width, area.height);
+    shells_.paint(others, picture.viewer, area.height, kShellOpacity);
+  }
+  if (!balls.empty()) {
+    clear_balls_.paint(balls, picture.viewer, area);
   }
 }
 

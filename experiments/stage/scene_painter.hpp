@@ -19,6 +19,7 @@
 #include "experiments/stage/multisampled_target.hpp"
 #include "experiments/stage/pixel_area.hpp"
 #include "experiments/stage/sphere_painter.hpp"
+#include "experiments/stage/volume_painter.hpp"
 
 namespace impetus {
 
@@ -34,17 +35,18 @@ class ScenePainter {
   /// exactly.
   /// `volumes` are drawn over it, translucent, where nothing is in front of them.
   void paint(const Picture& picture, const PixelArea& area,
-             const std::vector<ColouredSphere>& volumes = {});
+             const std::vector<ColouredVolume>& volumes = {});
 
  private:
-  void paint_multisampled(const Picture& picture, const std::vector<ColouredSphere>& volumes,
+  void paint_multisampled(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                           const PixelArea& area);
-  void paint_spheres(const Picture& picture, const std::vector<ColouredSphere>& volumes,
-                     const PixelArea& area);
+  void paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                  const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
   SpherePainter balls_;
-  SpherePainter volumes_;
+  SpherePainter clear_balls_;
+  VolumePainter shells_;
   EnclosurePainter enclosure_;
   MeshPainter meshes_;
   MultisampledTarget target_;

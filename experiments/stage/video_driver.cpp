@@ -24,6 +24,14 @@ void open_video() {
   }
 }
 
+void open_unseen_video() {
+  const bool wayland = SDL_getenv("WAYLAND_DISPLAY") != nullptr;
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "wayland,x11,offscreen" : "x11,offscreen");
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+    throw std::runtime_error(std::string("no picture can be drawn: ") + SDL_GetError());
+  }
+}
+
 void refuse_display(const std::string& why) {
   throw std::runtime_error("no display could be opened: " + why +
                            "; run with --observer to go on without a window");

@@ -10,6 +10,9 @@ namespace impetus {
 /// std::runtime_error with one sentence when there is no display.
 void open_video();
 
+/// The same without anybody to see it: with the display where there is one, without it elsewhere.
+void open_unseen_video();
+
 /// Throws the sentence that says so.
 [[noreturn]] void refuse_display(const std::string& why);
 

@@ -11,16 +11,16 @@ constexpr std::array<float, 3> kVolumeColour{0.10F, 0.36F, 0.20F};
 
 }  // namespace
 
-std::vector<Sphere> volumes_at_level(const VolumeTree& tree, int level) {
-  std::vector<Sphere> volumes;
+std::vector<RoundedBox> volumes_at_level(const VolumeTree& tree, int level) {
+  std::vector<RoundedBox> volumes;
   for (const std::int32_t index : tree.standing_at(level)) {
-    volumes.push_back(bounding_sphere(tree.volume(index)));
+    volumes.push_back(rounded_box(tree.volume(index)));
   }
   return volumes;
 }
 
-const std::vector<Sphere>& VolumeLevels::at(const std::shared_ptr<const VolumeTree>& tree,
-                                            int level) {
+const std::vector<RoundedBox>& VolumeLevels::at(const std::shared_ptr<const VolumeTree>& tree,
+                                                int level) {
   Known& known = known_[tree.get()];
   known.tree = tree;
   const auto found = known.levels.find(level);
@@ -30,9 +30,9 @@ const std::vector<Sphere>& VolumeLevels::at(const std::shared_ptr<const VolumeTr
   return known.levels[level] = volumes_at_level(*tree, level);
 }
 
-std::vector<ColouredSphere> VolumeLevels::of(const PreviewRun& run, const PreviewOverlays& overlays,
+std::vector<ColouredVolume> VolumeLevels::of(const PreviewRun& run, const PreviewOverlays& overlays,
                                              const std::vector<PosedBody>& bodies) {
-  std::vector<ColouredSphere> volumes;
+  std::vector<ColouredVolume> volumes;
   if (!overlays.shown || !overlays.volumes) {
     return volumes;
   }
@@ -43,9 +43,8 @@ std::vector<ColouredSphere> VolumeLevels::of(const PreviewRun& run, const Previe
     if (!level) {
       continue;
     }
-    for (const Sphere& volume : at(run.scene().world.models()[body].tree, *level)) {
-      const Vector3 centre = bodies[body].pose.transform(volume.centre);
-      volumes.push_back({{centre, volume.radius_m}, kVolumeColour});
+    for (const RoundedBox& volume : at(run.scene().world.models()[body].tree, *level)) {
+      volumes.push_back({posed(volume, bodies[body].pose), kVolumeColour});
     }
   }
   return volumes;

@@ -1,5 +1,5 @@
-// The bounding volumes of bodies, at the level that their pairs use or at a chosen one.
-// SPDX-License-Identifier: MIT
+// The bounding volumes of bodies, of whatever kind, at the level that their pairs use or at a
+// chosen one. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "experiments/stage/preview_overlays.hpp"
-#include "experiments/stage/sphere_painter.hpp"
+#include "experiments/stage/volume_painter.hpp"
 
 namespace impetus {
 
 /// The volumes that stand for the whole object at `level`, in the body's frame: the level's nodes,
 /// and nodes without children of the levels before.
-[[nodiscard]] std::vector<Sphere> volumes_at_level(const VolumeTree& tree, int level);
+[[nodiscard]] std::vector<RoundedBox> volumes_at_level(const VolumeTree& tree, int level);
 
 class VolumeLevels {
  public:
   /// The volumes to draw of every body; none where `overlays` asks for none.
-  [[nodiscard]] std::vector<ColouredSphere> of(const PreviewRun& run,
+  [[nodiscard]] std::vector<ColouredVolume> of(const PreviewRun& run,
                                                const PreviewOverlays& overlays,
                                                const std::vector<PosedBody>& bodies);
 
@@ -26,10 +26,10 @@ class VolumeLevels {
   /// Kept with its tree, so that no other can have its address.
   struct Known {
     std::shared_ptr<const VolumeTree> tree;
-    std::map<int, std::vector<Sphere>> levels;
+    std::map<int, std::vector<RoundedBox>> levels;
   };
 
-  const std::vector<Sphere>& at(const std::shared_ptr<const VolumeTree>& tree, int level);
+  const std::vector<RoundedBox>& at(const std::shared_ptr<const VolumeTree>& tree, int level);
 
   std::map<const VolumeTree*, Known> known_;
 };

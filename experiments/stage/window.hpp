@@ -26,6 +26,7 @@ struct WindowOptions {
   int height_px{1024};
   double refresh_hz{0.0};  ///< 0: ask the display, 60 when it does not know
   std::string title{"Impetus"};
+  bool seen{true};  ///< false: for pictures that go elsewhere; then no display is needed
 };
 
 /// One at a time. All calls come from the thread that made it.

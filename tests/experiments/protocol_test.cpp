@@ -251,7 +251,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
       {{"/gravity", 9.8,
         "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"imposed\", \"meeting\", \"schema_version\", \"source\", \"title\", "
+        "\"engine\", \"imposed\", \"meeting\", \"meshes\", \"schema_version\", \"source\", "
+        "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
        {"/bodies", json::array(), "/bodies: expected a list of 1 to 1000 values, got []"},
@@ -260,7 +261,7 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "\"red\""},
        {"/bodies/0/shape/kind", "cube",
         "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"plate\", "
-        "\"l-block\", \"torus\", \"knot\", \"creature\", got \"cube\""},
+        "\"l-block\", \"torus\", \"knot\", \"creature\", \"mesh\", got \"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,

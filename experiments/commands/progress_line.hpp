@@ -1,0 +1,30 @@
+// How far a piece of work has come, on standard error: one line that changes on a terminal, a line
+// every two seconds elsewhere.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace impetus {
+
+class ProgressLine {
+ public:
+  /// `what` is being done, such as "building".
+  explicit ProgressLine(std::string what);
+  /// Leaves a terminal's line empty.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// `share` is done, from 0 to 1.
+  void tell(double share);
+
+ private:
+  std::string what_;
+  bool terminal_;
+  int told_percent_{-1};
+  std::chrono::steady_clock::time_point told_at_{std::chrono::steady_clock::now()};
+};
+
+}  // namespace impetus

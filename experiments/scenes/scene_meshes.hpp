@@ -1,0 +1,44 @@
+// Meshes of a scene from files, held by content.
+//
+//   "shape": {"kind": "mesh", "file": "dragon.obj", ...}
+//        │ read once, when the scene is
+//        └─> "meshes": {"dragon.obj": {"hash": ..., "base64": ...}}
+//
+// The scene that a study records therefore holds all that a replay needs, and the hash of a
+// protocol covers its meshes: a file that changes makes another protocol.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/shapes/triangle_mesh.hpp"
+#include "experiments/scenes/scene_checks.hpp"
+
+namespace impetus {
+
+/// Whether a shape is a mesh from a file.
+bool is_mesh(const nlohmann::json& shape);
+
+/// A shape of the scene that names a mesh file.
+struct MeshFile {
+  std::string pointer;  ///< to "file"
+  std::string file;
+};
+
+/// Those that the scene names, in its order. Precondition: valid by the scene's schema.
+std::vector<MeshFile> mesh_files_of(const nlohmann::json& scene);
+
+/// Puts the content of `file` into the scene's "meshes", unless it is there; `folder` is the
+/// scene's. Returns what is wrong in words, "" when nothing is: the path leaves the folder, the
+/// file cannot be read, or the mesh cannot be simulated.
+std::string hold_mesh(nlohmann::json& scene, const std::string& file,
+                      const std::filesystem::path& folder);
+
+/// The mesh that `meshes` holds for a file, in the file's own units. Throws std::runtime_error
+/// (expected ..., got ...) when the content is not what it says.
+TriangleMesh mesh_content(const nlohmann::json& meshes, const std::string& file);
+
+}  // namespace impetus

@@ -1,0 +1,25 @@
+// Pictures of a volume tree without a window to be seen: for figures, and on machines without a
+// display.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "experiments/stage/png_file.hpp"
+#include "experiments/stage/tree_look.hpp"
+
+namespace impetus {
+
+struct PictureSize {
+  int width_px{1200};
+  int height_px{1200};
+};
+
+inline constexpr int kLargestPicturePx = 8192;
+
+/// One picture for each look, on a white ground. Throws std::runtime_error with one sentence when
+/// no OpenGL 3.3 can be had.
+std::vector<Pixels> pictures_of(const ShownTree& shown, const std::vector<TreeLook>& looks,
+                                const PictureSize& size);
+
+}  // namespace impetus

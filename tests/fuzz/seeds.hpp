@@ -1,0 +1,59 @@
+// The seeds of the fuzzers, made by code: small files of every format and of every kind of tree.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/models/little_endian.hpp"
+#include "tests/experiments/stored_trees.hpp"
+
+namespace impetus {
+
+/// As fuzz_mesh_file() takes them.
+inline std::vector<std::string> mesh_seeds() {
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const std::string binary_stl = [] {
+    std::string text(80, ' ');
+    append_number(text, std::uint32_t{1});
+    for (const float number : {0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) {
+      append_number(text, number);
+    }
+    return text + std::string(2, '\0');
+  }();
+  return {std::string("\0", 1) +
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+          std::string("\0", 1) +
+              "o a\nv 0 0 0 1\nvt 0 0\nvn 0 0 1\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1/1 2/1/1 -2 -1\n",
+          "\1ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+          "float "
+          "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+              corners + faces,
+          "\2solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+          "0\nendloop\nendfacet\nendsolid a\n",
+          "\2" + binary_stl,
+          "\3OFF\n4 4 6\n" + corners + faces,
+          "\4{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{"
+          "\"mesh\":0}],"
+          "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{"
+          "\"bufferView\":0,"
+          "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,"
+          "\"byteLength\":"
+          "36}],\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}"};
+}
+
+/// As fuzz_tree_file() takes them.
+inline std::vector<std::string> tree_seeds() {
+  constexpr std::size_t kChecksumLetters = 32;
+  RandomStream random(1, "seeds");
+  std::vector<std::string> seeds;
+  for (StoredTree& stored : all_stored(random)) {
+    seeds.push_back(bytes_of(stored));
+    seeds.back().resize(seeds.back().size() - kChecksumLetters);
+  }
+  return seeds;
+}
+
+}  // namespace impetus
