@@ -9,6 +9,8 @@
 namespace impetus {
 
 /// Raised when a change makes any builder's tree differ: trees of another version are built anew.
+/// Recordings depend on their trees, so kRecordingFormat (engine/dynamics/state_hash.hpp) rises
+/// too.
 inline constexpr int kTreeBuilderVersion = 1;
 
 /// A tree of at most `settings.depth` + 1 levels, fewer when nothing finer would change anything,
