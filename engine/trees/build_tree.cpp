@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
+#include "engine/trees/fitted_tree.hpp"
 #include "engine/trees/octree.hpp"
+#include "engine/trees/voxel_tree.hpp"
 
 namespace impetus {
 
@@ -17,6 +19,12 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
     progress(0.0);
   }
   switch (settings.kind) {
+    case TreeKind::kBox:
+    case TreeKind::kSwept:
+    case TreeKind::kHeterogeneous:
+      return build_fitted_tree(solid, settings, progress).tree;
+    case TreeKind::kVoxel:
+      return build_voxel_tree(solid, settings, progress).tree;
     case TreeKind::kOctree:
     default:
       return octree(solid, settings.depth);
