@@ -57,7 +57,7 @@ const std::vector<Library> kLibraries = {
     {"Eigen", "Eigen/"},       {"assimp", "assimp/"}, {"JSON", "nlohmann/"},
     {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
     {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
-    {"window", "imgui"},       {"CLI", "CLI/"},
+    {"window", "imgui"},       {"CLI", "CLI/"},       {"FCL", "fcl/"},  // FCL: tests alone
 };
 
 /// The engine reads no clock, no file and no global random state, prints nothing, has no threads

@@ -25,7 +25,7 @@ Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree&
   Vector3 normals = Vector3::Zero();
   double depth_m = 0.0;
   for (const NodePair& node : nodes) {
-    const TouchPoint at = touch(a.world_volume(node.a), b.world_volume(node.b), fallback);
+    const TouchPoint at = touch_of_nodes(a, node.a, b, node.b, fallback);
     points += at.point;
     normals += at.normal;
     depth_m = std::max(depth_m, at.depth_m);
@@ -48,7 +48,7 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
     contact.touch.normal = inward_normal(wall);
     int count = 0;
     for (const NodePair& node : pair.overlapping()) {
-      const TouchPoint at = touch_wall(walls, wall, tree.world_volume(node.a));
+      const TouchPoint at = touch_of_wall(tree, node.a, walls, wall);
       if (at.depth_m >= 0.0) {
         contact.touch.point += at.point;
         contact.touch.depth_m = std::max(contact.touch.depth_m, at.depth_m);

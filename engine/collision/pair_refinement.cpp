@@ -46,8 +46,8 @@ void PairRefinement::test_roots() {
 }
 
 bool PairRefinement::touch_each_other(const NodePair& pair) {
-  const Sphere& of_a = a_->world_volume(pair.a);
-  return b_ != nullptr ? overlap(of_a, b_->world_volume(pair.b)) : reaches_wall(*walls_, of_a);
+  return b_ != nullptr ? nodes_overlap(*a_, pair.a, *b_, pair.b)
+                       : node_reaches_wall(*a_, pair.a, *walls_);
 }
 
 std::int64_t PairRefinement::block_size(const NodePair& pair) const {

@@ -1,21 +1,23 @@
 // A volume tree placed in the world for one step: nodes are transformed when first visited.
+//
+// Trees of spheres alone, the commonest, have a cache and a test of their own.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
 #include "engine/trees/volume_tree.hpp"
+#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/pair_procedures.hpp"
 
 namespace impetus {
 
 class PlacedTree {
  public:
   /// `tree` must outlive this.
-  explicit PlacedTree(const VolumeTree& tree)
-      : tree_(&tree),
-        world_(static_cast<std::size_t>(tree.node_count())),
-        placed_in_(static_cast<std::size_t>(tree.node_count()), 0) {}
+  explicit PlacedTree(const VolumeTree& tree);
 
   /// Moves the tree to `pose`; every node placed before is stale.
   void move_to(const Pose& pose) {
@@ -25,23 +27,63 @@ class PlacedTree {
 
   [[nodiscard]] const VolumeTree& tree() const { return *tree_; }
 
-  /// The node's volume in world coordinates, transformed at most once per step.
-  const Sphere& world_volume(std::int32_t index) {
-    const auto slot = static_cast<std::size_t>(index);
+  [[nodiscard]] bool of_spheres() const { return own_spheres_ != nullptr; }
+
+  /// The node's sphere in world coordinates, transformed at most once per step.
+  /// Precondition: of_spheres().
+  const Sphere& world_sphere(std::int32_t node) {
+    assert(of_spheres());
+    const auto slot = static_cast<std::size_t>(node);
     if (placed_in_[slot] != step_) {
-      const Sphere volume = std::get<Sphere>(tree_->volume(index));
-      world_[slot] = {pose_.transform(volume.centre), volume.radius_m};
+      const Sphere& own = own_spheres_[slot];
+      spheres_[slot] = {pose_.transform(own.centre), own.radius_m};
       placed_in_[slot] = step_;
     }
-    return world_[slot];
+    return spheres_[slot];
+  }
+
+  /// The node's volume in world coordinates, transformed at most once per step.
+  Volume world_volume(std::int32_t node) {
+    return of_spheres() ? Volume(world_sphere(node)) : placed_volume(node);
   }
 
  private:
+  const Volume& placed_volume(std::int32_t node);
+
   const VolumeTree* tree_;
+  const Sphere* own_spheres_;  ///< null unless all nodes are spheres
   Pose pose_;
   std::uint64_t step_{1};
-  std::vector<Sphere> world_;
+  std::vector<Sphere> spheres_;
+  std::vector<Volume> volumes_;  ///< empty for a tree of spheres, as spheres_ for any other
   std::vector<std::uint64_t> placed_in_;
 };
+
+/// Whether two placed nodes overlap.
+inline bool nodes_overlap(PlacedTree& a, std::int32_t node_a, PlacedTree& b, std::int32_t node_b) {
+  return a.of_spheres() && b.of_spheres() ? overlap(a.world_sphere(node_a), b.world_sphere(node_b))
+                                          : overlap(a.world_volume(node_a), b.world_volume(node_b));
+}
+
+/// The contact of two placed nodes; see touch() of two volumes.
+inline TouchPoint touch_of_nodes(PlacedTree& a, std::int32_t node_a, PlacedTree& b,
+                                 std::int32_t node_b, const Vector3& fallback) {
+  return a.of_spheres() && b.of_spheres()
+             ? touch(a.world_sphere(node_a), b.world_sphere(node_b), fallback)
+             : touch(a.world_volume(node_a), b.world_volume(node_b), fallback);
+}
+
+/// Whether a placed node touches a wall or reaches beyond it.
+inline bool node_reaches_wall(PlacedTree& tree, std::int32_t node, const ClosedCube& walls) {
+  return tree.of_spheres() ? reaches_wall(walls, tree.world_sphere(node))
+                           : reaches_wall(walls, tree.world_volume(node));
+}
+
+/// The contact of a placed node and a wall.
+inline TouchPoint touch_of_wall(PlacedTree& tree, std::int32_t node, const ClosedCube& walls,
+                                int wall) {
+  return tree.of_spheres() ? touch_wall(walls, wall, tree.world_sphere(node))
+                           : touch_wall(walls, wall, tree.world_volume(node));
+}
 
 }  // namespace impetus

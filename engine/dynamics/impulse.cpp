@@ -2,6 +2,7 @@
 #include "engine/dynamics/impulse.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace impetus {
 namespace {
@@ -87,19 +88,6 @@ double incoming_speed(const Contact& contact, const std::vector<BodyModel>& mode
   return speed;
 }
 
-/// One pass over the contacts; true when it changed anything.
-bool pass(const std::vector<Contact>& contacts, double restitution,
-          const std::vector<BodyModel>& models, std::vector<BodyState>& states,
-          std::vector<double>& impulse_Ns) {
-  bool changed = false;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const double added = apply_if_approaching(contacts[i], restitution, models, states);
-    impulse_Ns[i] += added;
-    changed = changed || added > 0.0;
-  }
-  return changed;
-}
-
 }  // namespace
 
 double separation_speed(const Contact& contact, const std::vector<BodyModel>& models,
@@ -109,29 +97,58 @@ double separation_speed(const Contact& contact, const std::vector<BodyModel>& mo
   return contact.touch.normal.dot(relative);
 }
 
-ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
-                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+ResponseResult incoming(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+                        const std::vector<BodyState>& states) {
   ResponseResult result;
   result.impulse_Ns.assign(contacts.size(), 0.0);
-  double fastest_m_s = 0.0;
   for (const Contact& contact : contacts) {
-    fastest_m_s = std::max(fastest_m_s, incoming_speed(contact, models, states));
+    result.fastest_m_s = std::max(result.fastest_m_s, incoming_speed(contact, models, states));
     result.approach_m_s.push_back(std::max(0.0, -separation_speed(contact, models, states)));
   }
-  const std::size_t passes = 2 * contacts.size();
-  for (std::size_t done = 0; done < passes; ++done) {
-    if (!pass(contacts, restitution, models, states, result.impulse_Ns)) {
-      return result;
-    }
-  }
-  pass(contacts, /*restitution=*/0.0, models, states, result.impulse_Ns);
+  return result;
+}
+
+void measure_residual(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+                      const std::vector<BodyState>& states, ResponseResult& result) {
   for (const Contact& contact : contacts) {
     result.residual_approach_m_s =
         std::max(result.residual_approach_m_s, -separation_speed(contact, models, states));
   }
-  if (result.residual_approach_m_s <= kNegligibleApproach * fastest_m_s) {
+  if (result.residual_approach_m_s <= kNegligibleApproach * result.fastest_m_s) {
     result.residual_approach_m_s = 0.0;
   }
+}
+
+void respond_in_turn(const std::vector<Contact>& contacts, const std::vector<std::size_t>& members,
+                     const std::vector<double>& restitutions, const std::vector<BodyModel>& models,
+                     std::vector<BodyState>& states, std::vector<double>& impulse_Ns) {
+  const auto pass = [&](bool plastic) {
+    bool changed = false;
+    for (const std::size_t i : members) {
+      const double added =
+          apply_if_approaching(contacts[i], plastic ? 0.0 : restitutions[i], models, states);
+      impulse_Ns[i] += added;
+      changed = changed || added > 0.0;
+    }
+    return changed;
+  };
+  const std::size_t passes = 2 * members.size();
+  for (std::size_t done = 0; done < passes; ++done) {
+    if (!pass(/*plastic=*/false)) {
+      return;
+    }
+  }
+  pass(/*plastic=*/true);
+}
+
+ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
+                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+  ResponseResult result = incoming(contacts, models, states);
+  std::vector<std::size_t> all(contacts.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  respond_in_turn(contacts, all, std::vector<double>(contacts.size(), restitution), models, states,
+                  result.impulse_Ns);
+  measure_residual(contacts, models, states, result);
   return result;
 }
 

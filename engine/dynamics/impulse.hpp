@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
@@ -27,8 +28,23 @@ inline constexpr double kNegligibleApproach = 1e-9;
 struct ResponseResult {
   std::vector<double> impulse_Ns;     ///< per contact, along its normal, ≥ 0
   std::vector<double> approach_m_s;   ///< per contact before the response; 0 when separating
+  double fastest_m_s{0.0};            ///< largest speed that any contact's bodies brought to it
   double residual_approach_m_s{0.0};  ///< largest approach that the passes left; 0 if negligible
 };
+
+/// What the contacts bring before any response: no impulse yet, no residual.
+ResponseResult incoming(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+                        const std::vector<BodyState>& states);
+
+/// Notes in `result` the approach that `states` still have.
+void measure_residual(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+                      const std::vector<BodyState>& states, ResponseResult& result);
+
+/// Passes over `members` of the contacts, one contact after the other, until none approaches; at
+/// most two for each, then one without restitution. Adds to `impulse_Ns`.
+void respond_in_turn(const std::vector<Contact>& contacts, const std::vector<std::size_t>& members,
+                     const std::vector<double>& restitutions, const std::vector<BodyModel>& models,
+                     std::vector<BodyState>& states, std::vector<double>& impulse_Ns);
 
 /// Applies impulses to `states` until no contact approaches or the passes (two per contact) are
 /// used up; what is left is reported. `restitution` in [0, 1].

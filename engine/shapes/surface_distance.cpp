@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -130,15 +129,15 @@ void SurfaceDistance::search(std::uint32_t index, const Vector3& point, Found& b
   }
 }
 
-SurfaceDistance::Found SurfaceDistance::find(const Vector3& point) const {
-  Found best{std::numeric_limits<double>::infinity(), Vector3::Zero(),
-             std::numeric_limits<std::uint32_t>::max(), TriangleFeature::kFace};
+SurfaceDistance::Found SurfaceDistance::find(const Vector3& point, std::uint32_t near) const {
+  const auto [nearest, feature] = closest_feature(corners(near), point);
+  Found best{(nearest - point).squaredNorm(), nearest, near, feature};
   search(0, point, best);
   return best;
 }
 
-NearestOnSurface SurfaceDistance::nearest(const Vector3& point) const {
-  const Found found = find(point);
+NearestOnSurface SurfaceDistance::nearest(const Vector3& point, std::uint32_t near) const {
+  const Found found = find(point, near);
   return {std::sqrt(found.squared_m2), found.point, found.triangle};
 }
 
@@ -150,10 +149,19 @@ const Vector3& SurfaceDistance::pseudonormal(const Found& at) const {
   return feature < 6 ? edge_normals_[at.triangle][feature - 3] : face_normals_[at.triangle];
 }
 
-double SurfaceDistance::signed_distance_m(const Vector3& point) const {
-  const Found found = find(point);
+SignedDistance SurfaceDistance::signed_distance(const Vector3& point, std::uint32_t near) const {
+  const Found found = find(point, near);
   const double distance_m = std::sqrt(found.squared_m2);
-  return pseudonormal(found).dot(point - found.point) < 0.0 ? -distance_m : distance_m;
+  const bool inside = pseudonormal(found).dot(point - found.point) < 0.0;
+  return {inside ? -distance_m : distance_m, found.triangle};
+}
+
+double SurfaceDistance::signed_distance_m(const Vector3& point) const {
+  return signed_distance(point).distance_m;
+}
+
+double SurfaceDistance::distance_to_m(std::uint32_t triangle, const Vector3& point) const {
+  return (closest_on_triangle(corners(triangle), point) - point).norm();
 }
 
 }  // namespace impetus

@@ -22,15 +22,27 @@ struct NearestOnSurface {
   std::uint32_t triangle{0};
 };
 
+struct SignedDistance {
+  double distance_m{0.0};  ///< negative inside
+  std::uint32_t triangle{0};
+};
+
 class SurfaceDistance {
  public:
   /// Copies what it needs of `mesh`. Precondition: find_defects(mesh).none(), one triangle or more.
   explicit SurfaceDistance(const TriangleMesh& mesh);
 
-  [[nodiscard]] NearestOnSurface nearest(const Vector3& point) const;
+  /// Quicker when `near` is a triangle near the point.
+  [[nodiscard]] NearestOnSurface nearest(const Vector3& point, std::uint32_t near = 0) const;
 
   /// Metres; negative inside the solid.
   [[nodiscard]] double signed_distance_m(const Vector3& point) const;
+
+  /// The same, and the nearest triangle; quicker when `near` is a triangle near the point.
+  [[nodiscard]] SignedDistance signed_distance(const Vector3& point, std::uint32_t near = 0) const;
+
+  /// To one triangle: never less than to the surface (metres, not negative).
+  [[nodiscard]] double distance_to_m(std::uint32_t triangle, const Vector3& point) const;
 
  private:
   struct Node {
@@ -52,7 +64,7 @@ class SurfaceDistance {
   void add_normals();
   void search(std::uint32_t index, const Vector3& point, Found& best) const;
   void try_triangles(const Node& node, const Vector3& point, Found& best) const;
-  [[nodiscard]] Found find(const Vector3& point) const;
+  [[nodiscard]] Found find(const Vector3& point, std::uint32_t near) const;
   [[nodiscard]] const Vector3& pseudonormal(const Found& at) const;
   [[nodiscard]] Triangle corners(std::uint32_t triangle) const;
 

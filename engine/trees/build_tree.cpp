@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "engine/trees/fitted_tree.hpp"
+#include "engine/trees/medial_tree.hpp"
 #include "engine/trees/octree.hpp"
+#include "engine/trees/solid_requirement.hpp"
 #include "engine/trees/voxel_tree.hpp"
 
 namespace impetus {
@@ -15,9 +17,7 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
   if (!problem.empty()) {
     throw std::invalid_argument(problem);
   }
-  if (progress) {
-    progress(0.0);
-  }
+  require_solid(solid, "tree");
   switch (settings.kind) {
     case TreeKind::kBox:
     case TreeKind::kSwept:
@@ -25,6 +25,8 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
       return build_fitted_tree(solid, settings, progress).tree;
     case TreeKind::kVoxel:
       return build_voxel_tree(solid, settings, progress).tree;
+    case TreeKind::kMedial:
+      return medial_tree(solid, settings, progress).tree;
     case TreeKind::kOctree:
     default:
       return octree(solid, settings.depth);

@@ -186,7 +186,7 @@ BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& setti
   if (!problem.empty()) {
     throw std::invalid_argument(problem);
   }
-  require_solid(solid, name_of(settings.kind) + " tree");
+  require_solid(solid, "tree");
   return Builder(solid, settings, progress).build();
 }
 

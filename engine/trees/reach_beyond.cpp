@@ -21,72 +21,73 @@ struct Patch {
 };
 
 /// What is to be searched for the greatest signed distance, which `radius_m` is added to.
-struct Core {
+struct Searched {
   std::vector<Vector3> corners;
   std::vector<Patch> patches;
   double radius_m{0.0};
 };
 
-Core core_of(const Sphere& sphere) { return {{sphere.centre}, {}, sphere.radius_m}; }
+Searched searched_of(const Sphere& sphere) { return {{sphere.centre}, {}, sphere.radius_m}; }
 
-Core core_of(const LineSwept& line) {
+Searched searched_of(const LineSwept& line) {
   return {{line.centre - line.half_axis, line.centre + line.half_axis},
           {{line.centre, line.half_axis, Vector3::Zero()}},
           line.radius_m};
 }
 
-Core core_of(const RectangleSwept& rectangle) {
+Searched searched_of(const RectangleSwept& rectangle) {
   const auto& [centre, u, v, radius_m] = rectangle;
   return {
       {centre - u - v, centre + u - v, centre - u + v, centre + u + v}, {{centre, u, v}}, radius_m};
 }
 
 /// A box of half axes as columns.
-Core core_of(const Vector3& centre, const Matrix3& half_axes) {
-  Core core;
+Searched searched_of(const Vector3& centre, const Matrix3& half_axes) {
+  Searched searched;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3 signs(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-    core.corners.emplace_back(centre + half_axes * signs);
+    searched.corners.emplace_back(centre + half_axes * signs);
   }
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
-      core.patches.push_back({centre + sign * half_axes.col(axis), half_axes.col((axis + 1) % 3),
-                              half_axes.col((axis + 2) % 3)});
+      searched.patches.push_back({centre + sign * half_axes.col(axis),
+                                  half_axes.col((axis + 1) % 3), half_axes.col((axis + 2) % 3)});
     }
   }
-  return core;
+  return searched;
 }
 
-Core core_of(const Box& box) {
-  return core_of(box.centre, box.orientation.toRotationMatrix() * box.half_extents_m.asDiagonal());
+Searched searched_of(const Box& box) {
+  return searched_of(box.centre,
+                     box.orientation.toRotationMatrix() * box.half_extents_m.asDiagonal());
 }
 
-Core core_of(const Cube& cube) {
-  return core_of(cube.centre, cube.half_edge_m * cube.orientation.toRotationMatrix());
+Searched searched_of(const Cube& cube) {
+  return searched_of(cube.centre, cube.half_edge_m * cube.orientation.toRotationMatrix());
 }
 
 }  // namespace
 
 double reach_beyond_m(const Volume& volume, const DistanceToUse& solid,
                       const ReachSettings& settings) {
-  Core core = std::visit([](const auto& kind) { return core_of(kind); }, volume);
+  Searched searched = std::visit([](const auto& kind) { return searched_of(kind); }, volume);
   double reach_m = 0.0;
   const auto reach_at = [&](const Vector3& point) {
-    const double here_m = solid.signed_distance_m(point) + core.radius_m;
+    const double here_m = solid.signed_distance_m(point) + searched.radius_m;
     reach_m = std::max(reach_m, here_m);
     return here_m;
   };
-  for (const Vector3& corner : core.corners) {
+  for (const Vector3& corner : searched.corners) {
     reach_at(corner);
     if (reach_m > settings.enough_m) {
       return reach_m;
     }
   }
-  double size_m = core.radius_m;
-  for (const Patch& patch : core.patches) {
+  double size_m = searched.radius_m;
+  for (const Patch& patch : searched.patches) {
     size_m = std::max(size_m, patch.half_diagonal_m());
   }
-  std::vector<Patch>& queue = core.patches;
+  std::vector<Patch>& queue = searched.patches;
   for (std::size_t i = 0; i < queue.size() && i < static_cast<std::size_t>(settings.most_questions);
        ++i) {
     const Patch patch = queue[i];

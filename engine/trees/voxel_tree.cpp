@@ -177,7 +177,7 @@ BuiltTree build_voxel_tree(const TriangleMesh& solid, const TreeSettings& settin
   if (!problem.empty()) {
     throw std::invalid_argument(problem);
   }
-  require_solid(solid, "voxel tree");
+  require_solid(solid, "tree");
   return Builder(solid, settings, progress).build();
 }
 

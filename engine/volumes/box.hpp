@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/vector.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 
@@ -20,5 +20,17 @@ struct Cube {
   double half_edge_m{0.0};
   Quaternion orientation{Quaternion::Identity()};
 };
+
+Sphere bounding_sphere(const Box& box);
+CoredVolume cored(const Box& box);
+Box placed(const Box& box, const Pose& pose);
+bool holds(const Box& box, const Vector3& point);
+double content_m3(const Box& box);
+
+Sphere bounding_sphere(const Cube& cube);
+CoredVolume cored(const Cube& cube);
+Cube placed(const Cube& cube, const Pose& pose);
+bool holds(const Cube& cube, const Vector3& point);
+double content_m3(const Cube& cube);
 
 }  // namespace impetus

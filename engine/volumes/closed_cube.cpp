@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/volumes/closed_cube.hpp"
 
+#include <cmath>
+
 namespace impetus {
 namespace {
 
@@ -8,6 +10,30 @@ namespace {
 double outward(int wall, const Vector3& point) {
   const double along = point[wall / 2];
   return wall % 2 == 0 ? along : -along;
+}
+
+/// An axis this close to parallel to a wall (cosine) counts as parallel.
+constexpr double kParallel = 1e-9;
+
+/// The middle of what of the core reaches furthest along `direction` (unit).
+Vector3 furthest_part(const Core& core, const Vector3& direction) {
+  Vector3 middle = core.centre;
+  for (int axis = 0; axis < core.dimension; ++axis) {
+    const double cosine = core.axes.col(axis).dot(direction);
+    if (std::abs(cosine) > kParallel) {
+      middle += (cosine > 0.0 ? core.half_m[axis] : -core.half_m[axis]) * core.axes.col(axis);
+    }
+  }
+  return middle;
+}
+
+TouchPoint touch_below(const ClosedCube& cube, int wall, const Vector3& point, double depth_m) {
+  TouchPoint result;
+  result.normal = inward_normal(wall);
+  result.depth_m = depth_m;
+  result.point = point;
+  result.point[wall / 2] = wall % 2 == 0 ? cube.half_edge_m : -cube.half_edge_m;
+  return result;
 }
 
 }  // namespace
@@ -27,12 +53,33 @@ Vector3 inward_normal(int wall) {
 }
 
 TouchPoint touch_wall(const ClosedCube& cube, int wall, const Sphere& sphere) {
-  TouchPoint result;
-  result.normal = inward_normal(wall);
-  result.depth_m = reach_beyond(cube, wall, sphere);
-  result.point = sphere.centre;
-  result.point[wall / 2] = wall % 2 == 0 ? cube.half_edge_m : -cube.half_edge_m;
-  return result;
+  return touch_below(cube, wall, sphere.centre, reach_beyond(cube, wall, sphere));
+}
+
+double reach_beyond(const ClosedCube& cube, int wall, const Volume& volume) {
+  if (const auto* sphere = std::get_if<Sphere>(&volume)) {
+    return reach_beyond(cube, wall, *sphere);
+  }
+  const CoredVolume whole = cored(volume);
+  return outward(wall, whole.core.centre) + reach_along(whole.core, inward_normal(wall)) +
+         whole.radius_m - cube.half_edge_m;
+}
+
+bool reaches_wall(const ClosedCube& cube, const Volume& volume) {
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    if (reach_beyond(cube, wall, volume) >= 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TouchPoint touch_wall(const ClosedCube& cube, int wall, const Volume& volume) {
+  const Core core = cored(volume).core;
+  const Vector3 point = std::holds_alternative<Cube>(volume)
+                            ? core.centre
+                            : furthest_part(core, -inward_normal(wall));
+  return touch_below(cube, wall, point, reach_beyond(cube, wall, volume));
 }
 
 }  // namespace impetus

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/volumes/sphere.hpp"
+#include "engine/volumes/volume.hpp"
 
 namespace impetus {
 
@@ -14,16 +14,23 @@ struct ClosedCube {
   double half_edge_m{0.0};
 };
 
-/// How far the sphere reaches beyond a wall (metres); negative when it stays within.
+/// How far the volume reaches beyond a wall (metres); negative when it stays within.
 double reach_beyond(const ClosedCube& cube, int wall, const Sphere& sphere);
+double reach_beyond(const ClosedCube& cube, int wall, const Volume& volume);
 
-/// Whether the sphere touches any wall or reaches beyond it.
+/// Whether the volume touches any wall or reaches beyond it.
 bool reaches_wall(const ClosedCube& cube, const Sphere& sphere);
+bool reaches_wall(const ClosedCube& cube, const Volume& volume);
 
 /// The wall's inward unit normal.
 Vector3 inward_normal(int wall);
 
 /// The sphere against the wall: the point of the wall nearest to the centre, the inward normal.
 TouchPoint touch_wall(const ClosedCube& cube, int wall, const Sphere& sphere);
+
+/// The same of any volume: the point of the wall nearest to the middle of the part of the core
+/// that reaches furthest towards it. A cube touches below its centre, as the sphere does that
+/// circumscribes it, but no deeper than it reaches.
+TouchPoint touch_wall(const ClosedCube& cube, int wall, const Volume& volume);
 
 }  // namespace impetus

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/vector.hpp"
+#include "engine/volumes/core.hpp"
 
 namespace impetus {
 
@@ -10,6 +10,12 @@ struct Sphere {
   Vector3 centre{Vector3::Zero()};
   double radius_m{0.0};
 };
+
+Sphere bounding_sphere(const Sphere& sphere);
+CoredVolume cored(const Sphere& sphere);
+Sphere placed(const Sphere& sphere, const Pose& pose);
+bool holds(const Sphere& sphere, const Vector3& point);
+double content_m3(const Sphere& sphere);
 
 /// Whether two spheres overlap or touch.
 inline bool overlap(const Sphere& a, const Sphere& b) {

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/numerics/vector.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 
@@ -22,5 +22,17 @@ struct RectangleSwept {
   Vector3 half_v{Vector3::Zero()};
   double radius_m{0.0};
 };
+
+Sphere bounding_sphere(const LineSwept& line);
+CoredVolume cored(const LineSwept& line);
+LineSwept placed(const LineSwept& line, const Pose& pose);
+bool holds(const LineSwept& line, const Vector3& point);
+double content_m3(const LineSwept& line);
+
+Sphere bounding_sphere(const RectangleSwept& rectangle);
+CoredVolume cored(const RectangleSwept& rectangle);
+RectangleSwept placed(const RectangleSwept& rectangle, const Pose& pose);
+bool holds(const RectangleSwept& rectangle, const Vector3& point);
+double content_m3(const RectangleSwept& rectangle);
 
 }  // namespace impetus

@@ -12,12 +12,18 @@
 
 namespace impetus {
 
-/// One row for each kind. Every pair of rows has its overlap and its contact (see
-/// pair_procedures.hpp).
+/// Each kind answers the questions below in a file of its own, and has a row in the table of pairs
+/// (see pair_procedures.hpp).
 using Volume = std::variant<Sphere, LineSwept, RectangleSwept, Box, Cube>;
 
 /// The smallest sphere about the volume's centre that holds it.
 Sphere bounding_sphere(const Volume& volume);
+
+/// The volume as a core and a radius.
+CoredVolume cored(const Volume& volume);
+
+/// A volume of a body's frame in the world.
+Volume placed(const Volume& volume, const Pose& pose);
 
 /// Whether `point` lies in the volume or on its surface.
 bool holds(const Volume& volume, const Vector3& point);

@@ -3,19 +3,32 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include "engine/volumes/pair_procedures.hpp"
 
 namespace impetus {
 namespace {
 
-std::vector<Sphere> nodes_at(const VolumeTree& tree, const Quaternion& orientation, int level) {
-  std::vector<Sphere> nodes;
+/// A node turned about the centre of mass, and the sphere round it.
+struct Node {
+  Volume volume;
+  Sphere bound;
+};
+
+std::vector<Node> nodes_at(const VolumeTree& tree, const Quaternion& orientation, int level) {
+  std::vector<Node> nodes;
   for (const std::int32_t index : tree.standing_at(level)) {
-    const Sphere volume = bounding_sphere(tree.volume(index));
-    nodes.push_back({orientation * volume.centre, volume.radius_m});
+    const Volume volume = tree.volume(index);
+    const Sphere bound = bounding_sphere(volume);
+    nodes.push_back({placed(volume, {Vector3::Zero(), orientation}),
+                     {orientation * bound.centre, bound.radius_m}});
   }
   return nodes;
 }
+
+bool is_sphere(const Node& node) { return std::holds_alternative<Sphere>(node.volume); }
 
 /// Distance along x between the centres of two nodes that touch; negative when they pass by.
 double touching_distance(const Sphere& a, const Sphere& b) {
@@ -26,25 +39,72 @@ double touching_distance(const Sphere& a, const Sphere& b) {
   return square >= 0.0 ? std::sqrt(square) : -1.0;
 }
 
+/// The contact point divides the line of the node centres by their radii (eq. 3.8).
+MeetingPlaces places_of_spheres(const Sphere& a, const Sphere& b, double apart_m) {
+  const double reach_m = a.radius_m + b.radius_m;
+  return {-(a.centre.x() + apart_m * (a.radius_m / reach_m)),
+          -b.centre.x() + apart_m * (b.radius_m / reach_m)};
+}
+
+/// A cube touches with its own faces; as a node its contact is that of a sphere.
+Volume with_own_faces(const Volume& volume) {
+  const auto* cube = std::get_if<Cube>(&volume);
+  return cube != nullptr
+             ? Volume(Box{cube->centre, Vector3::Constant(cube->half_edge_m), cube->orientation})
+             : volume;
+}
+
+/// Moves b towards a along −x from `separation_m`, where they are apart, until they touch; none
+/// when they pass by. The distance of convex volumes is convex in the way, so Newton's steps never
+/// go too far.
+std::optional<double> touching_separation(const Volume& a, const Volume& b, double separation_m,
+                                          TouchPoint& contact) {
+  constexpr int kMostSteps = 200;
+  constexpr double kTouching = 1e-12;
+  const double size_m = bounding_sphere(a).radius_m + bounding_sphere(b).radius_m;
+  const double least_m = separation_m - 2.0 * size_m;
+  for (int step = 0; step < kMostSteps && separation_m >= least_m; ++step) {
+    contact =
+        touch(a, placed(b, {{separation_m, 0.0, 0.0}, Quaternion::Identity()}), -Vector3::UnitX());
+    const double gap_m = -contact.depth_m;
+    if (gap_m <= kTouching * size_m) {
+      return separation_m;
+    }
+    const double slope = -contact.normal.x();
+    if (!(slope > 0.0)) {
+      return std::nullopt;
+    }
+    separation_m -= gap_m / slope;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_a,
                              const VolumeTree& b, const Quaternion& orientation_b, int level) {
   MeetingPlaces places{-a.bounding_radius_m(), b.bounding_radius_m()};
   double furthest = -std::numeric_limits<double>::infinity();
-  const std::vector<Sphere> nodes_b = nodes_at(b, orientation_b, level);
-  for (const Sphere& node_a : nodes_at(a, orientation_a, level)) {
-    for (const Sphere& node_b : nodes_b) {
-      const double apart = touching_distance(node_a, node_b);
-      const double separation = node_a.centre.x() - node_b.centre.x() + apart;
+  const std::vector<Node> nodes_b = nodes_at(b, orientation_b, level);
+  for (const Node& node_a : nodes_at(a, orientation_a, level)) {
+    for (const Node& node_b : nodes_b) {
+      const double apart = touching_distance(node_a.bound, node_b.bound);
+      const double separation = node_a.bound.centre.x() - node_b.bound.centre.x() + apart;
       if (apart < 0.0 || separation <= furthest) {
         continue;
       }
-      furthest = separation;
-      // The contact point divides the line of the node centres by their radii (eq. 3.8).
-      const double reach = node_a.radius_m + node_b.radius_m;
-      places.a_m = -(node_a.centre.x() + apart * (node_a.radius_m / reach));
-      places.b_m = -node_b.centre.x() + apart * (node_b.radius_m / reach);
+      if (is_sphere(node_a) && is_sphere(node_b)) {
+        furthest = separation;
+        places = places_of_spheres(node_a.bound, node_b.bound, apart);
+        continue;
+      }
+      TouchPoint contact;
+      const auto touching = touching_separation(with_own_faces(node_a.volume),
+                                                with_own_faces(node_b.volume), separation, contact);
+      if (touching && *touching > furthest) {
+        furthest = *touching;
+        places = {-contact.point.x(), *touching - contact.point.x()};
+      }
     }
   }
   return places;

@@ -262,8 +262,8 @@ TEST(PlacedTree, NodesOfAnOldPoseAreNeverSeenAgain) {
     placed.move_to(pose);
     for (std::int32_t index = 0; index < tree.node_count(); ++index) {
       const auto volume = std::get<Sphere>(tree.volume(index));
-      ASSERT_EQ(placed.world_volume(index).centre, pose.transform(volume.centre));
-      ASSERT_EQ(placed.world_volume(index).radius_m, volume.radius_m);
+      ASSERT_EQ(placed.world_sphere(index).centre, pose.transform(volume.centre));
+      ASSERT_EQ(placed.world_sphere(index).radius_m, volume.radius_m);
     }
   }
 }
@@ -357,7 +357,7 @@ TEST(ContactModel, NormalIsUnitAndThePointLiesWithinBothRoots) {
     const Contact contact = average_contact({0, 1}, pair, trees.a, trees.b, {});
     EXPECT_NEAR(contact.touch.normal.norm(), 1.0, 1e-15);
     for (PlacedTree* tree : {&trees.a, &trees.b}) {
-      const Sphere& root = tree->world_volume(0);
+      const Sphere& root = tree->world_sphere(0);
       EXPECT_LE((contact.touch.point - root.centre).norm(), root.radius_m + 1e-12);
     }
   }

@@ -220,12 +220,12 @@ TEST(FittedTree, RefusesWhatIsNoSolid) {
     vertex.z() *= 1e-14;
   }
   const std::string expected = ": expected a closed mesh with its triangles facing outward";
-  EXPECT_EQ(refusal_of(open, settings), "box tree" + expected);
-  EXPECT_EQ(refusal_of(inside_out, {TreeKind::kSwept, 2, 8}), "swept tree" + expected);
-  EXPECT_EQ(refusal_of({}, {TreeKind::kHeterogeneous, 2, 8}), "heterogeneous tree" + expected);
-  EXPECT_EQ(refusal_of(open, {TreeKind::kVoxel, 2, 8}), "voxel tree" + expected);
+  EXPECT_EQ(refusal_of(open, settings), "tree" + expected);
+  EXPECT_EQ(refusal_of(inside_out, {TreeKind::kSwept, 2, 8}), "tree" + expected);
+  EXPECT_EQ(refusal_of({}, {TreeKind::kHeterogeneous, 2, 8}), "tree" + expected);
+  EXPECT_EQ(refusal_of(open, {TreeKind::kVoxel, 2, 8}), "tree" + expected);
   EXPECT_EQ(refusal_of(flat, settings),
-            "box tree: expected a solid, got a mesh that encloses next to nothing");
+            "tree: expected a solid, got a mesh that encloses next to nothing");
   EXPECT_EQ(refusal_of(box_mesh({1.0, 1.0, 1.0}), {TreeKind::kBox, 9, 8}),
             "tree: expected a depth from 0 to 8, got 9");
   EXPECT_EQ(problem_of({TreeKind::kVoxel, 5, 64}), "");

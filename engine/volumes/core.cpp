@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "engine/volumes/core.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+
+namespace impetus {
+
+Core point_core(const Vector3& centre) {
+  Core core;
+  core.centre = centre;
+  return core;
+}
+
+Core rectangle_core(const Vector3& centre, const Vector3& half_u, const Vector3& half_v) {
+  const double u_m = half_u.norm();
+  const double v_m = half_v.norm();
+  if (!(u_m > 0.0) && !(v_m > 0.0)) {
+    return point_core(centre);
+  }
+  const Vector3 first = u_m > 0.0 ? half_u / u_m : half_v / v_m;
+  const Vector3 second = u_m > 0.0 && v_m > 0.0 ? Vector3(half_v / v_m) : unit_across(first);
+  Matrix3 axes;
+  axes << first, second, first.cross(second);
+  const Vector3 half_m = u_m > 0.0 ? Vector3(u_m, v_m, 0.0) : Vector3(v_m, 0.0, 0.0);
+  return block_core(centre, axes, half_m);
+}
+
+Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_m) {
+  Core core;
+  core.centre = centre;
+  int last = 2;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool extended = half_m[axis] > 0.0;
+    const int place = extended ? core.dimension++ : last--;
+    core.axes.col(place) = axes.col(axis);
+    core.half_m[place] = extended ? half_m[axis] : 0.0;
+  }
+  return core;
+}
+
+bool comes_after(const CoredVolume& a, const CoredVolume& b) {
+  const auto compared = [](const auto& of_a, const auto& of_b) {
+    return std::lexicographical_compare_three_way(of_a.data(), of_a.data() + of_a.size(),
+                                                  of_b.data(), of_b.data() + of_b.size());
+  };
+  std::partial_ordering order = compared(a.core.centre, b.core.centre);
+  if (order == 0) {
+    order = compared(a.core.half_m, b.core.half_m);
+  }
+  if (order == 0) {
+    order = compared(a.core.axes, b.core.axes);
+  }
+  return order == 0 ? a.radius_m > b.radius_m : order > 0;
+}
+
+double bounding_radius_m(const Core& core) { return core.half_m.norm(); }
+
+double reach_along(const Core& core, const Vector3& direction) {
+  double reach = 0.0;
+  for (int axis = 0; axis < core.dimension; ++axis) {
+    reach += core.half_m[axis] * std::abs(core.axes.col(axis).dot(direction));
+  }
+  return reach;
+}
+
+Vector3 nearest_point(const Core& core, const Vector3& point) {
+  const Vector3 offset = point - core.centre;
+  Vector3 nearest = core.centre;
+  for (int axis = 0; axis < core.dimension; ++axis) {
+    const double half_m = core.half_m[axis];
+    nearest += std::clamp(core.axes.col(axis).dot(offset), -half_m, half_m) * core.axes.col(axis);
+  }
+  return nearest;
+}
+
+Vector3 unit_across(const Vector3& direction) {
+  Eigen::Index flattest = 0;
+  direction.cwiseAbs().minCoeff(&flattest);
+  return direction.cross(Vector3(Vector3::Unit(flattest))).normalized();
+}
+
+}  // namespace impetus

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "engine/volumes/pair_procedures.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "engine/volumes/closest_points.hpp"
+#include "engine/volumes/core_contact.hpp"
+#include "engine/volumes/separating_axes.hpp"
+
+namespace impetus {
+namespace {
+
+struct PairProcedures {
+  bool (*overlap)(const Volume& a, const Volume& b);
+  TouchPoint (*touch)(const Volume& a, const Volume& b, const Vector3& fallback);
+};
+
+bool spheres_overlap(const Volume& a, const Volume& b) {
+  return overlap(*std::get_if<Sphere>(&a), *std::get_if<Sphere>(&b));
+}
+
+TouchPoint touch_of_spheres(const Volume& a, const Volume& b, const Vector3& fallback) {
+  return touch(*std::get_if<Sphere>(&a), *std::get_if<Sphere>(&b), fallback);
+}
+
+bool swept_overlap(const Volume& a, const Volume& b) {
+  const CoredVolume of_a = cored(a);
+  const CoredVolume of_b = cored(b);
+  const double reach_m = of_a.radius_m + of_b.radius_m;
+  return comes_after(of_a, of_b) ? come_within(of_b.core, of_a.core, reach_m)
+                                 : come_within(of_a.core, of_b.core, reach_m);
+}
+
+TouchPoint touch_of_cores(const Volume& a, const Volume& b, const Vector3& fallback) {
+  return core_contact(cored(a), cored(b), fallback);
+}
+
+bool boxes_overlap(const Volume& a, const Volume& b) {
+  const CoredVolume of_a = cored(a);
+  const CoredVolume of_b = cored(b);
+  return comes_after(of_a, of_b) ? !are_separated(of_b.core, of_a.core, 0.0)
+                                 : !are_separated(of_a.core, of_b.core, 0.0);
+}
+
+/// What stands for a volume in its contacts.
+Volume for_contact(const Volume& volume) {
+  return std::holds_alternative<Cube>(volume) ? Volume(bounding_sphere(volume)) : volume;
+}
+
+TouchPoint touch_of_circumscribed(const Volume& a, const Volume& b, const Vector3& fallback) {
+  return touch(for_contact(a), for_contact(b), fallback);
+}
+
+constexpr PairProcedures kSpheres{spheres_overlap, touch_of_spheres};
+constexpr PairProcedures kSwept{swept_overlap, touch_of_cores};
+constexpr PairProcedures kBoxes{boxes_overlap, touch_of_cores};
+constexpr PairProcedures kSweptCube{swept_overlap, touch_of_circumscribed};
+constexpr PairProcedures kBoxCube{boxes_overlap, touch_of_circumscribed};
+constexpr PairProcedures kMirrored{};  // the row of the other kind has the pair
+
+// In the order of Volume's kinds.
+// clang-format off
+constexpr PairProcedures kTable[][std::variant_size_v<Volume>] = {
+    //                     Sphere     LineSwept  RectangleSwept  Box        Cube
+    /* Sphere         */ { kSpheres,  kSwept,    kSwept,         kSwept,    kSweptCube },
+    /* LineSwept      */ { kMirrored, kSwept,    kSwept,         kSwept,    kSweptCube },
+    /* RectangleSwept */ { kMirrored, kMirrored, kSwept,         kSwept,    kSweptCube },
+    /* Box            */ { kMirrored, kMirrored, kMirrored,      kBoxes,    kBoxCube   },
+    /* Cube           */ { kMirrored, kMirrored, kMirrored,      kMirrored, kBoxCube   },
+};
+// clang-format on
+static_assert(std::size(kTable) == std::variant_size_v<Volume>);
+
+double width_along(const Volume& volume, const Vector3& direction) {
+  const CoredVolume whole = cored(for_contact(volume));
+  return 2.0 * (reach_along(whole.core, direction) + whole.radius_m);
+}
+
+}  // namespace
+
+bool overlap(const Volume& a, const Volume& b) {
+  const bool in_order = a.index() <= b.index();
+  const Volume& first = in_order ? a : b;
+  const Volume& second = in_order ? b : a;
+  return kTable[first.index()][second.index()].overlap(first, second);
+}
+
+TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback) {
+  if (a.index() <= b.index()) {
+    return kTable[a.index()][b.index()].touch(a, b, fallback);
+  }
+  TouchPoint contact = kTable[b.index()][a.index()].touch(b, a, -fallback);
+  contact.normal = -contact.normal;
+  return contact;
+}
+
+double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact) {
+  const double least_m = std::min(width_along(a, contact.normal), width_along(b, contact.normal));
+  if (!(least_m > 0.0)) {
+    return contact.depth_m >= 0.0 ? 1.0 : 0.0;
+  }
+  return std::clamp(contact.depth_m / least_m, 0.0, 1.0);
+}
+
+}  // namespace impetus

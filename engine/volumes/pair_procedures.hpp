@@ -1,0 +1,30 @@
+// Whether two volumes overlap, and where they touch, for every pair of kinds.
+//
+// The table in the source has a row for each kind. Every pair gives the same answer both ways
+// round: the contact of (b, a) is that of (a, b), bit for bit, its normal turned.
+// (Dingliana 2002, sec. 4.3, table 4.1, eq. 3.7 and 3.8, corrected)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/volumes/volume.hpp"
+
+namespace impetus {
+
+/// Whether the volumes overlap or touch. Never denied to volumes that do; within rounding it is
+/// exact.
+bool overlap(const Volume& a, const Volume& b);
+
+/// The contact of two volumes. The normal runs along the line of least distance of their cores,
+/// and the point divides it in the ratio of the radii; where many lines are as short, the middle
+/// one. Cores that meet have the axis of least penetration, its sense that of the line of the
+/// centres, else of `fallback`, and the point is the centroid of what they share. Boxes are their
+/// own cores. A cube's contact is that of the sphere that circumscribes it (sec. 4.1.2).
+/// `fallback` (unit, from b to a) also gives the normal where the geometry leaves it open.
+TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback);
+
+/// How deep two volumes are in each other, from 0, touching, to 1, where the smaller is wholly
+/// within the other along the normal: depth over the lesser width along it. For spheres,
+/// (R_a + R_b − d) / (2 min(R_a, R_b)). (eq. 4.3, corrected)
+double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact);
+
+}  // namespace impetus

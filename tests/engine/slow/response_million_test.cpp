@@ -1,0 +1,13 @@
+// A million random problems of the response.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "tests/engine/response_problems.hpp"
+
+namespace impetus {
+namespace {
+
+TEST(Response, IsSoundInAMillionRandomProblems) { expect_sound_responses(2002, 1'000'000); }
+
+}  // namespace
+}  // namespace impetus
