@@ -3,9 +3,11 @@
 
 #include <stdexcept>
 
-#include "engine/shapes/mass_properties.hpp"
+#include "engine/trees/fitted_tree.hpp"
 #include "engine/trees/medial_tree.hpp"
 #include "engine/trees/octree.hpp"
+#include "engine/trees/solid_requirement.hpp"
+#include "engine/trees/voxel_tree.hpp"
 
 namespace impetus {
 
@@ -15,11 +17,14 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
   if (!problem.empty()) {
     throw std::invalid_argument(problem);
   }
-  if (solid.triangles.empty() || !find_defects(solid).none() ||
-      !(solid_of(solid, /*density_kg_m3=*/1.0).volume_m3 > 0.0)) {
-    throw std::invalid_argument("tree: expected a closed mesh with its triangles facing outward");
-  }
+  require_solid(solid, "tree");
   switch (settings.kind) {
+    case TreeKind::kBox:
+    case TreeKind::kSwept:
+    case TreeKind::kHeterogeneous:
+      return build_fitted_tree(solid, settings, progress).tree;
+    case TreeKind::kVoxel:
+      return build_voxel_tree(solid, settings, progress).tree;
     case TreeKind::kMedial:
       return medial_tree(solid, settings, progress).tree;
     case TreeKind::kOctree:

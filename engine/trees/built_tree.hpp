@@ -1,4 +1,4 @@
-// A tree with the witness that it covers: the part of the surface that each node bounds.
+// A tree and the witness that it covers: the part of the surface that each node bounds.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,6 +9,8 @@
 
 namespace impetus {
 
+/// The parts of a node's children tile the node's own part, the root's is the whole surface, and
+/// every volume holds every corner of its part. So each level holds the whole surface.
 struct BuiltTree {
   VolumeTree tree;
   std::vector<SurfacePart> parts;  ///< one per node, in the tree's order

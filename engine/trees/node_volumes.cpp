@@ -93,8 +93,8 @@ Cube NodeVolumes::voxel(std::int32_t node) const {
   const std::uint32_t cell = cells_[slot_of(node)];
   const Vector3 place(cell % along, cell / along % along, cell / along / along);
   const double edge_m = grid_.edge_m / along;
-  return {grid_.least + edge_m * (place + Vector3::Constant(0.5)), 0.5 * edge_m,
-          Quaternion::Identity()};
+  return {grid_.least + edge_m * (place + Vector3::Constant(0.5)),
+          0.5 * edge_m + kVoxelMargin * grid_.edge_m, Quaternion::Identity()};
 }
 
 std::int32_t NodeVolumes::size() const {

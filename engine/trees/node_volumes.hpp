@@ -25,6 +25,10 @@ struct VoxelGrid {
   friend bool operator==(const VoxelGrid&, const VoxelGrid&) = default;
 };
 
+/// By this share of the grid's edge a voxel's cube reaches beyond its cell on every side: rounding
+/// must not leave a face in the wall between two cells outside the cube that it belongs to.
+inline constexpr double kVoxelMargin = 1e-12;
+
 class NodeVolumes {
  public:
   NodeVolumes() = default;

@@ -11,6 +11,7 @@
 #include "engine/numerics/rounding.hpp"
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/point_in_solid.hpp"
+#include "engine/shapes/surface_distance.hpp"
 
 namespace impetus {
 namespace {
@@ -31,6 +32,39 @@ struct Facet {
 struct Part {
   OctreeCell cell;
   std::vector<Facet> facets;
+};
+
+/// A mesh and the distance to its surface.
+class Solid {
+ public:
+  explicit Solid(const TriangleMesh& mesh) : mesh_(&mesh), distance_(mesh) {
+    for (const Vector3& vertex : mesh.vertices) {
+      near_m_ = std::max(near_m_, kNear * vertex.norm());
+    }
+  }
+
+  [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+
+  /// Near the surface the winding number decides, as it would everywhere.
+  [[nodiscard]] bool contains(const Vector3& point) const {
+    const double distance_m = distance_.signed_distance_m(point);
+    return std::fabs(distance_m) > near_m_ ? distance_m < 0.0 : impetus::contains(*mesh_, point);
+  }
+
+  /// How far a sphere reaches beyond the solid at most: a point of the sphere lies within r of the
+  /// centre, and the solid holds the ball about a centre inside that reaches to its surface.
+  [[nodiscard]] double protrusion_m(const Sphere& sphere) const {
+    const double distance_m = distance_.nearest(sphere.centre).distance_m;
+    const double signed_m = contains(sphere.centre) ? -distance_m : distance_m;
+    return std::max(0.0, sphere.radius_m + signed_m);
+  }
+
+ private:
+  static constexpr double kNear = 1e-9;  ///< share of the size
+
+  const TriangleMesh* mesh_;
+  SurfaceDistance distance_;
+  double near_m_{0.0};
 };
 
 struct Wall {
@@ -98,12 +132,12 @@ std::array<Part, 2> halves(const Part& part, int axis, double snap_m) {
 Vector3 centre_of(const OctreeCell& cell) { return 0.5 * (cell.least + cell.most); }
 
 /// The eighths of a part that hold anything of the solid, in a fixed order.
-std::vector<Part> children_of(const Part& part, const TriangleMesh& solid, double snap_m) {
+std::vector<Part> children_of(const Part& part, const Solid& solid, double snap_m) {
   std::vector<Part> children;
   for (const Part& x : halves(part, 0, snap_m)) {
     for (const Part& y : halves(x, 1, snap_m)) {
       for (Part& z : halves(y, 2, snap_m)) {
-        if (!z.facets.empty() || part.facets.empty() || contains(solid, centre_of(z.cell))) {
+        if (!z.facets.empty() || part.facets.empty() || solid.contains(centre_of(z.cell))) {
           children.push_back(std::move(z));
         }
       }
@@ -113,7 +147,7 @@ std::vector<Part> children_of(const Part& part, const TriangleMesh& solid, doubl
 }
 
 /// The corners of the part's polyhedron: whatever holds them holds the part.
-std::vector<Vector3> corners_of(const Part& part, const TriangleMesh& solid) {
+std::vector<Vector3> corners_of(const Part& part, const Solid& solid) {
   std::vector<Vector3> corners;
   for (const Facet& facet : part.facets) {
     corners.insert(corners.end(), facet.corners.begin(), facet.corners.end());
@@ -122,7 +156,7 @@ std::vector<Vector3> corners_of(const Part& part, const TriangleMesh& solid) {
     const Vector3 corner(index & 1 ? part.cell.most.x() : part.cell.least.x(),
                          index & 2 ? part.cell.most.y() : part.cell.least.y(),
                          index & 4 ? part.cell.most.z() : part.cell.least.z());
-    if (part.facets.empty() || contains(solid, corner)) {
+    if (part.facets.empty() || solid.contains(corner)) {
       corners.push_back(corner);
     }
   }
@@ -168,14 +202,6 @@ Part whole(const TriangleMesh& solid) {
   return root;
 }
 
-/// How far a sphere reaches beyond the solid at most: a point of the sphere lies within r of the
-/// centre, and the solid holds the ball about a centre inside that reaches to its surface.
-double protrusion_m(const Sphere& sphere, const TriangleMesh& solid) {
-  const double distance_m = distance_to_surface(solid, sphere.centre);
-  const double signed_m = contains(solid, sphere.centre) ? -distance_m : distance_m;
-  return std::max(0.0, sphere.radius_m + signed_m);
-}
-
 void require_solid(const TriangleMesh& solid, int depth) {
   if (depth < 0 || depth > kGreatestOctreeDepth) {
     throw std::invalid_argument("octree: expected a depth from 0 to " +
@@ -191,14 +217,14 @@ void require_solid(const TriangleMesh& solid, int depth) {
 /// Builds level by level, so that nodes come in breadth-first order.
 class Builder {
  public:
-  explicit Builder(const TriangleMesh& solid) : solid_(&solid) {}
+  explicit Builder(const TriangleMesh& solid) : solid_(solid) {}
 
   Octree build(int depth) {
-    level_.push_back(whole(*solid_));
+    level_.push_back(whole(solid_.mesh()));
     const double size_m = (level_.front().cell.most - level_.front().cell.least).norm();
     margin_m_ = kMargin * size_m;
     snap_m_ = kSnap * size_m;
-    add_level({sphere_about(Vector3::Zero(), solid_->vertices, margin_m_)});
+    add_level({sphere_about(Vector3::Zero(), solid_.mesh().vertices, margin_m_)});
     for (int made = 0; made < depth && split_level(); ++made) {
     }
     return {VolumeTree(nodes_, std::move(starts_)), std::move(cells_)};
@@ -210,7 +236,7 @@ class Builder {
     starts_.push_back(static_cast<std::int32_t>(nodes_.size()));
     protrusions_m_.clear();
     for (std::size_t i = 0; i < level_.size(); ++i) {
-      protrusions_m_.push_back(protrusion_m(spheres[i], *solid_));
+      protrusions_m_.push_back(solid_.protrusion_m(spheres[i]));
       nodes_.push_back({spheres[i], 0, 0, {}});
       nodes_.back().surface.fit_error_m = rounded_up(protrusions_m_.back());
       cells_.push_back(level_[i].cell);
@@ -227,8 +253,8 @@ class Builder {
       }
       VolumeNode& node = nodes_[static_cast<std::size_t>(starts_.back()) + i];
       node.first_child = static_cast<std::int32_t>(nodes_.size() + finer.size());
-      for (Part& child : children_of(level_[i], *solid_, snap_m_)) {
-        spheres.push_back(sphere_round(corners_of(child, *solid_), margin_m_));
+      for (Part& child : children_of(level_[i], solid_, snap_m_)) {
+        spheres.push_back(sphere_round(corners_of(child, solid_), margin_m_));
         finer.push_back(std::move(child));
         ++node.child_count;
       }
@@ -241,7 +267,7 @@ class Builder {
     return true;
   }
 
-  const TriangleMesh* solid_;
+  Solid solid_;
   double margin_m_{0.0};
   double snap_m_{0.0};
   std::vector<Part> level_;

@@ -57,7 +57,10 @@ std::pair<SurfacePart, SurfacePart> cut(const SurfacePart& part, const HalfSpace
       any_above = any_above || heights.back() > 0.0;
       any_below = any_below || heights.back() < 0.0;
     }
-    if (!any_below) {
+    if (!any_above && !any_below) {
+      const bool faces_up = facet.normal.dot(half_space.normal) > 0.0;
+      (faces_up ? sides.second : sides.first).push_back(facet);
+    } else if (!any_below) {
       sides.first.push_back(facet);
     } else if (!any_above) {
       sides.second.push_back(facet);

@@ -34,7 +34,7 @@ struct HalfSpace {
 SurfacePart whole_surface(const TriangleMesh& mesh);
 
 /// The pieces within the half space and those outside it. Corners nearer to the plane than `snap`
-/// (in the units of height()) count as on it; a facet in the plane lies in the first.
+/// (in the units of height()) count as on it; a facet in the plane goes where the solid lies.
 std::pair<SurfacePart, SurfacePart> cut(const SurfacePart& part, const HalfSpace& half_space,
                                         double snap = 0.0);
 

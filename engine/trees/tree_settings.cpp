@@ -15,6 +15,16 @@ bool is_cube_number(int count) {
   return root * root * root == count;
 }
 
+/// The levels below the root that leave at most 1625 cells along an edge: 1625³ < 2³² ≤ 1626³.
+int greatest_voxel_depth(int branching) {
+  const int along = branching == 8 ? 2 : branching == 27 ? 3 : 4;
+  int depth = 0;
+  for (int cells = along; cells <= 1625 && depth < kGreatestTreeDepth; cells *= along) {
+    ++depth;
+  }
+  return depth;
+}
+
 std::string range(const std::string& what, int least, int most, int got) {
   return "tree: expected a " + what + " from " + std::to_string(least) + " to " +
          std::to_string(most) + ", got " + std::to_string(got);
@@ -56,6 +66,11 @@ std::string problem_of(const TreeSettings& settings) {
   }
   if (settings.kind == TreeKind::kVoxel && !is_cube_number(branching)) {
     return "tree: expected a branching of 8, 27 or 64 for voxels, got " + std::to_string(branching);
+  }
+  if (settings.kind == TreeKind::kVoxel && settings.depth > greatest_voxel_depth(branching)) {
+    return "tree: expected a depth from 0 to " + std::to_string(greatest_voxel_depth(branching)) +
+           " for voxels of branching " + std::to_string(branching) + ", got " +
+           std::to_string(settings.depth);
   }
   return {};
 }
