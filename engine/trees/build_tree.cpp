@@ -18,6 +18,9 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
     throw std::invalid_argument(problem);
   }
   require_solid(solid, "tree");
+  if (progress) {
+    progress(0.0);
+  }
   switch (settings.kind) {
     case TreeKind::kBox:
     case TreeKind::kSwept:

@@ -40,8 +40,13 @@ NodeDescription::NodeDescription(const TriangleMesh& solid)
     : distance_(solid), groups_(surface_groups(solid)) {}
 
 NodeSurface NodeDescription::of(const Volume& volume, const SurfacePart& part) const {
+  return of(volume, part, impetus::fit_error_m(volume, distance_));
+}
+
+NodeSurface NodeDescription::of(const Volume& volume, const SurfacePart& part,
+                                double fit_error_m) const {
   NodeSurface surface;
-  surface.fit_error_m = rounded_up(fit_error_m(volume, distance_));
+  surface.fit_error_m = rounded_up(fit_error_m);
   surface.occupancy = static_cast<float>(occupancy_of(volume, distance_));
   surface.density_normal = density_normal_of(part).cast<float>();
   surface.group = group_of(part);

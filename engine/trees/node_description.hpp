@@ -24,7 +24,12 @@ class NodeDescription {
   /// Precondition: find_defects(solid).none(), one triangle or more.
   explicit NodeDescription(const TriangleMesh& solid);
 
-  /// Of a node that bounds `part`, pieces of triangles of `solid` within `volume`.
+  /// Of a node that bounds `part`, pieces of triangles of `solid` within `volume`, with this fit
+  /// error (metres).
+  [[nodiscard]] NodeSurface of(const Volume& volume, const SurfacePart& part,
+                               double fit_error_m) const;
+
+  /// The same with the certified fit error of fit_error.hpp.
   [[nodiscard]] NodeSurface of(const Volume& volume, const SurfacePart& part) const;
 
   [[nodiscard]] const SurfaceDistance& distance() const { return distance_; }

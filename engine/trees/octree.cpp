@@ -8,10 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/numerics/rounding.hpp"
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/surface_distance.hpp"
+#include "engine/trees/node_description.hpp"
 
 namespace impetus {
 namespace {
@@ -22,39 +21,34 @@ constexpr double kSnap = 1e-13;
 /// Radii exceed what they were measured to need by this, far above the rounding and the snapping.
 constexpr double kMargin = 1e-11;
 
-/// A piece of one triangle, within a cell.
-struct Facet {
-  std::vector<Vector3> corners;
-  Vector3 normal;  ///< outward, of any length
-};
-
 /// A node in the making: its cell and the surface in it. Without facets it is solid throughout.
 struct Part {
   OctreeCell cell;
-  std::vector<Facet> facets;
+  SurfacePart facets;
 };
 
 /// A mesh and the distance to its surface.
 class Solid {
  public:
-  explicit Solid(const TriangleMesh& mesh) : mesh_(&mesh), distance_(mesh) {
+  explicit Solid(const TriangleMesh& mesh) : mesh_(&mesh), description_(mesh) {
     for (const Vector3& vertex : mesh.vertices) {
       near_m_ = std::max(near_m_, kNear * vertex.norm());
     }
   }
 
   [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
+  [[nodiscard]] const NodeDescription& description() const { return description_; }
 
   /// Near the surface the winding number decides, as it would everywhere.
   [[nodiscard]] bool contains(const Vector3& point) const {
-    const double distance_m = distance_.signed_distance_m(point);
+    const double distance_m = description_.distance().signed_distance_m(point);
     return std::fabs(distance_m) > near_m_ ? distance_m < 0.0 : impetus::contains(*mesh_, point);
   }
 
   /// How far a sphere reaches beyond the solid at most: a point of the sphere lies within r of the
   /// centre, and the solid holds the ball about a centre inside that reaches to its surface.
   [[nodiscard]] double protrusion_m(const Sphere& sphere) const {
-    const double distance_m = distance_.nearest(sphere.centre).distance_m;
+    const double distance_m = description_.distance().nearest(sphere.centre).distance_m;
     const double signed_m = contains(sphere.centre) ? -distance_m : distance_m;
     return std::max(0.0, sphere.radius_m + signed_m);
   }
@@ -63,7 +57,7 @@ class Solid {
   static constexpr double kNear = 1e-9;  ///< share of the size
 
   const TriangleMesh* mesh_;
-  SurfaceDistance distance_;
+  NodeDescription description_;
   double near_m_{0.0};
 };
 
@@ -82,7 +76,7 @@ Facet clipped(const Facet& facet, const Wall& wall, bool keep_above) {
     const double above = p[wall.axis] - wall.at;
     return std::fabs(above) <= wall.snap_m ? 0.0 : sign * above;
   };
-  Facet piece{{}, facet.normal};
+  Facet piece{{}, facet.normal, facet.triangle};
   bool in_plane = true;
   for (std::size_t i = 0; i < facet.corners.size(); ++i) {
     const Vector3& from = facet.corners[i];
@@ -105,8 +99,8 @@ Facet clipped(const Facet& facet, const Wall& wall, bool keep_above) {
   return piece;
 }
 
-std::vector<Facet> on_side(const std::vector<Facet>& facets, const Wall& wall, bool above) {
-  std::vector<Facet> pieces;
+SurfacePart on_side(const SurfacePart& facets, const Wall& wall, bool above) {
+  SurfacePart pieces;
   for (const Facet& facet : facets) {
     Facet piece = clipped(facet, wall, above);
     if (!piece.corners.empty()) {
@@ -187,14 +181,12 @@ Part whole(const TriangleMesh& solid) {
   Part root;
   Vector3 least = solid.vertices.front();
   Vector3 most = least;
-  for (const auto& [a, b, c] : solid.triangles) {
-    const std::array<Vector3, 3> corners{solid.vertices[a], solid.vertices[b], solid.vertices[c]};
-    for (const Vector3& corner : corners) {
+  root.facets = whole_surface(solid);
+  for (const Facet& facet : root.facets) {
+    for (const Vector3& corner : facet.corners) {
       least = least.cwiseMin(corner);
       most = most.cwiseMax(corner);
     }
-    root.facets.push_back({{corners.begin(), corners.end()},
-                           (corners[1] - corners[0]).cross(corners[2] - corners[0])});
   }
   const double half_edge = (0.5 + kMargin) * (most - least).maxCoeff();
   const Vector3 centre = 0.5 * (least + most);
@@ -237,8 +229,9 @@ class Builder {
     protrusions_m_.clear();
     for (std::size_t i = 0; i < level_.size(); ++i) {
       protrusions_m_.push_back(solid_.protrusion_m(spheres[i]));
-      nodes_.push_back({spheres[i], 0, 0, {}});
-      nodes_.back().surface.fit_error_m = rounded_up(protrusions_m_.back());
+      nodes_.push_back(
+          {spheres[i], 0, 0,
+           solid_.description().of(spheres[i], level_[i].facets, protrusions_m_.back())});
       cells_.push_back(level_[i].cell);
     }
   }
