@@ -75,10 +75,14 @@ class Search {
         {indifferent_m_, found_m_ * (1.0 + kFitTolerance), found_m_ + kFitResolution * size_m_});
   }
 
+  /// Bounds come from points that may lie beside the volume; only its own show how far it reaches.
   double ask(const Vector3& local) {
     --questions_left_;
     const double signed_m = solid_.signed_distance_m(volume_.placed(local));
-    found_m_ = std::max(found_m_, signed_m);
+    const Vector3 beyond = (local.cwiseAbs() - volume_.half_extents_m).cwiseMax(0.0);
+    if (beyond.squaredNorm() <= volume_.radius_m * volume_.radius_m) {
+      found_m_ = std::max(found_m_, signed_m);
+    }
     return signed_m;
   }
 

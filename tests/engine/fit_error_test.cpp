@@ -107,6 +107,26 @@ TEST(FitError, BoundsWhatSamplesFindAndIsTightForEveryKind) {
   EXPECT_GT(tight, reaching * 9 / 10);
 }
 
+TEST(FitError, IsTightForRoundNodesThatLieMostlyWithinTheSolid) {
+  // Such a node's bound comes from points beside it: only its own may count as found.
+  RandomStream random(kSeed, "mostly within");
+  const TriangleMesh mesh = torus_mesh(0.5, 0.2, 36, 14);
+  const SurfaceDistance solid(mesh);
+  for (int trial = 0; trial < 60; ++trial) {
+    const double x = uniform_in(random, -0.04, 0.04);
+    const double radius_m = uniform_in(random, 0.15, 0.21);
+    const Volume node = LineSwept{Vector3(x, 0.5, 0.0), Vector3(0.05, 0.0, 0.0), radius_m};
+    const Volume turned = LineSwept{Vector3(0.5, x, 0.0), Vector3(0.0, 0.05, 0.0), radius_m};
+    for (const Volume& volume : {node, turned}) {
+      const double bound_m = fit_error_m(volume, solid);
+      const double found_m = sampled_m(volume, solid, random, 3'000);
+      ASSERT_GE(bound_m, found_m);
+      // Samples miss the farthest point by some hundredths of the size.
+      ASSERT_LE(bound_m, 1.02 * found_m + 0.04 * radius_m) << "seed " << kSeed << ", " << trial;
+    }
+  }
+}
+
 TEST(FitError, StillBoundsWhenTheWorkRunsOut) {
   RandomStream random(kSeed, "short of work");
   const SurfaceDistance creature(creature_mesh(2.0, 12));
