@@ -122,7 +122,7 @@ TEST(FitError, IsTightForRoundNodesThatLieMostlyWithinTheSolid) {
       const double found_m = sampled_m(volume, solid, random, 3'000);
       ASSERT_GE(bound_m, found_m);
       // Samples miss the farthest point by some hundredths of the size.
-      ASSERT_LE(bound_m, 1.02 * found_m + 0.04 * radius_m) << "seed " << kSeed << ", " << trial;
+      ASSERT_LE(bound_m, 1.02 * found_m + 0.06 * radius_m) << "seed " << kSeed << ", " << trial;
     }
   }
 }
