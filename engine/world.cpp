@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/simultaneous_response.hpp"
 
 namespace impetus {
 namespace {
@@ -157,6 +158,14 @@ void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
             });
 }
 
+ResponseResult World::response_to(const std::vector<Contact>& contacts) {
+  if (settings_.response == ResponseMethod::kInTurn) {
+    return respond(contacts, settings_.restitution, models_, states_);
+  }
+  const std::vector<double> restitutions(contacts.size(), settings_.restitution);
+  return respond_together(contacts, restitutions, models_, states_);
+}
+
 void World::respond_to(StepReport& report) {
   std::vector<Contact> contacts;
   touching_.clear();
@@ -164,7 +173,7 @@ void World::respond_to(StepReport& report) {
     contacts.push_back(collision.contact);
     touching_.push_back(collision.bodies);
   }
-  const ResponseResult result = respond(contacts, settings_.restitution, models_, states_);
+  const ResponseResult result = response_to(contacts);
   for (std::size_t i = 0; i < report.collisions.size(); ++i) {
     CollisionReport& collision = report.collisions[i];
     collision.approach_m_s = result.approach_m_s[i];

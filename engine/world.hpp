@@ -32,6 +32,10 @@ namespace impetus {
 /// Raised whenever a recording made before would no longer replay.
 inline constexpr int kRecordingFormat = 1;
 
+/// How the impulses of contacts that affect each other are found: one after the other, or for all
+/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
+enum class ResponseMethod { kInTurn, kTogether };
+
 /// What holds for every body of the world.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
@@ -40,6 +44,7 @@ struct WorldSettings {
   double imposed_hold_s{0.0};
   std::optional<ClosedCube> enclosure{};  ///< walls that keep the bodies inside
   Schedule schedule{};
+  ResponseMethod response{ResponseMethod::kInTurn};
 };
 
 /// Everything that decides a step besides the state.
@@ -108,6 +113,7 @@ class World {
                                   StepReport& report);
   std::vector<Contact> contacts_of(const RefinedPair& pair);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
+  ResponseResult response_to(const std::vector<Contact>& contacts);
   void respond_to(StepReport& report);
   [[nodiscard]] bool touched_before(BodyPair bodies) const;
 

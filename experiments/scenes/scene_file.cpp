@@ -152,6 +152,9 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
   WorldSettings settings;
   settings.restitution = engine["restitution"].get<double>();
+  settings.response = engine.value("response", std::string("in-turn")) == std::string("together")
+                          ? ResponseMethod::kTogether
+                          : ResponseMethod::kInTurn;
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg);
   settings.schedule = schedule_of(engine);

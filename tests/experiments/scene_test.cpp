@@ -289,5 +289,15 @@ TEST(Scene, ABudgetIsInTestsOrInMilliseconds) {
   EXPECT_NE(scene_refusal(scene), "accepted");
 }
 
+TEST(SceneFile, ImpulsesAreFoundInTurnUnlessTogetherIsAskedFor) {
+  EXPECT_EQ(built(free_scene()).world.settings().response, ResponseMethod::kInTurn);
+  const json together = changed(free_scene(), "/engine/response", "together");
+  EXPECT_EQ(scene_refusal(together), "accepted");
+  EXPECT_EQ(built(together).world.settings().response, ResponseMethod::kTogether);
+  const std::string refused = scene_refusal(changed(free_scene(), "/engine/response", "at once"));
+  EXPECT_NE(refused.find("/engine/response"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("at once"), std::string::npos) << refused;
+}
+
 }  // namespace
 }  // namespace impetus
