@@ -15,7 +15,7 @@ namespace {
 
 /// How many samples of a part to fit to, where its children will be split and where they will not,
 /// and how many points to estimate volumes by. More of them cost time and gain little.
-constexpr std::array<std::size_t, 3> kPoints{300, 400, 500};
+constexpr std::array<std::size_t, 2> kPoints{300, 400};
 constexpr std::size_t kPointsAtTheEnd = 250;
 constexpr std::size_t kOutside = 6'000;
 /// The root may reach this much farther than it must, to leave less volume outside.
