@@ -240,6 +240,7 @@ class ActiveSet {
     std::vector<std::size_t> kept;
     for (const std::size_t row : active_) {
       std::vector<double> products;
+      products.reserve(kept.size());
       for (const std::size_t before : kept) {
         products.push_back(dot(rows_[before], rows_[row]));
       }

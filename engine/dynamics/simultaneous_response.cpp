@@ -197,6 +197,7 @@ ResponseResult respond_together(const std::vector<Contact>& contacts,
   ResponseResult result = incoming(contacts, models, states);
   for (const std::vector<std::size_t>& members : islands_of(contacts, models)) {
     std::vector<double> of_island;
+    of_island.reserve(members.size());
     for (const std::size_t member : members) {
       of_island.push_back(restitutions[member]);
     }

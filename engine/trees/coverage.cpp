@@ -147,7 +147,8 @@ std::vector<Polygon> halves_of(const Polygon& polygon) {
 
 class TriangleCover {
  public:
-  TriangleCover(Polygon triangle, std::vector<const CoveringNode*> candidates, double narrow_m)
+  TriangleCover(Polygon triangle, const std::vector<const CoveringNode*>& candidates,
+                double narrow_m)
       : narrow_m_(narrow_m) {
     add(std::move(triangle), candidates, 0);
   }

@@ -91,7 +91,9 @@ Cube NodeVolumes::voxel(std::int32_t node) const {
     along *= static_cast<std::uint32_t>(grid_.divisions);
   }
   const std::uint32_t cell = cells_[slot_of(node)];
-  const Vector3 place(cell % along, cell / along % along, cell / along / along);
+  const std::uint32_t row = cell / along;
+  const std::uint32_t layer = row / along;
+  const Vector3 place(cell % along, row % along, layer);
   const double edge_m = grid_.edge_m / along;
   return {grid_.least + edge_m * (place + Vector3::Constant(0.5)),
           0.5 * edge_m + kVoxelMargin * grid_.edge_m, Quaternion::Identity()};

@@ -47,6 +47,7 @@ std::vector<double> facet_offsets(const SurfacePart& part, const Vector3& axis, 
   }
   std::sort(by_area.begin(), by_area.end());
   std::vector<double> offsets;
+  offsets.reserve(by_area.size());
   for (const auto& [area, offset] : by_area) {
     offsets.push_back(offset);
   }

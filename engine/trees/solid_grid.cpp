@@ -155,6 +155,7 @@ class Counter {
 double outside_volume_m3(const TriangleMesh& solid, const std::vector<Volume>& volumes,
                          int divisions) {
   std::vector<RoundedBox> forms;
+  forms.reserve(volumes.size());
   for (const Volume& volume : volumes) {
     forms.push_back(rounded_box(volume));
   }

@@ -31,7 +31,9 @@ double farthest_m(const Vector3& centre, const std::vector<Vector3>& points) {
 class Needs {
  public:
   Needs(const std::vector<Vector3>& points, const std::vector<InnerPoint>& candidates)
-      : points_(points.size()), needed_m_(points.size() * candidates.size()) {
+      : points_(points.size()),
+        candidates_(candidates.size()),
+        needed_m_(points.size() * candidates.size()) {
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       for (std::size_t p = 0; p < points_; ++p) {
         needed_m_[c * points_ + p] =
@@ -68,8 +70,7 @@ class Needs {
                                           double stand_off_m) const {
     std::size_t best = 0;
     std::size_t best_count = 0;
-    const std::size_t candidates = needed_m_.size() / points_;
-    for (std::size_t c = 0; c < candidates; ++c) {
+    for (std::size_t c = 0; c < candidates_; ++c) {
       const double* needed_m = &needed_m_[c * points_];
       std::size_t count = 0;
       for (const std::size_t p : left) {
@@ -84,6 +85,7 @@ class Needs {
   }
 
   std::size_t points_;
+  std::size_t candidates_;
   std::vector<double> needed_m_;
 };
 
@@ -176,6 +178,7 @@ std::vector<std::size_t> expanded(const std::vector<Vector3>& points,
 std::vector<InnerPoint> at(const std::vector<InnerPoint>& candidates,
                            const std::vector<std::size_t>& picks) {
   std::vector<InnerPoint> centres;
+  centres.reserve(picks.size());
   for (const std::size_t pick : picks) {
     centres.push_back(candidates[pick]);
   }

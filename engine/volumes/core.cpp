@@ -46,13 +46,13 @@ bool comes_after(const CoredVolume& a, const CoredVolume& b) {
                                                   of_b.data(), of_b.data() + of_b.size());
   };
   std::partial_ordering order = compared(a.core.centre, b.core.centre);
-  if (order == 0) {
+  if (std::is_eq(order)) {
     order = compared(a.core.half_m, b.core.half_m);
   }
-  if (order == 0) {
+  if (std::is_eq(order)) {
     order = compared(a.core.axes, b.core.axes);
   }
-  return order == 0 ? a.radius_m > b.radius_m : order > 0;
+  return std::is_eq(order) ? a.radius_m > b.radius_m : std::is_gt(order);
 }
 
 double bounding_radius_m(const Core& core) { return core.half_m.norm(); }

@@ -139,9 +139,12 @@ void append_volumes(std::string& bytes, const VolumeTree& tree) {
 }
 
 NodeVolumes take_voxels(ByteReader& bytes, const TreeHeader& header) {
+  const auto nodes = static_cast<std::size_t>(header.nodes);
+  ByteReader numbers(bytes.take_bytes(nodes * sizeof(std::uint32_t)));
   std::vector<std::uint32_t> cells;
-  for (std::int32_t node = 0; node < header.nodes; ++node) {
-    cells.push_back(bytes.take<std::uint32_t>());
+  cells.reserve(nodes);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    cells.push_back(numbers.take<std::uint32_t>());
   }
   return {header.grid, std::move(cells), header.level_starts};
 }
@@ -218,6 +221,7 @@ VolumeTree take_tree(ByteReader& bytes, const TreeHeader& header) {
     links.push_back({first_child, bytes.take<std::int32_t>()});
   }
   std::vector<NodeSurface> surfaces;
+  surfaces.reserve(links.size());
   for (std::int32_t node = 0; node < header.nodes; ++node) {
     surfaces.push_back(take_surface(bytes, node));
   }

@@ -2,6 +2,7 @@
 #include "experiments/models/tree_header.hpp"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -93,7 +94,8 @@ VoxelGrid grid_from(const json& value) {
   VoxelGrid grid;
   const json& least = array(value, "least", 3);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    grid.least[static_cast<int>(axis)] = number(least[axis], "grid/least", -INFINITY);
+    grid.least[static_cast<int>(axis)] =
+        number(least[axis], "grid/least", -std::numeric_limits<double>::infinity());
   }
   grid.edge_m = number(value_of(value, "edge_m"), "grid/edge_m", 0.0);
   grid.divisions = static_cast<int>(whole(value, "divisions", 2, 1625));
