@@ -265,7 +265,7 @@ TEST(TreeFile, HeadersThatAreNoneAreRefusedByKey) {
   EXPECT_EQ(refused(with_header(tree, "\"edge_m\":0.9", "\"edge_m\":-1")),
             "header/grid/edge_m: expected a number that is not negative, got -1");
   EXPECT_EQ(refused(with_header(tree, "\"nodes\":6", "\"nodes\":999999999")),
-            "expected 4 bytes more, got 0");
+            "expected 3999999996 bytes more, got 552");
   EXPECT_EQ(refused(with_header(tree, "[0,1,4]", "[0,1,5]")).substr(0, 6), "volume");
 }
 
