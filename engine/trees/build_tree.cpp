@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/build_tree.hpp"
 
-#include <stdexcept>
-
 #include "engine/trees/fitted_tree.hpp"
 #include "engine/trees/medial_tree.hpp"
 #include "engine/trees/octree.hpp"
@@ -13,11 +11,7 @@ namespace impetus {
 
 VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress) {
-  const std::string problem = problem_of(settings);
-  if (!problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
-  require_solid(solid, "tree");
+  require_buildable(solid, settings);
   if (progress) {
     progress(0.0);
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/trees/kind_choice.hpp"
@@ -182,11 +181,7 @@ class Builder {
 
 BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& settings,
                             const Progress& progress) {
-  const std::string problem = problem_of(settings);
-  if (!problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
-  require_solid(solid, "tree");
+  require_buildable(solid, settings);
   return Builder(solid, settings, progress).build();
 }
 

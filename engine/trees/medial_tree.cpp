@@ -8,6 +8,7 @@
 #include "engine/trees/balanced_cover.hpp"
 #include "engine/trees/node_description.hpp"
 #include "engine/trees/power_cells.hpp"
+#include "engine/trees/solid_requirement.hpp"
 #include "engine/trees/surface_samples.hpp"
 
 namespace impetus {
@@ -59,13 +60,8 @@ class Builder {
  public:
   Builder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : settings_(settings), progress_(progress), description_(solid) {
-    Vector3 least = solid.vertices.front();
-    Vector3 greatest = least;
-    for (const Vector3& vertex : solid.vertices) {
-      least = least.cwiseMin(vertex);
-      greatest = greatest.cwiseMax(vertex);
-    }
-    size_m_ = (greatest - least).norm();
+    const auto [least, most] = bounds_of(solid);
+    size_m_ = (most - least).norm();
     parts_.push_back(whole_surface(solid));
     add_node(bound(parts_.front()), 0.0);
   }
@@ -221,6 +217,7 @@ class Builder {
 
 BuiltTree medial_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress) {
+  require_buildable(solid, settings);
   return Builder(solid, settings, progress).build();
 }
 

@@ -12,6 +12,14 @@ constexpr double kLeastShare = 1e-12;
 
 }  // namespace
 
+void require_buildable(const TriangleMesh& mesh, const TreeSettings& settings) {
+  const std::string problem = problem_of(settings);
+  if (!problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  require_solid(mesh, "tree");
+}
+
 MeshBounds bounds_of(const TriangleMesh& mesh) {
   Vector3 least = mesh.vertices[mesh.triangles.front()[0]];
   Vector3 most = least;

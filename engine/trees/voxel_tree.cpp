@@ -2,7 +2,6 @@
 #include "engine/trees/voxel_tree.hpp"
 
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/trees/node_description.hpp"
@@ -173,11 +172,7 @@ class Builder {
 
 BuiltTree build_voxel_tree(const TriangleMesh& solid, const TreeSettings& settings,
                            const Progress& progress) {
-  const std::string problem = problem_of(settings);
-  if (!problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
-  require_solid(solid, "tree");
+  require_buildable(solid, settings);
   return Builder(solid, settings, progress).build();
 }
 
