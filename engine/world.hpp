@@ -19,11 +19,14 @@
 
 #include "engine/collision/broad_phase.hpp"
 #include "engine/collision/contact_model.hpp"
+#include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/list_refinement.hpp"
+#include "engine/collision/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/volumes/closed_cube.hpp"
 
@@ -36,6 +39,13 @@ inline constexpr int kRecordingFormat = 1;
 /// of an island together, after which nothing approaches (see simultaneous_response.hpp).
 enum class ResponseMethod { kInTurn, kTogether };
 
+/// The restitution of bodies of two materials (see BodyModel), in either order.
+struct PairRestitution {
+  int material{0};
+  int other{0};
+  double restitution{1.0};
+};
+
 /// What holds for every body of the world.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
@@ -45,6 +55,12 @@ struct WorldSettings {
   std::optional<ClosedCube> enclosure{};  ///< walls that keep the bodies inside
   Schedule schedule{};
   ResponseMethod response{ResponseMethod::kInTurn};
+  ContactModel contacts{};
+  Tunnelling tunnelling{Tunnelling::kStopAtEntry};
+  WorkCosts costs{};
+  /// Restitutions of pairs of materials that differ from `restitution`.
+  std::vector<PairRestitution> materials{};
+  int wall_material{0};
 };
 
 /// Everything that decides a step besides the state.
@@ -60,6 +76,22 @@ enum Degradation : std::uint32_t {
   kFloorOverBudget = 1,  ///< the coarsest level of every pair cost more than was granted
   kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
   kNotFinite = 4,        ///< a state is not a finite number
+  kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
+};
+
+/// A contact that the response got.
+struct ReportedContact {
+  TouchPoint touch;
+  double approach_m_s{0.0};  ///< speed of approach along the normal, before the response
+  double impulse_Ns{0.0};    ///< along the normal
+};
+
+/// A pair that touches at a coarser level than in the step before. (Dingliana 2002, sec. 5.3.1)
+struct LevelPop {
+  BodyPair bodies;
+  int from{0};
+  int to{0};
+  double size_deg{0.0};  ///< visual angle of what its bounds grew by
 };
 
 /// One pair of bodies that is in contact at the end of the step.
@@ -68,11 +100,13 @@ struct CollisionReport {
   int list{0};                           ///< priority list it was refined in
   int level{0};                          ///< last complete level of refinement
   StopReason stop{StopReason::kFinest};  ///< why it went no deeper
-  Contact contact;
-  bool began{false};           ///< the pair was apart in the step before
-  double approach_m_s{0.0};    ///< speed of approach along the normal, before the response
-  double impulse_Ns{0.0};      ///< along the normal
-  double imposed_hold_s{0.0};  ///< the hold that this contact started
+  Contact contact;                       ///< the only one; of several, the deepest
+  bool began{false};                     ///< the pair was apart in the step before
+  double approach_m_s{0.0};              ///< the fastest of its contacts'
+  double impulse_Ns{0.0};                ///< sum over its contacts
+  double imposed_hold_s{0.0};            ///< the hold that this contact started
+  std::int32_t first_contact{0};  ///< its contacts in StepReport::contacts: this and those after it
+  std::int32_t contact_count{1};
 };
 
 struct StepReport {
@@ -84,6 +118,11 @@ struct StepReport {
   std::vector<std::int64_t> list_work;
   std::uint32_t degradations{0};
   StateHash state;
+  std::vector<ReportedContact> contacts;  ///< of all collisions, in their order
+  std::vector<LevelPop> pops;
+  std::vector<StoppedAtEntry> stopped;
+  /// Contacts of all overlapping nodes, before reduction; only when they are watched.
+  std::vector<Contact> node_contacts;
 };
 
 class World {
@@ -100,6 +139,9 @@ class World {
 
   /// Another schedule from the next step on. Throws std::invalid_argument when it is out of range.
   void set_schedule(Schedule schedule);
+
+  /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.
+  void watch_node_contacts(bool watch) { watches_node_contacts_ = watch; }
 
   /// For tests that ask whether a changed start is noticed.
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
@@ -121,6 +163,7 @@ class World {
   std::vector<BodyState> states_;
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
+  bool watches_node_contacts_{false};
   std::vector<BodyPair> touching_;  ///< pairs in contact after the last step
 };
 

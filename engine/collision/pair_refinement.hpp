@@ -19,9 +19,9 @@
 
 namespace impetus {
 
-/// Why a refinement is where it is: apart, nothing finer exists, no work was left, or its priority
-/// list goes no deeper.
-enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel };
+/// Why a refinement is where it is: apart, nothing finer exists, no work was left, its priority
+/// list goes no deeper, or the bodies are too fast for finer nodes.
+enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel, kCapped };
 
 /// Nodes of a and b that overlap; b is 0 when a touches a wall.
 struct NodePair {

@@ -20,6 +20,7 @@ struct BodyModel {
   std::shared_ptr<const VolumeTree> tree;    ///< in the body's frame, from the centre of mass
   double inverse_mass{0.0};                  ///< 1/kg
   Matrix3 inverse_inertia{Matrix3::Zero()};  ///< 1/(kg m²), body frame
+  int material{0};                           ///< a number that restitutions are stated for
 };
 
 /// Changes from step to step. The first four fields are what the state hash covers.

@@ -92,7 +92,8 @@ constexpr NamedMetric kMetrics[] = {{"distance", made<Distance>},
 
 }  // namespace
 
-std::shared_ptr<const PriorityMetric> make_metric(std::string_view name) {
+std::shared_ptr<const PriorityMetric> make_metric(std::string_view name,
+                                                  const MetricOptions& /*options*/) {
   std::string known;
   for (const NamedMetric& metric : kMetrics) {
     if (metric.name == name) {

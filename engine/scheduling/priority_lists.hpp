@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -39,6 +40,14 @@ bool inside(const GazeRegion& region, const PairBounds& bounds, const Viewer& vi
 enum class ListRule {
   kThresholds,  ///< its metric against `thresholds`
   kRegion,      ///< inside the step's region: list 0; outside, or without a region: list 1
+  kPairShares,  ///< its rank by the metric against `pair_shares`
+};
+
+/// Which pair of a list gets the next block of work. (Dingliana 2002, fig. 5.1)
+enum class Traversal {
+  kDepthFirst,    ///< the first that is unfinished: one pair after the other
+  kBreadthFirst,  ///< the one at the coarsest level: level after level
+  kBestFirst,     ///< the one whose next level is expected to remove most visible gap per work
 };
 
 /// How the work of a step is shared. As it stands: one list, nearest first.
@@ -49,6 +58,13 @@ struct Schedule {
   /// One fewer than lists, in the metric's own unit, from high priority to low: a pair falls into
   /// the first list whose threshold it meets, or else into the last.
   std::vector<double> thresholds;
+  Traversal traversal{Traversal::kDepthFirst};
+  /// For kPairShares, one fewer than lists: the share of a step's pairs that each list but the last
+  /// takes, in [0, 1], together at most 1.
+  std::vector<double> pair_shares{};
+  /// A pair that touches keeps the highest priority it had in this many steps before; 0: none.
+  /// (Dingliana 2002, sec. 5.3.1)
+  std::int64_t persistence_steps{0};
 };
 
 /// What is wrong with the schedule, as "schedule: expected ..., got ..."; empty when nothing is.

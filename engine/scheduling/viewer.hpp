@@ -26,6 +26,8 @@ struct Viewer {
   Vector3 eye{Vector3::UnitZ()};
   Vector3 right{Vector3::UnitX()};
   Vector3 up{Vector3::UnitY()};
+  Vector3 velocity{Vector3::Zero()};  ///< of the eye (m/s)
+  Vector3 turning{Vector3::Zero()};   ///< angular velocity of the view (rad/s)
 };
 
 /// An eye at the viewing distance, turned about the vertical by `azimuth_deg` from the z axis: the
