@@ -46,6 +46,18 @@ void World::set_schedule(Schedule schedule) {
   settings_.schedule = std::move(schedule);
 }
 
+void World::set_contacts(ContactModel contacts) {
+  require(contacts.most_per_pair >= 1, "world: at least one contact per pair is needed");
+  settings_.contacts = std::move(contacts);
+}
+
+void World::set_costs(const WorkCosts& costs) {
+  require(costs.sphere_test >= 1 && costs.volume_test >= 1 && costs.model >= 0 &&
+              costs.response >= 0,
+          "world: a test costs at least one unit of work, and nothing costs less than none");
+  settings_.costs = costs;
+}
+
 StepReport World::step(const StepInput& input, WorkMeter& meter) {
   StepReport report;
   const std::vector<PairBounds> candidates = move_and_pair(input.dt_s);
