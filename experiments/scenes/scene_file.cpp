@@ -14,7 +14,9 @@
 #include "experiments/scenes/embedded_schema.hpp"
 #include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
+#include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/scene_settings.hpp"
 
 namespace impetus {
 namespace {
@@ -67,8 +69,10 @@ std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies,
     const json& body = scene["bodies"][i];
     BodyState state;
     state.pose = {vector_of(body, "position_deg", m_per_deg), orientation_of(body)};
-    state.linear_momentum =
-        vector_of(body, "velocity_deg_s", m_per_deg) / bodies.models[i].inverse_mass;
+    if (bodies.models[i].inverse_mass > 0.0) {
+      state.linear_momentum =
+          vector_of(body, "velocity_deg_s", m_per_deg) / bodies.models[i].inverse_mass;
+    }
     state.angular_momentum = angular_momentum_at(bodies.models[i], state.pose.orientation,
                                                  vector_of(body, "spin_deg_s", kRadiansPerDegree));
     states.push_back(state);
@@ -150,14 +154,10 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
-  WorldSettings settings;
-  settings.restitution = engine["restitution"].get<double>();
-  settings.response = engine.value("response", std::string("in-turn")) == std::string("together")
-                          ? ResponseMethod::kTogether
-                          : ResponseMethod::kInTurn;
+  WorldSettings settings = engine_settings_of(scene);
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg);
-  settings.schedule = schedule_of(engine);
+  settings.schedule = schedule_of(engine, m_per_deg);
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
@@ -165,9 +165,12 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   staged.no_spin = imposed.value("no_spin", false);
   staged.intended_hold_s = intended_s;
   staged.realised_hold_s = realised_s;
-  staged.region = region_of(engine);
+  staged.region = region_of(engine, m_per_deg);
   staged.budget = budget_of(engine);
   staged.depends_on_gaze = depends_on_gaze(engine);
+  staged.scheduler = scheduler_of(engine);
+  staged.metric_options = metric_options_of(engine, m_per_deg);
+  staged.reduction = engine.value("contacts", json::object()).value("reduction", "");
   set_timing(scene, staged);
   return staged;
 }

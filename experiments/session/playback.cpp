@@ -25,9 +25,15 @@ std::optional<DeadlineWork> deadline_of(const WorkBudget& budget, const Clock* c
 }  // namespace
 
 StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report) {
-  return {
+  StepRecord record{
       step, report.work_granted, report.work_spent, report.degradations, std::move(report.state),
       gaze};
+  record.pops = static_cast<std::int64_t>(report.pops.size());
+  record.stopped_short = static_cast<std::int64_t>(report.stopped.size());
+  for (const LevelPop& pop : report.pops) {
+    record.largest_pop_deg = std::max(record.largest_pop_deg, pop.size_deg);
+  }
+  return record;
 }
 
 Playback::Playback(StagedScene scene, std::uint64_t seed, const Clock* work_clock)

@@ -29,10 +29,13 @@ struct StepRecord {
   std::uint32_t degradations{0};
   StateHash state;
   GazeInput gaze{};
-  std::int64_t shown_frame{-1};  ///< of the attempt's frames, the first to show it; −1: none
+  std::int64_t shown_frame{-1};   ///< of the attempt's frames, the first to show it; −1: none
+  std::int64_t pops{0};           ///< pairs that touch at a coarser level than in the step before
+  std::int64_t stopped_short{0};  ///< pairs that were stopped where they entered each other
+  double largest_pop_deg{0.0};    ///< visual angle; of no pop, 0
 };
 
-/// One contact, at the step in which it began.
+/// One pair in contact, at the step in which that began.
 struct CollisionRecord {
   std::int64_t step{0};
   CollisionReport report;

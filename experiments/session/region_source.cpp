@@ -19,6 +19,8 @@ std::optional<GazeRegion> RegionSource::at(std::int64_t step, const Fixation& fi
         place_ = image_.uniform_point(places_);
       }
       return GazeRegion{place_, rule_.radius_deg};
+    case RegionKind::kFixed:
+      return GazeRegion{rule_.point, rule_.radius_deg};
     default:
       return std::nullopt;
   }
