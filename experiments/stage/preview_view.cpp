@@ -93,6 +93,7 @@ class PreviewScreen {
     const PixelArea area = panel_shown_ ? area_beside_panel() : canvas_.whole();
     const PictureMap map(run_.scene().viewer, area, canvas_.window.height_px());
     follow_mouse(map);
+    run_.watch_node_contacts(overlays_.shown && overlays_.contacts);
     Picture picture;
     picture.bodies = shown_bodies(run_, overlays_);
     picture.enclosure = run_.scene().world.settings().enclosure;
