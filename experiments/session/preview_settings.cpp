@@ -34,6 +34,9 @@ std::string name_of(const Schedule& schedule) {
   }
   const PriorityMetric& own = *schedule.metric;
   for (const std::string_view name : metric_names()) {
+    if (needs_terms(name)) {
+      continue;
+    }
     const auto known = make_metric(name);
     const PriorityMetric& metric = *known;
     if (typeid(own) == typeid(metric)) {
@@ -80,7 +83,9 @@ void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
 std::vector<std::string> scheduler_names() {
   std::vector<std::string> names;
   for (const std::string_view name : metric_names()) {
-    names.emplace_back(name);
+    if (!needs_terms(name)) {
+      names.emplace_back(name);
+    }
   }
   names.emplace_back(kRegion);
   return names;
