@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/collision_reports.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
 
@@ -34,6 +35,7 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
   require(settings_.imposed_hold_s >= 0.0, "world: an imposed hold cannot be negative");
   require(!settings_.enclosure || settings_.enclosure->half_edge_m > 0.0,
           "world: an enclosure needs a positive half edge");
+  require(settings_.contacts.most_per_pair >= 1, "world: a pair needs one contact or more");
   require(problem_of(settings_.schedule).empty(), problem_of(settings_.schedule).c_str());
   for (const BodyModel& body : models_) {
     require(body.tree != nullptr, "world: every body needs a volume tree");
@@ -133,41 +135,47 @@ std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, 
   return refined;
 }
 
-std::vector<Contact> World::contacts_of(const RefinedPair& pair) {
+MovingTree World::moving(std::size_t body) {
+  const BodyModel& model = models_[body];
+  const BodyState& state = states_[body];
+  return {placed_[body],
+          {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
+}
+
+std::vector<Contact> World::contacts_of(const RefinedPair& pair, std::vector<Contact>* watched) {
   const auto& [bodies, list, refinement] = pair;
   if (refinement.overlapping().empty()) {
     return {};
   }
+  const MovingTree a = moving(at(bodies.a));
   if (is_wall(bodies.b)) {
-    return wall_contacts(bodies.a, refinement, placed_[at(bodies.a)], *settings_.enclosure);
+    return wall_contacts(bodies.a, refinement, a, *settings_.enclosure, settings_.contacts,
+                         watched);
   }
-  const BodyState& a = states_[at(bodies.a)];
-  const BodyState& b = states_[at(bodies.b)];
-  const NormalFallbacks fallbacks{
-      a.pose.position - b.pose.position,
-      velocity(models_[at(bodies.b)], b) - velocity(models_[at(bodies.a)], a)};
-  return {
-      average_contact(bodies, refinement, placed_[at(bodies.a)], placed_[at(bodies.b)], fallbacks)};
+  const MovingTree b = moving(at(bodies.b));
+  NormalFallbacks fallbacks{a.motion.centre_of_mass - b.motion.centre_of_mass,
+                            b.motion.velocity - a.motion.velocity};
+  if (const TouchingPair* before = touched_before(bodies)) {
+    fallbacks.last_normal = before->normal;
+  }
+  return pair_contacts(bodies, refinement, a, b, fallbacks, settings_.contacts, watched);
 }
 
 void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
+  std::vector<ModelledCollision> modelled;
   for (const RefinedPair& pair : refined) {
-    for (const Contact& contact : contacts_of(pair)) {
-      CollisionReport collision;
-      collision.bodies = contact.bodies;
-      collision.list = pair.list;
-      collision.level = pair.refinement.level();
-      collision.stop = pair.refinement.stop_reason();
-      collision.began = !touched_before(contact.bodies);
-      collision.contact = contact;
-      report.collisions.push_back(collision);
-    }
+    const std::vector<Contact> contacts =
+        contacts_of(pair, watches_node_contacts_ ? &report.node_contacts : nullptr);
+    CollisionReport collision;
+    collision.list = pair.list;
+    collision.level = pair.refinement.level();
+    collision.stop = pair.refinement.stop_reason();
+    add_by_bodies(collision, contacts, modelled);
   }
-  // The response must not depend on who was refined first, only on what was found.
-  std::sort(report.collisions.begin(), report.collisions.end(),
-            [](const CollisionReport& x, const CollisionReport& y) {
-              return std::pair(x.bodies.a, x.bodies.b) < std::pair(y.bodies.a, y.bodies.b);
-            });
+  report_in_order(std::move(modelled), report);
+  for (CollisionReport& collision : report.collisions) {
+    collision.began = touched_before(collision.bodies) == nullptr;
+  }
 }
 
 ResponseResult World::response_to(const std::vector<Contact>& contacts) {
@@ -179,17 +187,13 @@ ResponseResult World::response_to(const std::vector<Contact>& contacts) {
 }
 
 void World::respond_to(StepReport& report) {
-  std::vector<Contact> contacts;
   touching_.clear();
   for (const CollisionReport& collision : report.collisions) {
-    contacts.push_back(collision.contact);
-    touching_.push_back(collision.bodies);
+    touching_.push_back({collision.bodies, collision.contact.touch.normal});
   }
-  const ResponseResult result = response_to(contacts);
-  for (std::size_t i = 0; i < report.collisions.size(); ++i) {
-    CollisionReport& collision = report.collisions[i];
-    collision.approach_m_s = result.approach_m_s[i];
-    collision.impulse_Ns = result.impulse_Ns[i];
+  const ResponseResult result = response_to(contacts_to_respond_to(report));
+  report_response(result, report);
+  for (CollisionReport& collision : report.collisions) {
     if (collision.began && collision.impulse_Ns > 0.0 && settings_.imposed_hold_s > 0.0) {
       collision.imposed_hold_s = settings_.imposed_hold_s;
       for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
@@ -207,8 +211,11 @@ void World::respond_to(StepReport& report) {
   }
 }
 
-bool World::touched_before(BodyPair bodies) const {
-  return std::find(touching_.begin(), touching_.end(), bodies) != touching_.end();
+const TouchingPair* World::touched_before(BodyPair bodies) const {
+  const auto found =
+      std::find_if(touching_.begin(), touching_.end(),
+                   [bodies](const TouchingPair& pair) { return pair.bodies == bodies; });
+  return found == touching_.end() ? nullptr : &*found;
 }
 
 }  // namespace impetus

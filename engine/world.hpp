@@ -5,7 +5,7 @@
 //   prioritise  a metric per pair -> a priority list, and an order within it
 //   refine      while the meter grants work: the list furthest behind its share, its next pair,
 //               one block of node-pair tests
-//   model       contacts of the last complete level, averaged
+//   model       contacts of the last complete level, reduced to a few
 //   respond     impulses; never add energy
 //
 // A step is a pure function of the state, the input and the work granted: it reads no clock and
@@ -125,6 +125,12 @@ struct StepReport {
   std::vector<Contact> node_contacts;
 };
 
+/// What a world remembers of two bodies, or of a body and a wall, that touched in a step.
+struct TouchingPair {
+  BodyPair bodies;
+  Vector3 normal{Vector3::UnitX()};  ///< of their deepest contact
+};
+
 class World {
  public:
   /// `states` are the bodies' states at time zero, one per model. Throws std::invalid_argument on
@@ -159,18 +165,19 @@ class World {
   void measure_motion_and_fit(PairBounds& pair) const;
   std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, WorkMeter& meter,
                                   StepReport& report);
-  std::vector<Contact> contacts_of(const RefinedPair& pair);
+  std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
+  [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
   ResponseResult response_to(const std::vector<Contact>& contacts);
   void respond_to(StepReport& report);
-  [[nodiscard]] bool touched_before(BodyPair bodies) const;
+  [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
 
   std::vector<BodyModel> models_;
   std::vector<BodyState> states_;
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
   bool watches_node_contacts_{false};
-  std::vector<BodyPair> touching_;  ///< pairs in contact after the last step
+  std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
 };
 
 }  // namespace impetus

@@ -26,6 +26,7 @@ class PlacedTree {
   }
 
   [[nodiscard]] const VolumeTree& tree() const { return *tree_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
 
   [[nodiscard]] bool of_spheres() const { return own_spheres_ != nullptr; }
 

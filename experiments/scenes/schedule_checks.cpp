@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "engine/scheduling/metrics.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 
@@ -79,7 +80,7 @@ void add_metric_option_problems(const json& schedule, Problems& problems) {
     problems.push_back(
         {kPlace, "expected the key \"terms\" for the scheduler weighted, which is missing"});
   }
-  if (scheduler != "eccentricity") {
+  if (!takes_point(scheduler)) {
     refuse_key(schedule, "point_deg", "with the scheduler " + scheduler, problems);
   }
 }

@@ -54,9 +54,10 @@ std::vector<WeightedTerm> usual_terms() {
 /// What the metric called `name` takes of the scene's own options.
 MetricOptions options_for(const std::string& name, const MetricOptions& own) {
   MetricOptions options;
-  if (name == "eccentricity") {
+  if (takes_point(name)) {
     options.point = own.point;
-  } else if (name == "weighted") {
+  }
+  if (needs_terms(name)) {
     options.terms = own.terms;
   }
   return options;
@@ -109,7 +110,9 @@ void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
 std::vector<std::string> scheduler_names() {
   std::vector<std::string> names;
   for (const std::string_view name : metric_names()) {
-    names.emplace_back(name);
+    if (!needs_terms(name)) {
+      names.emplace_back(name);
+    }
   }
   names.emplace_back(kRegion);
   return names;

@@ -168,7 +168,7 @@ TEST_P(TreesOfKind, AWallIsTouchedByTheNodesThatReachIt) {
     cached.move_to(now.pose);
     const PairRefinement pair(cached, walls);
     ASSERT_EQ(pair.overlapping().empty(), !reaches_wall(walls, now.at(0)));
-    for (const Contact& contact : wall_contacts(0, pair, cached, walls)) {
+    for (const Contact& contact : wall_contacts(0, pair, {cached}, walls, {})) {
       const int wall = kEnclosure - contact.bodies.b;
       ASSERT_GE(wall, 0);
       ASSERT_EQ(contact.touch.depth_m, reach_beyond(walls, wall, now.at(0)));
