@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "experiments/stage/gl_window.hpp"
 #include "experiments/stage/gui.hpp"
 #include "experiments/stage/overlay_marks.hpp"
+#include "experiments/stage/palette.hpp"
 #include "experiments/stage/picture_map.hpp"
 #include "experiments/stage/scene_painter.hpp"
 #include "experiments/stage/volume_levels.hpp"
@@ -28,7 +30,6 @@ class StripDrawing {
       : collision_(collision),
         scene_(scene),
         size_(size),
-        centre_(collision.levels.back().contacts.front().point),
         window_(unseen_window(size)),
         gui_(window_),
         target_(size) {
@@ -45,31 +46,38 @@ class StripDrawing {
   }
 
  private:
-  /// A screen about the place of contact that holds the bodies of every picture.
+  /// A screen that holds the bodies of every picture, above the words.
   void fit_view() {
-    double half_width_m = 0.0;
-    double half_height_m = 0.0;
-    longest_m_s_ = 0.0;
+    const Viewer& own = scene_.viewer;
+    const Vector3 towards_eye = own.eye.normalized();
+    Eigen::AlignedBox2d seen;
+    double depth_m = 0.0;
     for (const LevelCollision& row : collision_.levels) {
       for (const CollisionMoment& moment : row.moments) {
         for (std::size_t body = 0; body < moment.poses.size(); ++body) {
           const double radius_m = model(body).tree->bounding_radius_m();
-          const Vector3 place = moment.poses[body].position - centre_;
-          half_width_m =
-              std::max(half_width_m, std::abs(place.dot(scene_.viewer.right)) + radius_m);
-          half_height_m = std::max(half_height_m, std::abs(place.dot(scene_.viewer.up)) + radius_m);
-          longest_m_s_ = std::max(longest_m_s_, moment.velocities[body].norm());
+          const Vector3& place = moment.poses[body].position;
+          const Eigen::Vector2d middle(place.dot(own.right), place.dot(own.up));
+          seen.extend(middle - Eigen::Vector2d::Constant(radius_m));
+          seen.extend(middle + Eigen::Vector2d::Constant(radius_m));
+          depth_m = place.dot(towards_eye);
+          fastest_m_s_ = std::max(fastest_m_s_, moment.velocities[body].norm());
         }
       }
     }
-    const double m_per_px = kRoomAround * std::max(2.0 * half_width_m / size_.width_px,
-                                                   2.0 * half_height_m / size_.height_px);
-    viewer_ = scene_.viewer;
+    const double words_px = words_height_px();
+    const double room_px = std::max(1.0, size_.height_px - words_px);
+    const double m_per_px =
+        kRoomAround * std::max(seen.sizes().x() / size_.width_px, seen.sizes().y() / room_px);
+    const double below_m = 0.5 * words_px * m_per_px;
+    centre_ = seen.center().x() * own.right + (seen.center().y() - below_m) * own.up +
+              depth_m * towards_eye;
+    viewer_ = own;
     viewer_.screen.width_m = m_per_px * size_.width_px;
     viewer_.screen.height_m = m_per_px * size_.height_px;
     viewer_.screen.width_px = size_.width_px;
     viewer_.screen.height_px = size_.height_px;
-    arrow_m_ = 0.25 * viewer_.screen.height_m;
+    arrow_m_ = 0.2 * viewer_.screen.height_m;
   }
 
   [[nodiscard]] const BodyModel& model(std::size_t body) const {
@@ -124,7 +132,7 @@ class StripDrawing {
     } else {
       for (std::size_t body = 0; body < moment.poses.size(); ++body) {
         const Vector3 from = moved(moment.poses[body]).position;
-        const double scale = longest_m_s_ > 0.0 ? arrow_m_ / longest_m_s_ : 0.0;
+        const double scale = fastest_m_s_ > 0.0 ? arrow_m_ / fastest_m_s_ : 0.0;
         mark_arrow(draw, map, from, from + scale * moment.velocities[body], kGoingInk);
       }
     }
@@ -147,12 +155,12 @@ class StripDrawing {
     switch (name) {
       case kBeforeContact:
         std::snprintf(text, sizeof text,
-                      "level %d\n%.0f ms before contact\nbounds reach up to %.2f mm beyond",
+                      "level %d\n%.0f ms before contact\nbounds reach at most %.2f mm beyond",
                       row.level, -1e3 * apart_s, 1e3 * row.fit_error_m);
         break;
       case kAtContact:
         std::snprintf(text, sizeof text,
-                      "contact at %.3f s, %zu of nodes, %zu left\ngap %.2f mm, %.1f′ in the "
+                      "contact at %.3f s: %zu of nodes, reduced to %zu\ngap %.2f mm, %.1f′ in the "
                       "scene\nnormal %.1f° off the finest level's",
                       row.moments[name].time_s, row.node_contacts.size(), row.contacts.size(),
                       1e3 * row.gap_m, row.gap_arcmin, row.normal_off_deg);
@@ -163,26 +171,33 @@ class StripDrawing {
     return text;
   }
 
+  [[nodiscard]] float words_height_px() const {
+    constexpr float kLines = 3.8F;
+    return kLines * gui_.fonts().small->FontSize;
+  }
+
+  /// On a band below the picture, as wide as it is.
   void write(const std::string& text, ImDrawList& draw) {
     ImFont* font = gui_.fonts().small;
     const float inset = 0.4F * font->FontSize;
-    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, text.c_str());
-    draw.AddRectFilled(ImVec2(0, 0), ImVec2(extent.x + 2.0F * inset, extent.y + 2.0F * inset),
-                       IM_COL32(226, 226, 226, 225));
-    draw.AddText(font, font->FontSize, ImVec2(inset, inset), IM_COL32(28, 28, 30, 255),
-                 text.c_str());
+    const auto width = static_cast<float>(size_.width_px);
+    const auto height = static_cast<float>(size_.height_px);
+    const float top = height - words_height_px();
+    draw.AddRectFilled(ImVec2(0, top), ImVec2(width, height), palette::kSurface);
+    draw.AddRect(ImVec2(0, 0), ImVec2(width, height), palette::kLine);
+    draw.AddText(font, font->FontSize, ImVec2(inset, top + inset), palette::kText, text.c_str());
   }
 
   const CollisionByLevel& collision_;
   const StagedScene& scene_;
   PictureSize size_;
-  Vector3 centre_;  ///< in the middle of every picture
+  Vector3 centre_{Vector3::Zero()};  ///< in the middle of every picture
   GlWindow window_;
   Gui gui_;
   ScenePainter painter_;
   ReadableTarget target_;
   Viewer viewer_;
-  double longest_m_s_{0.0};
+  double fastest_m_s_{0.0};
   double arrow_m_{0.0};  ///< of the fastest body
 };
 

@@ -4,7 +4,7 @@
 //   level 1    ○ ○   ○○    ○ ○       reduction red, after it yellow with their normals, and
 //   ...                              where the bodies are going as arrows
 //
-// All in the scene's own view, drawn closer about the finest level's place of contact.
+// All in the scene's own view, drawn closer.
 // (Dingliana 2002, figures 6.1 to 6.3)
 // SPDX-License-Identifier: MIT
 #pragma once
