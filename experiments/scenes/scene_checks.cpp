@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/starting_overlaps.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
@@ -127,6 +128,7 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   for (SceneProblem& problem : engine_problems(scene)) {
     problems.push_back(std::move(problem));
   }
+  add_enclosure_problems(scene, problems);
   add_tree_problems(scene["engine"], problems);
   const json meshes = scene.value("meshes", json::object());
   if (scene.contains("crowd")) {

@@ -7,13 +7,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/numerics/cube_root.hpp"
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/embedded_schema.hpp"
 #include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/scenes/scene_settings.hpp"
@@ -80,24 +80,12 @@ std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies,
   return states;
 }
 
-std::optional<ClosedCube> enclosure_of(const json& scene, double m_per_deg) {
-  if (!scene.contains("enclosure")) {
-    return std::nullopt;
-  }
-  const json& enclosure = scene["enclosure"];
-  double edge_m = enclosure["edge_deg"].get<double>() * m_per_deg;
-  if (scene.contains("crowd") && enclosure.contains("edge_at_count")) {
-    edge_m *=
-        cube_root(scene["crowd"]["count"].get<double>() / enclosure["edge_at_count"].get<double>());
-  }
-  return ClosedCube{0.5 * edge_m};
-}
-
 std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const SceneBodies& bodies,
-                                                      double m_per_deg, const std::string& start) {
+                                                      double m_per_deg, const Viewer& viewer,
+                                                      const std::string& start) {
   const json& crowd = scene["crowd"];
   const std::string name = "crowd of " + crowd["count"].dump() + "/" + start;
-  return crowd_states(bodies.models, *enclosure_of(scene, m_per_deg),
+  return crowd_states(bodies.models, *enclosure_of(scene, m_per_deg, viewer),
                       {crowd.value("start", std::uint64_t{1}), name,
                        bodies.models.front().tree->bounding_radius_m(),
                        crowd["speed_deg_s"].get<double>() * m_per_deg,
@@ -105,14 +93,14 @@ std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const S
 }
 
 std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, double m_per_deg,
-                                 const std::string& start) {
+                                 const Viewer& viewer, const std::string& start) {
   if (scene.contains("meeting")) {
     return meeting_states(scene, bodies, m_per_deg);
   }
   if (!scene.contains("crowd")) {
     return free_states(scene, bodies, m_per_deg);
   }
-  auto states = crowd_states_of(scene, bodies, m_per_deg, start);
+  auto states = crowd_states_of(scene, bodies, m_per_deg, viewer, start);
   if (!states) {
     throw std::runtime_error("the crowd found no room to start in");
   }
@@ -148,20 +136,20 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const json& engine = scene["engine"];
   const json imposed = scene.value("imposed", json::object());
+  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
-  std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, start);
+  std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, viewer, start);
 
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
   WorldSettings settings = engine_settings_of(scene);
   settings.imposed_hold_s = realised_s;
-  settings.enclosure = enclosure_of(scene, m_per_deg);
+  settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
   settings.schedule = schedule_of(engine, m_per_deg);
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
-                     viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
-                     std::move(bodies.looks)};
+                     viewer, std::move(bodies.looks)};
   staged.no_spin = imposed.value("no_spin", false);
   staged.intended_hold_s = intended_s;
   staged.realised_hold_s = realised_s;
@@ -180,10 +168,14 @@ bool crowd_has_room(const json& scene) {
   json shallow = scene;
   shallow["engine"]["tree_depth"] = 0;
   ShapeLibrary library;
-  const SceneBodies bodies = bodies_of(shallow, 1.0, library);
+  const ScreenGeometry screen = screen_for_checks();
+  const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
+  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
-    if (!crowd_states_of(scene, bodies, 1.0, "main/" + std::to_string(repetition))) {
+    if (!crowd_states_of(scene, bodies, m_per_deg, viewer,
+                         "main/" + std::to_string(repetition))) {
       return false;
     }
   }
@@ -191,11 +183,9 @@ bool crowd_has_room(const json& scene) {
 }
 
 std::vector<BodyPair> starting_overlaps_of(const json& scene) {
-  // Overlap is a matter of proportions, whatever the screen.
+  // Overlap is a matter of proportions, whatever the screen, but for a view frustum's.
   ShapeLibrary library;
-  ScreenGeometry any;
-  any.viewing_distance_m = 1.0;
-  const StagedScene staged = build_scene(scene, any, 0.0, library);
+  const StagedScene staged = build_scene(scene, screen_for_checks(), 0.0, library);
   int coarsest = kUnlimitedLevel;
   for (const PriorityList& list : staged.world.settings().schedule.lists) {
     coarsest = std::min(coarsest, list.greatest_level);

@@ -9,6 +9,7 @@
 #include "engine/world.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
+#include "experiments/session/wall_names.hpp"
 
 namespace impetus {
 
@@ -92,6 +93,7 @@ struct AttemptRecord {
   AttemptOutcome outcome{AttemptOutcome::kInterrupted};
   std::int64_t onset_ns{0};             ///< flip of the first frame of the stimulus
   std::vector<std::string> body_names;  ///< by index in the world
+  WallNaming wall_naming{WallNaming::kAxes};
   std::vector<StepRecord> steps;
   std::vector<CollisionRecord> collisions;
   std::vector<FrameRecord> frames;

@@ -35,6 +35,7 @@ class Attempt {
     for (const BodyModel& body : playback_.scene().world.models()) {
       result_.record.body_names.push_back(body.name);
     }
+    result_.record.wall_naming = wall_naming(playback_.scene().world.settings().enclosure);
     result_.record.intended_hold_s = playback_.scene().intended_hold_s;
     result_.record.realised_hold_s = playback_.scene().realised_hold_s;
     if (script.gaze && ports.gaze != nullptr) {

@@ -71,7 +71,7 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
     const TouchPoint& touch = report.contact.touch;
     const auto a = static_cast<std::size_t>(report.bodies.a);
     const std::string body_b = is_wall(report.bodies.b)
-                                   ? wall_name(report.bodies.b)
+                                   ? wall_name(report.bodies.b, attempt.wall_naming)
                                    : attempt.body_names[static_cast<std::size_t>(report.bodies.b)];
     SQLite::bind(insert, id, collision.step, attempt.body_names[a], body_b, report.level,
                  name_of(report.stop), touch.point.x(), touch.point.y(), touch.point.z(),
