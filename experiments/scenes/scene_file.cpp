@@ -157,6 +157,8 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   staged.budget = budget_of(engine);
   staged.depends_on_gaze = depends_on_gaze(engine);
   staged.scheduler = scheduler_of(engine);
+  staged.turn = {scene["viewer"]["azimuth_deg"].get<double>(),
+                 scene["viewer"].value("turn_deg_s", 0.0)};
   staged.metric_options = metric_options_of(engine, m_per_deg);
   staged.reduction = engine.value("contacts", json::object()).value("reduction", "");
   set_timing(scene, staged);
@@ -174,8 +176,7 @@ bool crowd_has_room(const json& scene) {
   const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
-    if (!crowd_states_of(scene, bodies, m_per_deg, viewer,
-                         "main/" + std::to_string(repetition))) {
+    if (!crowd_states_of(scene, bodies, m_per_deg, viewer, "main/" + std::to_string(repetition))) {
       return false;
     }
   }

@@ -31,6 +31,7 @@ int finest_level_of(const World& world) {
   return finest;
 }
 
+/// One list by distance decides nothing here, so that the viewer may stand anywhere.
 StepReport stepped(World& world, const StagedScene& scene) {
   FixedWork meter(kUnlimitedTests);
   return world.step({1.0 / scene.step_hz, scene.viewer}, meter);
@@ -183,13 +184,14 @@ void take_contacts(const StepReport& report, LevelCollision& row) {
 void measure_gap(const Approach& approach, const StagedScene& scene, const BodyPair& pair,
                  LevelCollision& row) {
   const CollisionMoment& contact = row.moments[kAtContact];
+  const Viewer viewer = scene.viewer_at_time(contact.time_s);
   const DrawnBody& look = scene.looks[approach.bodies[0]];
   const CollisionTruth truth =
       is_wall(pair.b)
           ? measure_wall_truth(look, contact.poses[0], *scene.world.settings().enclosure,
-                               kEnclosure - pair.b, scene.viewer)
+                               kEnclosure - pair.b, viewer)
           : measure_truth(look, contact.poses[0], scene.looks[approach.bodies[1]], contact.poses[1],
-                          scene.viewer);
+                          viewer);
   row.gap_m = truth.gap_m;
   row.gap_arcmin = truth.gap_arcmin;
 }

@@ -50,8 +50,9 @@ struct Picture {
   SessionProgress progress;
 };
 
-/// The picture of the scene with its bodies in these poses; without poses, nothing but the ground.
-Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
+/// The picture of the scene at `time_s` with its bodies in these poses; without poses, nothing but
+/// the ground.
+Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress);
 
 class Display {

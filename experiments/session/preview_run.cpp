@@ -143,7 +143,8 @@ std::optional<GazeRegion> PreviewRun::region_of_step() {
 
 void PreviewRun::step_once() {
   before_ = scene_.world.states();
-  input_ = {1.0 / scene_.step_hz, scene_.viewer, gaze_, region_of_step()};
+  const double time_s = static_cast<double>(step_ + 1) / scene_.step_hz;
+  input_ = {1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), gaze_, region_of_step()};
   const std::int64_t started_ns = clock_->now_ns();
   const StepReport report = step_world(input_);
   const double taken_ms = static_cast<double>(clock_->now_ns() - started_ns) / 1e6;
@@ -232,6 +233,8 @@ void PreviewRun::forget_old() {
 double PreviewRun::energy_share() const {
   return start_energy_J_ > 0.0 ? energy_J(scene_.world) / start_energy_J_ : 0.0;
 }
+
+Viewer PreviewRun::viewer() const { return scene_.viewer_at_time(position_ / scene_.step_hz); }
 
 std::vector<PosedBody> PreviewRun::bodies() const {
   const double fraction = std::clamp(position_ - static_cast<double>(step_) + 1.0, 0.0, 1.0);

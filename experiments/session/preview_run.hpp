@@ -82,6 +82,7 @@ class PreviewRun {
   /// What a step takes by the clock, averaged over the last few (milliseconds).
   [[nodiscard]] double step_ms() const { return step_ms_; }
 
+  [[nodiscard]] Viewer viewer() const;
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
   /// The last step's, by list.

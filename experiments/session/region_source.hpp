@@ -35,6 +35,10 @@ class RegionSource {
 
  private:
   RegionRule rule_;
+  std::optional<Enclosure> enclosure_;
+  Viewer viewer_;
+  ViewerTurn turn_;
+  double step_hz_;
   EnclosureImage image_;
   RandomStream places_;
   ScreenPoint place_{};

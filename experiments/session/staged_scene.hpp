@@ -10,6 +10,7 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "engine/world.hpp"
+#include "experiments/session/turning_viewer.hpp"
 
 namespace impetus {
 
@@ -62,6 +63,11 @@ struct StagedScene {
   std::string scheduler{};
   MetricOptions metric_options{};
   std::string reduction{};
+  ViewerTurn turn{};  ///< `viewer` is where it starts
+
+  [[nodiscard]] Viewer viewer_at_time(double time_s) const {
+    return turned_viewer(viewer, turn, time_s);
+  }
 };
 
 }  // namespace impetus

@@ -48,7 +48,7 @@ class StripDrawing {
  private:
   /// A screen that holds the bodies of every picture, above the words.
   void fit_view() {
-    const Viewer& own = scene_.viewer;
+    const Viewer own = scene_.viewer_at_time(collision_.levels.back().moments[kAtContact].time_s);
     const Vector3 towards_eye = own.eye.normalized();
     Eigen::AlignedBox2d seen;
     double depth_m = 0.0;
