@@ -40,12 +40,12 @@ Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree&
 }
 
 std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
-                                   const ClosedCube& walls) {
+                                   const Enclosure& walls) {
   std::vector<Contact> contacts;
   for (int wall = 0; wall < kWallCount; ++wall) {
     Contact contact;
     contact.bodies = {body, wall_index(wall)};
-    contact.touch.normal = inward_normal(wall);
+    contact.touch.normal = inward_normal(walls, wall);
     int count = 0;
     for (const NodePair& node : pair.overlapping()) {
       const TouchPoint at = touch_of_wall(tree, node.a, walls, wall);

@@ -35,6 +35,6 @@ Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree&
 /// One contact for each wall that nodes of body `body` reach: the average over those nodes.
 /// `bodies` of each is {body, wall_index(wall)}, by rising wall.
 std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
-                                   const ClosedCube& walls);
+                                   const Enclosure& walls);
 
 }  // namespace impetus

@@ -34,7 +34,7 @@ struct ReplayView {
   std::vector<std::string> facts;  ///< "delay_ms 100", "rated 2", ...
   Viewer viewer;
   std::vector<DrawnBody> looks;
-  std::optional<ClosedCube> enclosure;
+  std::optional<Enclosure> enclosure;
   double step_hz{240.0};
   double duration_s{0.0};
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start
