@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/collision_reports.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
+#include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
 namespace {
@@ -16,6 +18,10 @@ void require(bool condition, const char* message) {
   if (!condition) {
     throw std::invalid_argument(message);
   }
+}
+
+void require_no_problem(const std::string& problem) {
+  require(problem.empty(), ("world: " + problem).c_str());
 }
 
 bool is_finite(const BodyState& state) {
@@ -32,13 +38,19 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
   require(models_.size() == states_.size(), "world: one state per body model is needed");
   require(settings_.restitution >= 0.0 && settings_.restitution <= 1.0,
           "world: restitution must lie in [0, 1]");
+  require_no_problem(problem_of(settings_.materials));
   require(settings_.imposed_hold_s >= 0.0, "world: an imposed hold cannot be negative");
-  require(!settings_.enclosure || settings_.enclosure->half_edge_m > 0.0,
-          "world: an enclosure needs a positive half edge");
   require(settings_.contacts.most_per_pair >= 1, "world: a pair needs one contact or more");
+  if (settings_.enclosure) {
+    require_no_problem(problem_of(*settings_.enclosure));
+  }
   require(problem_of(settings_.schedule).empty(), problem_of(settings_.schedule).c_str());
-  for (const BodyModel& body : models_) {
+  for (BodyModel& body : models_) {
     require(body.tree != nullptr, "world: every body needs a volume tree");
+    require(body.inverse_mass >= 0.0, "world: an inverse mass cannot be negative");
+    if (body.inverse_mass == 0.0) {
+      body.inverse_inertia.setZero();
+    }
     placed_.emplace_back(*body.tree);
   }
 }
@@ -62,26 +74,33 @@ void World::set_costs(const WorkCosts& costs) {
 
 StepReport World::step(const StepInput& input, WorkMeter& meter) {
   StepReport report;
-  const std::vector<PairBounds> candidates = move_and_pair(input.dt_s);
+  const std::vector<PairBounds> candidates = move_and_pair(input.dt_s, report);
   const std::vector<ScheduledPair> order =
       scheduled(candidates, settings_.schedule, input.viewer, input.fixation, input.region);
-  const std::vector<RefinedPair> refined = refine(order, meter, report);
+  const std::vector<RefinedPair> refined = refine(order, input.dt_s, meter, report);
   model(refined, report);
   respond_to(report);
   report.state = hash_state(states_);
   return report;
 }
 
-std::vector<PairBounds> World::move_and_pair(double dt_s) {
+std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
+  const std::vector<BodyState> before = states_;
   std::vector<MovedBound> bounds;
   bounds.reserve(models_.size());
   for (std::size_t body = 0; body < models_.size(); ++body) {
     const double travelled_m = advance(models_[body], states_[body], dt_s);
-    placed_[body].move_to(states_[body].pose);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
-  std::vector<PairBounds> candidates = candidate_pairs(bounds);
+  std::vector<PairBounds> candidates = broad_phase_.candidates(bounds);
+  if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
+    stop_fast_pairs(before, dt_s, candidates, report);
+  }
+  for (std::size_t body = 0; body < models_.size(); ++body) {
+    placed_[body].move_to(states_[body].pose);
+    bounds[body].bound.centre = states_[body].pose.position;
+  }
   if (settings_.enclosure) {
     add_wall_candidates(bounds, candidates);
   }
@@ -89,6 +108,25 @@ std::vector<PairBounds> World::move_and_pair(double dt_s) {
     measure_motion_and_fit(pair);
   }
   return candidates;
+}
+
+void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
+                            std::vector<PairBounds>& candidates, StepReport& report) {
+  int greatest_level = 0;
+  for (const PriorityList& list : settings_.schedule.lists) {
+    greatest_level = std::max(greatest_level, list.greatest_level);
+  }
+  Stopping stopping = stop_at_entry(
+      {dt_s, models_, before, candidates, greatest_level, settings_.costs}, states_, placed_);
+  for (PairBounds& pair : candidates) {
+    pair.a.centre = states_[at(pair.pair.a)].pose.position;
+    pair.b.centre = states_[at(pair.pair.b)].pose.position;
+  }
+  report.work_floor = stopping.work;
+  report.stopped = std::move(stopping.stopped);
+  if (!report.stopped.empty()) {
+    report.degradations |= kStoppedShort;
+  }
 }
 
 void World::add_wall_candidates(const std::vector<MovedBound>& bounds,
@@ -113,18 +151,39 @@ void World::measure_motion_and_fit(PairBounds& pair) const {
   }
 }
 
-std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, WorkMeter& meter,
-                                       StepReport& report) {
+int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const {
+  if (settings_.tunnelling != Tunnelling::kCapped || is_wall(bodies.b)) {
+    return greatest_level;
+  }
+  const auto turning_m_s = [&](std::int32_t body) {
+    return angular_velocity(models_[at(body)], states_[at(body)]).norm() *
+           models_[at(body)].tree->bounding_radius_m();
+  };
+  const auto velocity_of = [&](std::int32_t body) {
+    return velocity(models_[at(body)], states_[at(body)]);
+  };
+  const double speed_m_s = (velocity_of(bodies.a) - velocity_of(bodies.b)).norm() +
+                           turning_m_s(bodies.a) + turning_m_s(bodies.b);
+  return capped_level(*models_[at(bodies.a)].tree, *models_[at(bodies.b)].tree, speed_m_s * dt_s,
+                      greatest_level);
+}
+
+std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, double dt_s,
+                                       WorkMeter& meter, StepReport& report) {
   std::vector<RefinedPair> refined;
   refined.reserve(order.size());
   for (const auto& [bodies, list] : order) {
-    const int deepest = settings_.schedule.lists[at(list)].greatest_level;
+    const int greatest = settings_.schedule.lists[at(list)].greatest_level;
+    const int capped = level_capped_by_speed(bodies, dt_s, greatest);
+    const StopReason at_greatest =
+        capped < greatest ? StopReason::kCapped : StopReason::kGreatestLevel;
     PlacedTree& a = placed_[at(bodies.a)];
     refined.push_back({bodies, list,
-                       is_wall(bodies.b) ? PairRefinement(a, *settings_.enclosure, deepest)
-                                         : PairRefinement(a, placed_[at(bodies.b)], deepest)});
+                       is_wall(bodies.b)
+                           ? PairRefinement(a, *settings_.enclosure, greatest)
+                           : PairRefinement(a, placed_[at(bodies.b)], capped, at_greatest)});
   }
-  WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter);
+  WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter, report.work_floor);
   report.work_granted = work.granted;
   report.work_spent = work.spent;
   report.work_floor = work.floor;
@@ -179,11 +238,12 @@ void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
 }
 
 ResponseResult World::response_to(const std::vector<Contact>& contacts) {
-  if (settings_.response == ResponseMethod::kInTurn) {
-    return respond(contacts, settings_.restitution, models_, states_);
-  }
-  const std::vector<double> restitutions(contacts.size(), settings_.restitution);
-  return respond_together(contacts, restitutions, models_, states_);
+  const std::vector<double> restitutions =
+      Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.of(contacts,
+                                                                                           models_);
+  return settings_.response == ResponseMethod::kInTurn
+             ? respond(contacts, restitutions, models_, states_)
+             : respond_together(contacts, restitutions, models_, states_);
 }
 
 void World::respond_to(StepReport& report) {

@@ -17,18 +17,19 @@
 #include <optional>
 #include <vector>
 
-#include "engine/collision/broad_phase.hpp"
 #include "engine/collision/contact_model.hpp"
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/list_refinement.hpp"
+#include "engine/collision/sweep_and_prune.hpp"
 #include "engine/collision/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/restitution.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
 
@@ -39,26 +40,19 @@ inline constexpr int kRecordingFormat = 1;
 /// of an island together, after which nothing approaches (see simultaneous_response.hpp).
 enum class ResponseMethod { kInTurn, kTogether };
 
-/// The restitution of bodies of two materials (see BodyModel), in either order.
-struct PairRestitution {
-  int material{0};
-  int other{0};
-  double restitution{1.0};
-};
-
 /// What holds for every body of the world.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
   /// An imposed manipulation, not physics: bodies stay where they touched for this long before
   /// their rebound shows (Dingliana 2002, sec. 6.2.1).
   double imposed_hold_s{0.0};
-  std::optional<ClosedCube> enclosure{};  ///< walls that keep the bodies inside
+  std::optional<Enclosure> enclosure{};  ///< walls that keep the bodies inside
   Schedule schedule{};
   ResponseMethod response{ResponseMethod::kInTurn};
   ContactModel contacts{};
   Tunnelling tunnelling{Tunnelling::kStopAtEntry};
   WorkCosts costs{};
-  /// Restitutions of pairs of materials that differ from `restitution`.
+  /// Restitutions of pairs of materials (BodyModel::material) that differ from `restitution`.
   std::vector<PairRestitution> materials{};
   int wall_material{0};
 };
@@ -159,12 +153,15 @@ class World {
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 
  private:
-  std::vector<PairBounds> move_and_pair(double dt_s);
+  std::vector<PairBounds> move_and_pair(double dt_s, StepReport& report);
+  void stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
+                       std::vector<PairBounds>& candidates, StepReport& report);
   void add_wall_candidates(const std::vector<MovedBound>& bounds,
                            std::vector<PairBounds>& candidates) const;
   void measure_motion_and_fit(PairBounds& pair) const;
-  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, WorkMeter& meter,
-                                  StepReport& report);
+  [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
+  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, double dt_s,
+                                  WorkMeter& meter, StepReport& report);
   std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
   [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
@@ -176,6 +173,7 @@ class World {
   std::vector<BodyState> states_;
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
+  SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
 };

@@ -107,12 +107,12 @@ std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, 
 }
 
 std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
-                                   const MovingTree& a, const ClosedCube& walls,
+                                   const MovingTree& a, const Enclosure& walls,
                                    const ContactModel& model, std::vector<Contact>* watched) {
   std::vector<Contact> contacts;
   const bool weighs = reduction_of(model).weighs();
   for (int wall = 0; wall < kWallCount; ++wall) {
-    Reducing reducing({body, wall_index(wall)}, model, inward_normal(wall), watched);
+    Reducing reducing({body, wall_index(wall)}, model, inward_normal(walls, wall), watched);
     for (const NodePair& nodes : pair.overlapping()) {
       NodeContact contact;
       contact.touch = touch_of_wall(a.tree, nodes.a, walls, wall);

@@ -62,7 +62,7 @@ std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, 
 /// The contacts of body `body` with each wall that its nodes reach, reduced and capped wall by
 /// wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising wall.
 std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
-                                   const MovingTree& a, const ClosedCube& walls,
+                                   const MovingTree& a, const Enclosure& walls,
                                    const ContactModel& model,
                                    std::vector<Contact>* watched = nullptr);
 

@@ -100,9 +100,9 @@ class Shares {
 }  // namespace
 
 WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter) {
+                         WorkMeter& meter, std::int64_t work_before) {
   WorkDone done;
-  done.floor = do_floor(pairs, lists);
+  done.floor = work_before + do_floor(pairs, lists);
   done.spent = done.floor;
   done.granted = meter.request(done.spent);
   if (lists.size() > 1) {

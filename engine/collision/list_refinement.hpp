@@ -33,8 +33,9 @@ struct WorkDone {
 };
 
 /// Refines `pairs`, which come by list and by falling priority within each, until all are resolved
-/// or `meter` refuses. A pair whose next block is refused gives way to the next of its list.
+/// or `meter` refuses. `work_before` was done already and is part of the floor. A pair whose next
+/// block is refused gives way to the next of its list.
 WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter);
+                         WorkMeter& meter, std::int64_t work_before = 0);
 
 }  // namespace impetus

@@ -28,12 +28,13 @@ bool has_children(const PlacedTree* placed, std::int32_t index) {
 
 }  // namespace
 
-PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level)
-    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level) {
+PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level,
+                               StopReason at_greatest)
+    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level), at_greatest_(at_greatest) {
   test_roots();
 }
 
-PairRefinement::PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level)
+PairRefinement::PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level)
     : a_(&a), b_(nullptr), walls_(&walls), greatest_level_(greatest_level) {
   test_roots();
 }
@@ -115,7 +116,7 @@ StopReason PairRefinement::stop_reason() const {
   if (!has_finer()) {
     return StopReason::kFinest;
   }
-  return level_ < greatest_level_ ? StopReason::kBudgetSpent : StopReason::kGreatestLevel;
+  return level_ < greatest_level_ ? StopReason::kBudgetSpent : at_greatest_;
 }
 
 }  // namespace impetus

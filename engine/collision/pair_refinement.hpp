@@ -15,7 +15,7 @@
 
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
 
@@ -34,11 +34,13 @@ struct NodePair {
 class PairRefinement {
  public:
   /// Tests the two roots: level 0, one node-pair test. Both trees must outlive this.
-  /// Refines no deeper than `greatest_level`.
-  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel);
+  /// Refines no deeper than `greatest_level`; `at_greatest` says what that level was for.
+  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel,
+                 StopReason at_greatest = StopReason::kGreatestLevel);
 
   /// Nodes of `a` against the walls: one test a node. Both must outlive this.
-  PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level = kUnlimitedLevel);
+  PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel);
+  PairRefinement(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
 
   /// True when no work could change the answer: separated, nothing finer exists, or the greatest
   /// level is reached.
@@ -66,9 +68,10 @@ class PairRefinement {
   void commit_if_complete();
 
   PlacedTree* a_;
-  PlacedTree* b_;            ///< null for walls
-  const ClosedCube* walls_;  ///< null for a tree
+  PlacedTree* b_;           ///< null for walls
+  const Enclosure* walls_;  ///< null for a tree
   int greatest_level_;
+  StopReason at_greatest_{StopReason::kGreatestLevel};
   int level_{0};
   std::vector<NodePair> committed_;
   std::vector<NodePair> expanding_;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
@@ -44,8 +44,8 @@ struct PosedBody {
 struct Picture {
   bool fixation_cross{false};
   std::vector<PosedBody> bodies;
-  std::optional<ClosedCube> enclosure{};  ///< drawn as seen from inside: walls that face the eye
-  bool pointer{false};                    ///< the mouse pointer is visible: it stands in for gaze
+  std::optional<Enclosure> enclosure{};  ///< drawn as seen from inside: walls that face the eye
+  bool pointer{false};                   ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
   SessionProgress progress;
 };

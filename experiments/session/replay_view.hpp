@@ -35,7 +35,7 @@ struct ReplayView {
   Viewer viewer;                   ///< at the onset
   ViewerTurn turn;
   std::vector<DrawnBody> looks;
-  std::optional<ClosedCube> enclosure;
+  std::optional<Enclosure> enclosure;
   double step_hz{240.0};
   double duration_s{0.0};
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start

@@ -60,7 +60,7 @@ class OverlayDrawing {
       line(from, bodies[static_cast<std::size_t>(pair.pair.b)].pose.position, pair.list);
       return;
     }
-    const ClosedCube& walls = *run_.scene().world.settings().enclosure;
+    const Enclosure& walls = *run_.scene().world.settings().enclosure;
     const BodyModel& model = run_.scene().world.models()[static_cast<std::size_t>(pair.pair.a)];
     const Sphere bound{from, model.tree->bounding_radius_m()};
     for (int wall = 0; wall < kWallCount; ++wall) {

@@ -159,7 +159,7 @@ TEST_P(TreesOfKind, NodesOfAnOldPoseAreNeverSeenAgain) {
 }
 
 TEST_P(TreesOfKind, AWallIsTouchedByTheNodesThatReachIt) {
-  const ClosedCube walls{1.0};
+  const Enclosure walls = ClosedCube{1.0};
   int touched = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const VolumeTree tree = tree_of(random_, GetParam(), 3);

@@ -20,7 +20,7 @@ TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
   EXPECT_NEAR(states[0].pose.position.x(), metres_of(-5.0), 1e-12);
   EXPECT_NEAR(velocity(models[0], states[0]).x(), metres_of(10.0), 1e-12);
   EXPECT_NEAR(angular_velocity(models[1], states[1]).y(), std::acos(-1.0) / 2.0, 1e-12);
-  EXPECT_EQ(scene.world.settings().enclosure->half_edge_m, 0.5 * metres_of(20.0));
+  EXPECT_EQ(closed_cube(scene.world.settings().enclosure)->half_edge_m, 0.5 * metres_of(20.0));
   EXPECT_EQ(scene.duration_s, 2.0);
   EXPECT_NEAR(1.0 / models[1].inverse_mass, 1000.0 * 6.0 * std::pow(metres_of(1.0), 3), 1e-9);
 }
@@ -52,7 +52,8 @@ TEST(Scene, ACrowdMovesAndTurnsAtTheSpeedsTheSceneSays) {
 TEST(Scene, TheEnclosureKeepsTheDensityOfTheCrowd) {
   for (const int count : {1, 5, 10, 15, 40}) {
     const json scene = changed(crowd_scene(), "/crowd/count", count);
-    const double edge_m = 2.0 * built(scene).world.settings().enclosure->half_edge_m;
+    const StagedScene staged = built(scene);
+    const double edge_m = 2.0 * closed_cube(staged.world.settings().enclosure)->half_edge_m;
     EXPECT_NEAR(edge_m, metres_of(15.0) * std::cbrt(count / 5.0), 1e-12);
   }
 }
