@@ -45,6 +45,7 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
     require_no_problem(problem_of(*settings_.enclosure));
   }
   require(problem_of(settings_.schedule).empty(), problem_of(settings_.schedule).c_str());
+  require_no_problem(problem_of(settings_.costs));
   for (BodyModel& body : models_) {
     require(body.tree != nullptr, "world: every body needs a volume tree");
     require(body.inverse_mass >= 0.0, "world: an inverse mass cannot be negative");
@@ -61,25 +62,24 @@ void World::set_schedule(Schedule schedule) {
 }
 
 void World::set_contacts(ContactModel contacts) {
-  require(contacts.most_per_pair >= 1, "world: at least one contact per pair is needed");
+  require(contacts.most_per_pair >= 1, "world: a pair needs one contact or more");
   settings_.contacts = std::move(contacts);
 }
 
 void World::set_costs(const WorkCosts& costs) {
-  require(costs.sphere_test >= 1 && costs.volume_test >= 1 && costs.model >= 0 &&
-              costs.response >= 0,
-          "world: a test costs at least one unit of work, and nothing costs less than none");
+  require_no_problem(problem_of(costs));
   settings_.costs = costs;
 }
 
 StepReport World::step(const StepInput& input, WorkMeter& meter) {
   StepReport report;
   const std::vector<PairBounds> candidates = move_and_pair(input.dt_s, report);
-  const std::vector<ScheduledPair> order =
-      scheduled(candidates, settings_.schedule, input.viewer, input.fixation, input.region);
-  const std::vector<RefinedPair> refined = refine(order, input.dt_s, meter, report);
+  const std::vector<ScheduledPair> order = prioritise(candidates, input);
+  const std::vector<RefinedPair> refined = refine(order, input, meter, report);
   model(refined, report);
+  count_later_phases(refined, report);
   respond_to(report);
+  note_touching(input.viewer, report);
   report.state = hash_state(states_);
   return report;
 }
@@ -168,30 +168,76 @@ int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_leve
                       greatest_level);
 }
 
-std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order, double dt_s,
-                                       WorkMeter& meter, StepReport& report) {
+std::vector<ScheduledPair> World::prioritise(const std::vector<PairBounds>& candidates,
+                                             const StepInput& input) {
+  std::vector<MeasuredPair> pairs =
+      measured(candidates, settings_.schedule, input.viewer, input.fixation, input.region);
+  priorities_.raise(pairs, settings_.schedule.persistence_steps);
+  return in_order(std::move(pairs));
+}
+
+std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order,
+                                       const StepInput& input, WorkMeter& meter,
+                                       StepReport& report) {
   std::vector<RefinedPair> refined;
   refined.reserve(order.size());
-  for (const auto& [bodies, list] : order) {
-    const int greatest = settings_.schedule.lists[at(list)].greatest_level;
-    const int capped = level_capped_by_speed(bodies, dt_s, greatest);
-    const StopReason at_greatest =
-        capped < greatest ? StopReason::kCapped : StopReason::kGreatestLevel;
-    PlacedTree& a = placed_[at(bodies.a)];
-    refined.push_back({bodies, list,
-                       is_wall(bodies.b)
-                           ? PairRefinement(a, *settings_.enclosure, greatest)
-                           : PairRefinement(a, placed_[at(bodies.b)], capped, at_greatest)});
+  for (const ScheduledPair& pair : order) {
+    refined.push_back(begin_refining(pair, input));
   }
-  WorkDone work = refine_by_lists(refined, settings_.schedule.lists, meter, report.work_floor);
+  const Schedule& schedule = settings_.schedule;
+  WorkDone work =
+      refine_by_lists(refined, schedule.lists, meter,
+                      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
   report.work_granted = work.granted;
   report.work_spent = work.spent;
   report.work_floor = work.floor;
+  report.work_reserved = work.reserved;
+  report.work_peak = work.peak;
   report.list_work = std::move(work.by_list);
   if (report.work_granted < report.work_floor) {
     report.degradations |= kFloorOverBudget;
   }
   return refined;
+}
+
+RefinedPair World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
+  const auto& [bodies, list] = pair;
+  const int greatest = settings_.schedule.lists[at(list)].greatest_level;
+  const int capped = level_capped_by_speed(bodies, input.dt_s, greatest);
+  const StopReason at_greatest =
+      capped < greatest ? StopReason::kCapped : StopReason::kGreatestLevel;
+  PlacedTree& a = placed_[at(bodies.a)];
+  const bool walls = is_wall(bodies.b);
+  RefinedPair begun{bodies, list,
+                    walls ? PairRefinement(a, *settings_.enclosure, greatest)
+                          : PairRefinement(a, placed_[at(bodies.b)], capped, at_greatest)};
+  begun.walls = walls ? walls_in_reach(at(bodies.a)) : 1;
+  if (settings_.schedule.traversal == Traversal::kBestFirst) {
+    const auto bound = [this](std::int32_t body) {
+      return Sphere{states_[at(body)].pose.position, models_[at(body)].tree->bounding_radius_m()};
+    };
+    const PairBounds bounds{bodies, bound(bodies.a), bound(walls ? bodies.a : bodies.b)};
+    begun.eye_distance_m = (collision_place(bounds) - input.viewer.eye).norm();
+  }
+  return begun;
+}
+
+int World::walls_in_reach(std::size_t body) const {
+  const Sphere all{states_[body].pose.position, placed_[body].reach_m()};
+  int count = 0;
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    count += reach_beyond(*settings_.enclosure, wall, all) >= 0.0 ? 1 : 0;
+  }
+  return count;
+}
+
+void World::count_later_phases(const std::vector<RefinedPair>& refined, StepReport& report) const {
+  const PhaseCosts costs(settings_.costs, settings_.contacts);
+  for (const RefinedPair& pair : refined) {
+    const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
+    report.work_spent += costs.of_modelling(pair, nodes);
+  }
+  report.work_spent += costs.of_response(static_cast<std::int64_t>(report.contacts.size()));
 }
 
 MovingTree World::moving(std::size_t body) {
@@ -202,7 +248,8 @@ MovingTree World::moving(std::size_t body) {
 }
 
 std::vector<Contact> World::contacts_of(const RefinedPair& pair, std::vector<Contact>* watched) {
-  const auto& [bodies, list, refinement] = pair;
+  const BodyPair bodies = pair.bodies;
+  const PairRefinement& refinement = pair.refinement;
   if (refinement.overlapping().empty()) {
     return {};
   }
@@ -269,6 +316,17 @@ void World::respond_to(StepReport& report) {
   if (!std::all_of(states_.begin(), states_.end(), is_finite)) {
     report.degradations |= kNotFinite;
   }
+}
+
+void World::note_touching(const Viewer& viewer, StepReport& report) {
+  std::vector<BodyPair> touching;
+  std::vector<TouchingLevel> levels;
+  for (const CollisionReport& collision : report.collisions) {
+    touching.push_back(collision.bodies);
+    levels.push_back({collision.bodies, collision.level, collision.contact.touch.point});
+  }
+  priorities_.note_touching(std::move(touching));
+  report.pops = levels_.note(std::move(levels), models_, viewer);
 }
 
 const TouchingPair* World::touched_before(BodyPair bodies) const {

@@ -26,7 +26,9 @@
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/restitution.hpp"
 #include "engine/dynamics/state_hash.hpp"
+#include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/volumes/enclosure.hpp"
@@ -80,14 +82,6 @@ struct ReportedContact {
   double impulse_Ns{0.0};    ///< along the normal
 };
 
-/// A pair that touches at a coarser level than in the step before. (Dingliana 2002, sec. 5.3.1)
-struct LevelPop {
-  BodyPair bodies;
-  int from{0};
-  int to{0};
-  double size_deg{0.0};  ///< visual angle of what its bounds grew by
-};
-
 /// One pair of bodies that is in contact at the end of the step.
 struct CollisionReport {
   BodyPair bodies;                       ///< b is a wall when is_wall(b)
@@ -105,10 +99,10 @@ struct CollisionReport {
 
 struct StepReport {
   std::vector<CollisionReport> collisions;
-  std::int64_t work_granted{0};  ///< node-pair tests; a replay grants the same
-  std::int64_t work_spent{0};
-  std::int64_t work_floor{0};  ///< tests that are done whatever the budget
-  /// Tests beyond the floor that each priority list spent; empty when there is one list.
+  std::int64_t work_granted{0};  ///< units of work (WorldSettings::costs); a replay grants the same
+  std::int64_t work_spent{0};    ///< on all phases, at most what was reserved for the later ones
+  std::int64_t work_floor{0};    ///< what is done, and what follows it, whatever the budget
+  /// Units beyond the floor that each priority list spent on tests; empty when there is one list.
   std::vector<std::int64_t> list_work;
   std::uint32_t degradations{0};
   StateHash state;
@@ -117,6 +111,10 @@ struct StepReport {
   std::vector<StoppedAtEntry> stopped;
   /// Contacts of all overlapping nodes, before reduction; only when they are watched.
   std::vector<Contact> node_contacts;
+  /// For modelling and response, when refinement ended.
+  std::int64_t work_reserved{0};
+  /// The most that was spent and reserved at any time: at most what was granted, or the floor.
+  std::int64_t work_peak{0};
 };
 
 /// What a world remembers of two bodies, or of a body and a wall, that touched in a step.
@@ -160,8 +158,14 @@ class World {
                            std::vector<PairBounds>& candidates) const;
   void measure_motion_and_fit(PairBounds& pair) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
-  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, double dt_s,
+  std::vector<ScheduledPair> prioritise(const std::vector<PairBounds>& candidates,
+                                        const StepInput& input);
+  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, const StepInput& input,
                                   WorkMeter& meter, StepReport& report);
+  RefinedPair begin_refining(const ScheduledPair& pair, const StepInput& input);
+  [[nodiscard]] int walls_in_reach(std::size_t body) const;
+  void count_later_phases(const std::vector<RefinedPair>& refined, StepReport& report) const;
+  void note_touching(const Viewer& viewer, StepReport& report);
   std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
   [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
@@ -176,6 +180,8 @@ class World {
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
+  PriorityMemory priorities_;
+  LevelMemory levels_;
 };
 
 }  // namespace impetus

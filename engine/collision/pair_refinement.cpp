@@ -63,6 +63,27 @@ std::int64_t PairRefinement::next_block() const {
   return has_finer() && level_ < greatest_level_ ? block_size(committed_[next_]) : 0;
 }
 
+std::int64_t PairRefinement::most_found_after_next_block() const {
+  // What the block finds, and the pairs of leaves behind it, which are carried over untested.
+  std::size_t end = next_ + 1;
+  while (end < committed_.size() && block_size(committed_[end]) == 0) {
+    ++end;
+  }
+  return found_so_far() + next_block() + static_cast<std::int64_t>(end - next_ - 1);
+}
+
+std::int64_t PairRefinement::tests_of_next_level() const {
+  std::int64_t tests = 0;
+  for (std::size_t pair = next_; pair < committed_.size(); ++pair) {
+    tests += block_size(committed_[pair]);
+  }
+  return tests;
+}
+
+double PairRefinement::fit_error_m(int level) const {
+  return a_->tree().fit_error_m(level) + (b_ != nullptr ? b_->tree().fit_error_m(level) : 0.0);
+}
+
 void PairRefinement::refine_one_block() {
   assert(!resolved());
   expand(committed_[next_]);

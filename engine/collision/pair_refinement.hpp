@@ -58,6 +58,30 @@ class PairRefinement {
   [[nodiscard]] int level() const { return level_; }
   [[nodiscard]] StopReason stop_reason() const;
 
+  /// Whether its tests are of two spheres.
+  [[nodiscard]] bool of_spheres() const {
+    return b_ != nullptr && a_->of_spheres() && b_->of_spheres();
+  }
+
+  /// Node pairs found for the next level so far.
+  [[nodiscard]] std::int64_t found_so_far() const {
+    return static_cast<std::int64_t>(expanding_.size());
+  }
+
+  /// As many as there can be once the next block is done.
+  [[nodiscard]] std::int64_t most_found_after_next_block() const;
+
+  /// Tests until the next level is complete.
+  [[nodiscard]] std::int64_t tests_of_next_level() const;
+
+  /// How far the gap between the surfaces of two bodies whose nodes overlap at `level` can be
+  /// (metres): both trees' fit errors.
+  [[nodiscard]] double fit_error_m(int level) const;
+
+  /// Of the overlapping nodes, the largest probability that their surfaces meet: κ ρ_a ρ_b, with κ
+  /// that of the spheres about them. A wall is solid. (Dingliana 2002, eq. 4.6, corrected)
+  [[nodiscard]] double likeliest_collision() const;
+
  private:
   void test_roots();
   [[nodiscard]] bool has_finer() const { return next_ < committed_.size(); }

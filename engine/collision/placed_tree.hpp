@@ -28,6 +28,10 @@ class PlacedTree {
   [[nodiscard]] const VolumeTree& tree() const { return *tree_; }
   [[nodiscard]] const Pose& pose() const { return pose_; }
 
+  /// Radius about the centre of mass that holds every node of every level, rounding included
+  /// (metres).
+  [[nodiscard]] double reach_m() const { return reach_m_; }
+
   [[nodiscard]] bool of_spheres() const { return own_spheres_ != nullptr; }
 
   /// The node's sphere in world coordinates, transformed at most once per step.
@@ -53,6 +57,7 @@ class PlacedTree {
 
   const VolumeTree* tree_;
   const Sphere* own_spheres_;  ///< null unless all nodes are spheres
+  double reach_m_{0.0};
   Pose pose_;
   std::uint64_t step_{1};
   std::vector<Sphere> spheres_;
