@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "experiments/stage/panel_controls.hpp"
 #include "experiments/stage/preview_overlays.hpp"
@@ -61,8 +62,10 @@ class SchedulerControls {
 
   /// The scene's own, or two usual ones; here only their weights change.
   void draw_terms() {
-    for (WeightedTerm& term : settings_.metric_options.terms) {
-      ImGui::PushID(&term);
+    std::vector<WeightedTerm>& terms = settings_.metric_options.terms;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      WeightedTerm& term = terms[i];
+      ImGui::PushID(static_cast<int>(i));
       panel_label(term.metric.c_str());
       char range[80];
       std::snprintf(range, sizeof range, "weight %%.2f  (1 at %.4g, 0 at %.4g)", term.urgent,
