@@ -96,7 +96,7 @@ class SchedulerControls {
     changed_ |= chosen_of(
         "region", region.kind, kRegions,
         "tracked: about the mouse. random: about places that are drawn anew all the time. fixed: "
-        "about the scene's point. all-good: everywhere. all-bad: nowhere.");
+        "about the scene's point, or the centre. all-good: everywhere. all-bad: nowhere.");
     const bool has_radius =
         region.kind != RegionKind::kAllGood && region.kind != RegionKind::kAllBad;
     ImGui::BeginDisabled(!has_radius);
