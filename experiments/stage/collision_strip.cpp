@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
