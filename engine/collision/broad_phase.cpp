@@ -3,6 +3,12 @@
 
 namespace impetus {
 
+bool could_meet(const MovedBound& a, const MovedBound& b) {
+  Sphere swept = a.bound;
+  swept.radius_m += a.travelled_m + b.travelled_m;
+  return overlap(swept, b.bound);
+}
+
 std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
   std::vector<PairBounds> pairs;
   for (std::size_t b = 1; b < bodies.size(); ++b) {
@@ -10,9 +16,7 @@ std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
       if (!bodies[a].movable && !bodies[b].movable) {
         continue;
       }
-      Sphere swept = bodies[a].bound;
-      swept.radius_m += bodies[a].travelled_m + bodies[b].travelled_m;
-      if (overlap(swept, bodies[b].bound)) {
+      if (could_meet(bodies[a], bodies[b])) {
         const BodyPair pair{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)};
         pairs.push_back({pair, bodies[a].bound, bodies[b].bound});
       }

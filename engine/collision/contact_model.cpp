@@ -2,12 +2,79 @@
 #include "engine/collision/contact_model.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <memory>
+
+#include "engine/collision/torque_span.hpp"
 
 namespace impetus {
+namespace {
+
+/// Reduces the contacts of one pair, or of a body and a wall.
+class Reducing {
+ public:
+  Reducing(BodyPair bodies, const ContactModel& model, const Vector3& fallback,
+           std::vector<Contact>* watched)
+      : bodies_(bodies),
+        most_(model.most_per_pair),
+        sums_(reduction_of(model).begin(fallback)),
+        watched_(watched) {}
+
+  void add(const NodeContact& contact) {
+    sums_->add(contact);
+    if (watched_ != nullptr) {
+      watched_->push_back({bodies_, contact.touch});
+    }
+  }
+
+  void add_reduced_to(std::vector<Contact>& contacts, double size_m) const {
+    for (const TouchPoint& touch : spanning_most_torque(sums_->reduced(), most_, size_m)) {
+      contacts.push_back({bodies_, touch});
+    }
+  }
+
+ private:
+  BodyPair bodies_;
+  int most_;
+  std::unique_ptr<ContactSums> sums_;
+  std::vector<Contact>* watched_;
+};
+
+Vector3 outward_in_world(const PlacedTree& tree, const NodeSurface& surface) {
+  return tree.pose().orientation * surface.density_normal.cast<double>();
+}
+
+void weigh(NodeContact& contact, const NodePair& nodes, const MovingTree& a, const MovingTree& b) {
+  const TouchPoint& touch = contact.touch;
+  const NodeSurface& of_a = a.tree.tree().surface(nodes.a);
+  const NodeSurface& of_b = b.tree.tree().surface(nodes.b);
+  contact.approach_m_s = -touch.normal.dot(
+      Vector3(a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point)));
+  contact.interpenetration =
+      interpenetration(a.tree.world_volume(nodes.a), b.tree.world_volume(nodes.b), touch);
+  contact.occupancy_a = static_cast<double>(of_a.occupancy);
+  contact.occupancy_b = static_cast<double>(of_b.occupancy);
+  contact.group_a = of_a.group;
+  contact.group_b = of_b.group;
+  contact.outward_a = outward_in_world(a.tree, of_a);
+  contact.outward_b = outward_in_world(b.tree, of_b);
+}
+
+/// A wall is solid, and faces inwards everywhere.
+void weigh_at_wall(NodeContact& contact, std::int32_t node, const MovingTree& a) {
+  const TouchPoint& touch = contact.touch;
+  const NodeSurface& surface = a.tree.tree().surface(node);
+  contact.approach_m_s = -touch.normal.dot(a.motion.velocity_at(touch.point));
+  contact.interpenetration = wall_interpenetration(a.tree.world_volume(node), touch);
+  contact.occupancy_a = static_cast<double>(surface.occupancy);
+  contact.group_a = surface.group;
+  contact.outward_a = -touch.normal;
+  contact.outward_b = touch.normal;
+}
+
+}  // namespace
 
 Vector3 NormalFallbacks::first_usable() const {
-  for (const Vector3* direction : {&between_centres_of_mass, &approach}) {
+  for (const Vector3* direction : {&last_normal, &between_centres_of_mass, &approach}) {
     const double length = direction->norm();
     if (length > 0.0) {
       return *direction / length;
@@ -16,49 +83,47 @@ Vector3 NormalFallbacks::first_usable() const {
   return Vector3::UnitX();
 }
 
-Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree& a, PlacedTree& b,
-                        const NormalFallbacks& fallbacks) {
-  const std::vector<NodePair>& nodes = pair.overlapping();
-  assert(!nodes.empty());
-  const Vector3 fallback = fallbacks.first_usable();
-  Vector3 points = Vector3::Zero();
-  Vector3 normals = Vector3::Zero();
-  double depth_m = 0.0;
-  for (const NodePair& node : nodes) {
-    const TouchPoint at = touch_of_nodes(a, node.a, b, node.b, fallback);
-    points += at.point;
-    normals += at.normal;
-    depth_m = std::max(depth_m, at.depth_m);
+std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
+                                   const MovingTree& b, const NormalFallbacks& fallbacks,
+                                   const ContactModel& model, std::vector<Contact>* watched) {
+  std::vector<Contact> contacts;
+  if (pair.overlapping().empty()) {
+    return contacts;
   }
-  const double length = normals.norm();
-  Contact contact;
-  contact.bodies = bodies;
-  contact.touch.point = points / static_cast<double>(nodes.size());
-  contact.touch.normal = length > 0.0 ? Vector3(normals / length) : fallback;
-  contact.touch.depth_m = depth_m;
-  return contact;
+  const Vector3 fallback = fallbacks.first_usable();
+  const bool weighs = reduction_of(model).weighs();
+  Reducing reducing(bodies, model, fallback, watched);
+  for (const NodePair& nodes : pair.overlapping()) {
+    NodeContact contact;
+    contact.touch = touch_of_nodes(a.tree, nodes.a, b.tree, nodes.b, fallback);
+    if (weighs) {
+      weigh(contact, nodes, a, b);
+    }
+    reducing.add(contact);
+  }
+  reducing.add_reduced_to(
+      contacts, std::min(a.tree.tree().bounding_radius_m(), b.tree.tree().bounding_radius_m()));
+  return contacts;
 }
 
-std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
-                                   const ClosedCube& walls) {
+std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
+                                   const MovingTree& a, const Enclosure& walls,
+                                   const ContactModel& model, std::vector<Contact>* watched) {
   std::vector<Contact> contacts;
+  const bool weighs = reduction_of(model).weighs();
   for (int wall = 0; wall < kWallCount; ++wall) {
-    Contact contact;
-    contact.bodies = {body, wall_index(wall)};
-    contact.touch.normal = inward_normal(wall);
-    int count = 0;
-    for (const NodePair& node : pair.overlapping()) {
-      const TouchPoint at = touch_of_wall(tree, node.a, walls, wall);
-      if (at.depth_m >= 0.0) {
-        contact.touch.point += at.point;
-        contact.touch.depth_m = std::max(contact.touch.depth_m, at.depth_m);
-        ++count;
+    Reducing reducing({body, wall_index(wall)}, model, inward_normal(walls, wall), watched);
+    for (const NodePair& nodes : pair.overlapping()) {
+      NodeContact contact;
+      contact.touch = touch_of_wall(a.tree, nodes.a, walls, wall);
+      if (contact.touch.depth_m >= 0.0) {
+        if (weighs) {
+          weigh_at_wall(contact, nodes.a, a);
+        }
+        reducing.add(contact);
       }
     }
-    if (count > 0) {
-      contact.touch.point /= count;
-      contacts.push_back(contact);
-    }
+    reducing.add_reduced_to(contacts, a.tree.tree().bounding_radius_m());
   }
   return contacts;
 }

@@ -1,9 +1,14 @@
-// From overlapping nodes to the contact that the response needs.
+// From overlapping nodes to the contacts that the response gets.
+//
+//   overlapping nodes --touch, and what weighs it--> reduction --cap--> contacts
+//
+// (Dingliana 2002, ch. 4)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
+#include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/scheduling/priority.hpp"
 
@@ -16,25 +21,49 @@ struct Contact {
   TouchPoint touch;
 };
 
-/// Directions to fall back on, in order, when the geometry leaves the normal open (coincident
-/// centres, opposed normals). All from b towards a; zero vectors are passed over, and the x axis
-/// is the last resort.
+/// Directions to fall back on when the geometry leaves the normal open (coincident centres, opposed
+/// normals), all from b towards a: the pair's normal in the step before, the line of the centres of
+/// mass, the relative velocity. Zero vectors are passed over, and the x axis is the last resort.
+/// (eq. 3.7, corrected)
 struct NormalFallbacks {
   Vector3 between_centres_of_mass{Vector3::Zero()};
-  Vector3 approach{Vector3::Zero()};  ///< −(v_a − v_b)
+  Vector3 approach{Vector3::Zero()};     ///< −(v_a − v_b)
+  Vector3 last_normal{Vector3::Zero()};  ///< of the step before, before the others
 
   [[nodiscard]] Vector3 first_usable() const;
 };
 
-/// The average of the contacts of all overlapping node pairs: mean point, mean normal made unit,
-/// greatest depth. Precondition: the pair overlaps. (Dingliana 2002, eq. 3.7, 3.8 and 4.5,
-/// corrected)
-Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree& a, PlacedTree& b,
-                        const NormalFallbacks& fallbacks);
+/// How a body moves, in world.
+struct BodyMotion {
+  Vector3 centre_of_mass{Vector3::Zero()};
+  Vector3 velocity{Vector3::Zero()};  ///< m/s
+  Vector3 spin{Vector3::Zero()};      ///< rad/s
 
-/// One contact for each wall that nodes of body `body` reach: the average over those nodes.
-/// `bodies` of each is {body, wall_index(wall)}, by rising wall.
-std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair, PlacedTree& tree,
-                                   const ClosedCube& walls);
+  /// Velocity of the body's point at `point`.
+  [[nodiscard]] Vector3 velocity_at(const Vector3& point) const {
+    return velocity + spin.cross(point - centre_of_mass);
+  }
+};
+
+/// A body's tree where it is, and how it moves.
+struct MovingTree {
+  PlacedTree& tree;
+  BodyMotion motion{};
+};
+
+/// The contacts of two bodies whose nodes overlap, reduced and capped as `model` says; none when
+/// they are apart. `watched`, when there is one, gets the contact of every overlapping pair of
+/// nodes added.
+std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
+                                   const MovingTree& b, const NormalFallbacks& fallbacks,
+                                   const ContactModel& model,
+                                   std::vector<Contact>* watched = nullptr);
+
+/// The contacts of body `body` with each wall that its nodes reach, reduced and capped wall by
+/// wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising wall.
+std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
+                                   const MovingTree& a, const Enclosure& walls,
+                                   const ContactModel& model,
+                                   std::vector<Contact>* watched = nullptr);
 
 }  // namespace impetus

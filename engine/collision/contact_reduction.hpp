@@ -7,17 +7,60 @@
 //   density   as groups, with normals from the density gradients
 //   weighted  as groups, weighted by interpenetration and occupancy
 //
+//   nodes --one by one--> ContactSums --reduced()--> few --those that span the torque--> response
+//
+// A reduction is a class of sums in a file of its own and a line of the table in the source.
 // (Dingliana 2002, sec. 4.2)
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "engine/collision/node_contact.hpp"
+
 namespace impetus {
 
-class ContactReduction;
+/// What a reduction keeps of the node contacts of one pair, or of a body and a wall, as they come.
+class ContactSums {
+ public:
+  /// The most contacts that it leaves; a reduction that knows a bound states its own.
+  static constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  /// Whether it looks at more of a node contact than where it touches; the rest costs time.
+  static constexpr bool kWeighs = true;
+
+  virtual ~ContactSums() = default;
+
+  virtual void add(const NodeContact& contact) = 0;
+
+  /// The contacts that are left: one or more when any was added, each normal unit and from b to a.
+  [[nodiscard]] virtual std::vector<TouchPoint> reduced() const = 0;
+};
+
+class ContactReduction {
+ public:
+  virtual ~ContactReduction() = default;
+
+  /// Sums to which nothing was added. `fallback` (unit, from b to a) is the normal of contacts
+  /// whose own cancel.
+  [[nodiscard]] virtual std::unique_ptr<ContactSums> begin(const Vector3& fallback) const = 0;
+  [[nodiscard]] virtual std::int64_t most() const = 0;  ///< see ContactSums::kMost
+  [[nodiscard]] virtual bool weighs() const = 0;        ///< see ContactSums::kWeighs
+};
+
+/// The reduction by a class of sums, which is made from the fallback normal.
+template <class Sums>
+class ReductionBy final : public ContactReduction {
+ public:
+  [[nodiscard]] std::unique_ptr<ContactSums> begin(const Vector3& fallback) const override {
+    return std::make_unique<Sums>(fallback);
+  }
+  [[nodiscard]] std::int64_t most() const override { return Sums::kMost; }
+  [[nodiscard]] bool weighs() const override { return Sums::kWeighs; }
+};
 
 /// The reduction called `name`. Throws std::invalid_argument that lists the names there are.
 std::shared_ptr<const ContactReduction> make_reduction(std::string_view name);
@@ -30,5 +73,12 @@ struct ContactModel {
   std::shared_ptr<const ContactReduction> reduction;  ///< none: average
   int most_per_pair{4};  ///< of what the reduction leaves, those that span most torque; 1 or more
 };
+
+/// The model's reduction, or the average when it names none.
+const ContactReduction& reduction_of(const ContactModel& model);
+
+/// The most contacts that the response can get for one pair, or for a body and one wall, of which
+/// `node_contacts` nodes overlap; 0 of none.
+std::int64_t most_contacts(const ContactModel& model, std::int64_t node_contacts);
 
 }  // namespace impetus

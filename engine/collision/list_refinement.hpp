@@ -1,40 +1,48 @@
 // Refining all pairs of a step within its budget, each priority list by its share.
 //
 //   floor     level 0 of every pair and its list's least level, whatever the budget
-//   rounds    the list furthest behind its share: its first pair, one block of node-pair tests
+//   rounds    the list furthest behind its share (list_shares.hpp): its next pair
+//             (waiting_pairs.hpp), one block of node-pair tests
 //
-// What a finished list leaves of its share flows on to the next list in order. The order of blocks
-// does not depend on the budget, so cutting it anywhere leaves each list its share, and the total
-// granted is all that a replay needs. (Dingliana 2002, sec. 5.1.2)
+// A block starts only when its tests, and what modelling and response could cost after it, are
+// granted (work_ledger.hpp), so always spent + reserved ≤ max(granted, floor). The order of blocks
+// does not depend on the budget until it refuses one, so cutting it anywhere leaves each list its
+// share, and the total granted is all that a replay needs.
+// (Dingliana 2002, sec. 5.1.2; eq. 3.9, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "engine/collision/pair_refinement.hpp"
+#include "engine/collision/work_ledger.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
 
 namespace impetus {
 
-struct RefinedPair {
-  BodyPair bodies;
-  int list{0};
-  PairRefinement refinement;
-};
-
-/// In node-pair tests.
+/// In units of work.
 struct WorkDone {
   std::int64_t granted{0};
-  std::int64_t spent{0};
-  std::int64_t floor{0};              ///< part of `spent` that no budget could prevent
-  std::vector<std::int64_t> by_list;  ///< beyond the floor; empty when there is one list
+  std::int64_t spent{0};              ///< on tests
+  std::int64_t floor{0};              ///< what no budget could prevent, later phases included
+  std::vector<std::int64_t> by_list;  ///< on tests beyond the floor; empty when there is one list
+  std::int64_t reserved{0};           ///< for the later phases, when refinement ended
+  std::int64_t peak{0};               ///< the most that was spent and reserved at any time
+};
+
+/// What the work is counted by, and in which order each list's pairs get it.
+struct RefinementSettings {
+  Traversal traversal{Traversal::kDepthFirst};
+  WorkCosts costs{};
+  ContactModel contacts{};      ///< what modelling and response will get
+  std::int64_t work_before{0};  ///< done already in this step, part of the floor
 };
 
 /// Refines `pairs`, which come by list and by falling priority within each, until all are resolved
-/// or `meter` refuses. A pair whose next block is refused gives way to the next of its list.
+/// or `meter` refuses. `work_before` was done already and is part of the floor. A pair whose next
+/// block is refused gives way to the next of its list.
 WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter);
+                         WorkMeter& meter, const RefinementSettings& settings = {});
 
 }  // namespace impetus

@@ -28,12 +28,13 @@ bool has_children(const PlacedTree* placed, std::int32_t index) {
 
 }  // namespace
 
-PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level)
-    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level) {
+PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level,
+                               StopReason at_greatest)
+    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level), at_greatest_(at_greatest) {
   test_roots();
 }
 
-PairRefinement::PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level)
+PairRefinement::PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level)
     : a_(&a), b_(nullptr), walls_(&walls), greatest_level_(greatest_level) {
   test_roots();
 }
@@ -60,6 +61,27 @@ std::int64_t PairRefinement::block_size(const NodePair& pair) const {
 
 std::int64_t PairRefinement::next_block() const {
   return has_finer() && level_ < greatest_level_ ? block_size(committed_[next_]) : 0;
+}
+
+std::int64_t PairRefinement::most_found_after_next_block() const {
+  // What the block finds, and the pairs of leaves behind it, which are carried over untested.
+  std::size_t end = next_ + 1;
+  while (end < committed_.size() && block_size(committed_[end]) == 0) {
+    ++end;
+  }
+  return found_so_far() + next_block() + static_cast<std::int64_t>(end - next_ - 1);
+}
+
+std::int64_t PairRefinement::tests_of_next_level() const {
+  std::int64_t tests = 0;
+  for (std::size_t pair = next_; pair < committed_.size(); ++pair) {
+    tests += block_size(committed_[pair]);
+  }
+  return tests;
+}
+
+double PairRefinement::fit_error_m(int level) const {
+  return a_->tree().fit_error_m(level) + (b_ != nullptr ? b_->tree().fit_error_m(level) : 0.0);
 }
 
 void PairRefinement::refine_one_block() {
@@ -115,7 +137,7 @@ StopReason PairRefinement::stop_reason() const {
   if (!has_finer()) {
     return StopReason::kFinest;
   }
-  return level_ < greatest_level_ ? StopReason::kBudgetSpent : StopReason::kGreatestLevel;
+  return level_ < greatest_level_ ? StopReason::kBudgetSpent : at_greatest_;
 }
 
 }  // namespace impetus

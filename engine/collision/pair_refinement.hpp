@@ -15,7 +15,7 @@
 
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
 
@@ -34,11 +34,13 @@ struct NodePair {
 class PairRefinement {
  public:
   /// Tests the two roots: level 0, one node-pair test. Both trees must outlive this.
-  /// Refines no deeper than `greatest_level`.
-  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel);
+  /// Refines no deeper than `greatest_level`; `at_greatest` says what that level was for.
+  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel,
+                 StopReason at_greatest = StopReason::kGreatestLevel);
 
   /// Nodes of `a` against the walls: one test a node. Both must outlive this.
-  PairRefinement(PlacedTree& a, const ClosedCube& walls, int greatest_level = kUnlimitedLevel);
+  PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel);
+  PairRefinement(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
 
   /// True when no work could change the answer: separated, nothing finer exists, or the greatest
   /// level is reached.
@@ -56,6 +58,30 @@ class PairRefinement {
   [[nodiscard]] int level() const { return level_; }
   [[nodiscard]] StopReason stop_reason() const;
 
+  /// Whether its tests are of two spheres.
+  [[nodiscard]] bool of_spheres() const {
+    return b_ != nullptr && a_->of_spheres() && b_->of_spheres();
+  }
+
+  /// Node pairs found for the next level so far.
+  [[nodiscard]] std::int64_t found_so_far() const {
+    return static_cast<std::int64_t>(expanding_.size());
+  }
+
+  /// As many as there can be once the next block is done.
+  [[nodiscard]] std::int64_t most_found_after_next_block() const;
+
+  /// Tests until the next level is complete.
+  [[nodiscard]] std::int64_t tests_of_next_level() const;
+
+  /// How far the gap between the surfaces of two bodies whose nodes overlap at `level` can be
+  /// (metres): both trees' fit errors.
+  [[nodiscard]] double fit_error_m(int level) const;
+
+  /// Of the overlapping nodes, the largest probability that their surfaces meet: κ ρ_a ρ_b, with κ
+  /// that of the spheres about them. A wall is solid. (Dingliana 2002, eq. 4.6, corrected)
+  [[nodiscard]] double likeliest_collision() const;
+
  private:
   void test_roots();
   [[nodiscard]] bool has_finer() const { return next_ < committed_.size(); }
@@ -66,9 +92,10 @@ class PairRefinement {
   void commit_if_complete();
 
   PlacedTree* a_;
-  PlacedTree* b_;            ///< null for walls
-  const ClosedCube* walls_;  ///< null for a tree
+  PlacedTree* b_;           ///< null for walls
+  const Enclosure* walls_;  ///< null for a tree
   int greatest_level_;
+  StopReason at_greatest_{StopReason::kGreatestLevel};
   int level_{0};
   std::vector<NodePair> committed_;
   std::vector<NodePair> expanding_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/collision/placed_tree.hpp"
 
+#include <algorithm>
+
 namespace impetus {
 
 PlacedTree::PlacedTree(const VolumeTree& tree)
@@ -12,6 +14,11 @@ PlacedTree::PlacedTree(const VolumeTree& tree)
     spheres_.resize(placed_in_.size());
   } else {
     volumes_.resize(placed_in_.size());
+  }
+  constexpr double kRounding = 1e-9;
+  for (std::int32_t node = 0; node < tree.node_count(); ++node) {
+    const Sphere bound = bounding_sphere(tree.volume(node));
+    reach_m_ = std::max(reach_m_, (1.0 + kRounding) * (bound.centre.norm() + bound.radius_m));
   }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/trees/volume_tree.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "engine/volumes/pair_procedures.hpp"
 
 namespace impetus {
@@ -26,6 +26,11 @@ class PlacedTree {
   }
 
   [[nodiscard]] const VolumeTree& tree() const { return *tree_; }
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+
+  /// Radius about the centre of mass that holds every node of every level, rounding included
+  /// (metres).
+  [[nodiscard]] double reach_m() const { return reach_m_; }
 
   [[nodiscard]] bool of_spheres() const { return own_spheres_ != nullptr; }
 
@@ -52,6 +57,7 @@ class PlacedTree {
 
   const VolumeTree* tree_;
   const Sphere* own_spheres_;  ///< null unless all nodes are spheres
+  double reach_m_{0.0};
   Pose pose_;
   std::uint64_t step_{1};
   std::vector<Sphere> spheres_;
@@ -74,13 +80,13 @@ inline TouchPoint touch_of_nodes(PlacedTree& a, std::int32_t node_a, PlacedTree&
 }
 
 /// Whether a placed node touches a wall or reaches beyond it.
-inline bool node_reaches_wall(PlacedTree& tree, std::int32_t node, const ClosedCube& walls) {
+inline bool node_reaches_wall(PlacedTree& tree, std::int32_t node, const Enclosure& walls) {
   return tree.of_spheres() ? reaches_wall(walls, tree.world_sphere(node))
                            : reaches_wall(walls, tree.world_volume(node));
 }
 
 /// The contact of a placed node and a wall.
-inline TouchPoint touch_of_wall(PlacedTree& tree, std::int32_t node, const ClosedCube& walls,
+inline TouchPoint touch_of_wall(PlacedTree& tree, std::int32_t node, const Enclosure& walls,
                                 int wall) {
   return tree.of_spheres() ? touch_wall(walls, wall, tree.world_sphere(node))
                            : touch_wall(walls, wall, tree.world_volume(node));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/scheduling/priority.hpp"
+#include "engine/trees/volume_tree.hpp"
 
 namespace impetus {
 
@@ -18,5 +19,11 @@ struct StoppedAtEntry {
   BodyPair bodies;
   double fraction{0.0};  ///< of the step that both were moved
 };
+
+/// The deepest level, no deeper than `greatest_level`, to which a pair is refined whose points move
+/// by up to `way_m` against each other in the step: at every level from 1 to it, no node is thinner
+/// than twice that way. The coarsest is never refused. (Dingliana 2002, alg. 5.3.1, corrected: by
+/// the relative way, and once for the pair)
+int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level);
 
 }  // namespace impetus

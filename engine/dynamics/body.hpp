@@ -13,8 +13,8 @@
 
 namespace impetus {
 
-/// Constant through a trial. An inverse mass of zero means that nothing moves the body;
-/// an inverse inertia of zero that nothing turns it, an imposed manipulation.
+/// Constant through a trial. An inverse mass of zero means that nothing moves or turns the body,
+/// whatever its momenta; an inverse inertia of zero that nothing turns it, an imposed manipulation.
 struct BodyModel {
   std::string name;
   std::shared_ptr<const VolumeTree> tree;    ///< in the body's frame, from the centre of mass

@@ -141,15 +141,20 @@ void respond_in_turn(const std::vector<Contact>& contacts, const std::vector<std
   pass(/*plastic=*/true);
 }
 
-ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
+ResponseResult respond(const std::vector<Contact>& contacts,
+                       const std::vector<double>& restitutions,
                        const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
   ResponseResult result = incoming(contacts, models, states);
   std::vector<std::size_t> all(contacts.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  respond_in_turn(contacts, all, std::vector<double>(contacts.size(), restitution), models, states,
-                  result.impulse_Ns);
+  respond_in_turn(contacts, all, restitutions, models, states, result.impulse_Ns);
   measure_residual(contacts, models, states, result);
   return result;
+}
+
+ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
+                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
+  return respond(contacts, std::vector<double>(contacts.size(), restitution), models, states);
 }
 
 }  // namespace impetus

@@ -47,7 +47,12 @@ void respond_in_turn(const std::vector<Contact>& contacts, const std::vector<std
                      std::vector<BodyState>& states, std::vector<double>& impulse_Ns);
 
 /// Applies impulses to `states` until no contact approaches or the passes (two per contact) are
-/// used up; what is left is reported. `restitution` in [0, 1].
+/// used up; what is left is reported. A restitution in [0, 1] for each contact.
+ResponseResult respond(const std::vector<Contact>& contacts,
+                       const std::vector<double>& restitutions,
+                       const std::vector<BodyModel>& models, std::vector<BodyState>& states);
+
+/// The same with one restitution for all.
 ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
                        const std::vector<BodyModel>& models, std::vector<BodyState>& states);
 

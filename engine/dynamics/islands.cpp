@@ -1,43 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dynamics/islands.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
-#include <utility>
 
+#include "engine/dynamics/body_sets.hpp"
 #include "engine/scheduling/priority.hpp"
 
 namespace impetus {
-namespace {
-
-/// Sets of bodies, joined one contact at a time; each is named by its least body.
-class BodySets {
- public:
-  explicit BodySets(std::size_t bodies) : above_(bodies) {
-    std::iota(above_.begin(), above_.end(), std::size_t{0});
-  }
-
-  std::size_t name_of(std::size_t body) {
-    while (above_[body] != body) {
-      above_[body] = above_[above_[body]];
-      body = above_[body];
-    }
-    return body;
-  }
-
-  void join(std::size_t a, std::size_t b) {
-    a = name_of(a);
-    b = name_of(b);
-    above_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> above_;
-};
-
-}  // namespace
-
 std::vector<std::vector<std::size_t>> islands_of(const std::vector<Contact>& contacts,
                                                  const std::vector<BodyModel>& models) {
   const auto can_move = [&](std::int32_t body) {

@@ -1,108 +1,105 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/metrics.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
-#include <string>
+#include <type_traits>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/scheduling/distance_metric.hpp"
+#include "engine/scheduling/eccentricity_metric.hpp"
+#include "engine/scheduling/gap_metrics.hpp"
+#include "engine/scheduling/size_metric.hpp"
+#include "engine/scheduling/speed_metrics.hpp"
+#include "engine/scheduling/visible_frequency.hpp"
+#include "engine/scheduling/weighted_metric.hpp"
 
 namespace impetus {
 namespace {
 
-class Distance final : public PriorityMetric {
- public:
-  Distance() : PriorityMetric(Urgent::kSmall) {}
-  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
-                               const Fixation& /*fixation*/) const override {
-    return (0.5 * (bounds.a.centre + bounds.b.centre) - viewer.eye).norm();
-  }
-};
-
-/// The angle between opposite tangents from the eye: 2 asin(R / d).
-double spanned_deg(const Sphere& sphere, const Viewer& viewer) {
-  const double square = (sphere.centre - viewer.eye).squaredNorm();
-  const double tangent_square = square - sphere.radius_m * sphere.radius_m;
-  return tangent_square > 0.0 ? degrees(2.0 * atan2_rad(sphere.radius_m, std::sqrt(tangent_square)))
-                              : 180.0;
-}
-
-class Size final : public PriorityMetric {
- public:
-  Size() : PriorityMetric(Urgent::kLarge) {}
-  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
-                               const Fixation& /*fixation*/) const override {
-    return 0.5 * (spanned_deg(bounds.a, viewer) + spanned_deg(bounds.b, viewer));
-  }
-};
-
-/// Angular speed at the eye: ‖X × V‖ / ‖X‖², X from the eye.
-double angular_speed_deg_s(const Vector3& place, const Vector3& velocity, const Viewer& viewer) {
-  const Vector3 from_eye = place - viewer.eye;
-  return degrees(from_eye.cross(velocity).norm() / from_eye.squaredNorm());
-}
-
-class Velocity final : public PriorityMetric {
- public:
-  Velocity() : PriorityMetric(Urgent::kSmall) {}
-  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
-                               const Fixation& /*fixation*/) const override {
-    return 0.5 * (angular_speed_deg_s(bounds.a.centre, bounds.velocity_a, viewer) +
-                  angular_speed_deg_s(bounds.b.centre, bounds.velocity_b, viewer));
-  }
-};
-
-class Eccentricity final : public PriorityMetric {
- public:
-  Eccentricity() : PriorityMetric(Urgent::kSmall) {}
-  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
-                               const Fixation& fixation) const override {
-    const Vector3 looked_at = on_screen(viewer, fixation.value_or(ScreenPoint{}));
-    return visual_angle_deg(viewer, collision_place(bounds), looked_at);
-  }
-};
-
-class ProjectedGap final : public PriorityMetric {
- public:
-  ProjectedGap() : PriorityMetric(Urgent::kLarge) {}
-  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
-                               const Fixation& /*fixation*/) const override {
-    const double distance_m = (collision_place(bounds) - viewer.eye).norm();
-    return degrees(2.0 * atan2_rad(0.5 * bounds.fit_error_m, distance_m));
-  }
-};
-
 using Metric = std::shared_ptr<const PriorityMetric>;
 
+/// What a metric is made of beside its name, as its constructor says.
 template <typename T>
-Metric made() {
-  return std::make_shared<const T>();
+constexpr bool kTakesPoint = std::is_constructible_v<T, std::optional<ScreenPoint>>;
+template <typename T>
+constexpr bool kTakesOptions = std::is_constructible_v<T, const MetricOptions&>;
+
+template <typename T>
+Metric made(const MetricOptions& options) {
+  if constexpr (kTakesOptions<T>) {
+    return std::make_shared<const T>(options);
+  } else if constexpr (kTakesPoint<T>) {
+    return std::make_shared<const T>(options.point);
+  } else {
+    return std::make_shared<const T>();
+  }
 }
 
 struct NamedMetric {
   std::string_view name;
-  Metric (*make)();
+  Metric (*make)(const MetricOptions&);
+  bool takes_point;
+  bool takes_terms;
 };
 
-constexpr NamedMetric kMetrics[] = {{"distance", made<Distance>},
-                                    {"eccentricity", made<Eccentricity>},
-                                    {"projected-gap", made<ProjectedGap>},
-                                    {"size", made<Size>},
-                                    {"velocity", made<Velocity>}};
+template <typename T>
+constexpr NamedMetric named(std::string_view name) {
+  return {name, made<T>, kTakesPoint<T> || kTakesOptions<T>, kTakesOptions<T>};
+}
+
+/// In alphabetical order. A new metric is one line here.
+constexpr NamedMetric kMetrics[] = {named<CollisionSpeedMetric>("collision-speed"),
+                                    named<DistanceMetric>("distance"),
+                                    named<EccentricityMetric>("eccentricity"),
+                                    named<GapMetric>("gap"),
+                                    named<GapBoundMetric>("gap-bound"),
+                                    named<ProjectedGapMetric>("projected-gap"),
+                                    named<SizeMetric>("size"),
+                                    named<VelocityMetric>("velocity"),
+                                    named<VisibleFrequencyMetric>("visible-frequency"),
+                                    named<WeightedMetric>("weighted")};
+
+const NamedMetric* found(std::string_view name) {
+  const NamedMetric* metric =
+      std::find_if(std::begin(kMetrics), std::end(kMetrics),
+                   [name](const NamedMetric& each) { return each.name == name; });
+  return metric == std::end(kMetrics) ? nullptr : metric;
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& got) {
+  throw std::invalid_argument("scheduler: expected " + what + ", got " + got);
+}
 
 }  // namespace
 
 std::shared_ptr<const PriorityMetric> make_metric(std::string_view name,
-                                                  const MetricOptions& /*options*/) {
-  std::string known;
-  for (const NamedMetric& metric : kMetrics) {
-    if (metric.name == name) {
-      return metric.make();
+                                                  const MetricOptions& options) {
+  const NamedMetric* metric = found(name);
+  if (metric == nullptr) {
+    std::string known;
+    for (const std::string_view each : metric_names()) {
+      known += (known.empty() ? "" : ", ") + std::string(each);
     }
-    known += (known.empty() ? "" : ", ") + std::string(metric.name);
+    refuse("one of " + known, "\"" + std::string(name) + "\"");
   }
-  throw std::invalid_argument("scheduler: expected one of " + known + ", got \"" +
-                              std::string(name) + "\"");
+  if (options.point && !metric->takes_point) {
+    refuse("no point, which \"" + std::string(name) + "\" has no use for", "one");
+  }
+  if (!options.terms.empty() && !metric->takes_terms) {
+    refuse("no terms, which \"" + std::string(name) + "\" has no use for",
+           std::to_string(options.terms.size()));
+  }
+  return metric->make(options);
+}
+
+bool takes_point(std::string_view name) {
+  const NamedMetric* metric = found(name);
+  return metric != nullptr && metric->takes_point;
+}
+
+bool needs_terms(std::string_view name) {
+  const NamedMetric* metric = found(name);
+  return metric != nullptr && metric->takes_terms;
 }
 
 std::vector<std::string_view> metric_names() {

@@ -1,11 +1,17 @@
 // The metrics by name.
 //
-//   distance       metres from the eye to the midpoint of the centres        near first
-//   size           degrees that the two bounds' diameters span, mean         large first
-//   velocity       degrees per second of the two bodies, mean                slow first
-//   eccentricity   degrees between the collision's place and the fixation    central first
-//   projected-gap  degrees that the trees' fit error spans there             large first
+//   collision-speed    degrees per second of one body past the other             slow first
+//   distance           metres from the eye to the midpoint of the centres        near first
+//   eccentricity       degrees between the collision's place and the fixation    central first
+//   gap                metres between the centres of the two bounds              large first
+//   gap-bound          metres that the gap cannot exceed: the trees' fit error   large first
+//   projected-gap      degrees that the trees' fit error spans there             large first
+//   size               degrees that the two bounds' diameters span, mean         large first
+//   velocity           degrees per second of the two bodies, mean                slow first
+//   visible-frequency  cycles per degree that can be seen there                  high first
+//   weighted           sum of weights, of others brought to [0, 1]               high first
 //
+// Each is a class in a file of this room and a line of the table in metrics.cpp.
 // (Dingliana 2002, sec. 5.2.1; eq. 5.1, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -31,14 +37,21 @@ struct WeightedTerm {
 
 /// What some metrics need beside their name.
 struct MetricOptions {
-  std::optional<ScreenPoint> point{};  ///< eccentricity: from here, wherever the viewer looks
-  std::vector<WeightedTerm> terms{};   ///< of a weighted sum
+  /// Eccentricity is measured from here, wherever the viewer looks: for metrics that takes_point().
+  std::optional<ScreenPoint> point{};
+  std::vector<WeightedTerm> terms{};  ///< of a weighted sum
 };
 
 /// The metric called `name`. Throws std::invalid_argument that lists the names there are, or says
 /// what is wrong with the options.
 std::shared_ptr<const PriorityMetric> make_metric(std::string_view name,
                                                   const MetricOptions& options = {});
+
+/// Whether a metric has a use for MetricOptions::point; false for names there are not.
+bool takes_point(std::string_view name);
+
+/// Whether a metric is made of MetricOptions::terms, and needs some.
+bool needs_terms(std::string_view name);
 
 /// The names make_metric() takes, in alphabetical order.
 std::vector<std::string_view> metric_names();

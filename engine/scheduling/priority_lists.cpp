@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/scheduling/metrics.hpp"
+#include "engine/scheduling/solved_thresholds.hpp"
 
 namespace impetus {
 namespace {
@@ -23,6 +25,23 @@ int list_by_threshold(const Schedule& schedule, const PriorityMetric& metric, do
     ++list;
   }
   return list;
+}
+
+/// The first of the ranks to list 0, and so on; the pairs keep their order.
+void list_by_rank(const std::vector<double>& pair_shares, std::vector<MeasuredPair>& pairs) {
+  std::vector<std::size_t> ranked(pairs.size());
+  std::iota(ranked.begin(), ranked.end(), std::size_t{0});
+  std::stable_sort(ranked.begin(), ranked.end(), [&pairs](std::size_t x, std::size_t y) {
+    return pairs[x].priority > pairs[y].priority;
+  });
+  const std::vector<std::size_t> cuts = cuts_for(pair_shares, pairs.size());
+  std::size_t list = 0;
+  for (std::size_t rank = 0; rank < ranked.size(); ++rank) {
+    while (list < cuts.size() && rank >= cuts[list]) {
+      ++list;
+    }
+    pairs[ranked[rank]].scheduled.list = static_cast<int>(list);
+  }
 }
 
 std::string expected(const std::string& what, const std::string& got) {
@@ -66,10 +85,22 @@ std::string problem_of(const Schedule& schedule) {
   if (schedule.rule == ListRule::kRegion && lists != 2) {
     return expected("two lists for a region", std::to_string(lists));
   }
-  const std::size_t needed = schedule.rule == ListRule::kRegion ? 0 : lists - 1;
-  if (schedule.thresholds.size() != needed) {
-    return expected(std::to_string(needed) + " thresholds",
+  const std::size_t thresholds = schedule.rule == ListRule::kThresholds ? lists - 1 : 0;
+  if (schedule.thresholds.size() != thresholds) {
+    return expected(std::to_string(thresholds) + " thresholds",
                     std::to_string(schedule.thresholds.size()));
+  }
+  const std::size_t pair_shares = schedule.rule == ListRule::kPairShares ? lists - 1 : 0;
+  if (schedule.pair_shares.size() != pair_shares) {
+    return expected(std::to_string(pair_shares) + " pair shares",
+                    std::to_string(schedule.pair_shares.size()));
+  }
+  if (const std::string problem = problem_of_shares(schedule.pair_shares); !problem.empty()) {
+    return "schedule: " + problem;
+  }
+  if (schedule.persistence_steps < 0) {
+    return expected("a persistence of at least 0 steps",
+                    std::to_string(schedule.persistence_steps));
   }
   const PriorityMetric& metric = metric_of(schedule);
   for (std::size_t i = 0; i < schedule.thresholds.size(); ++i) {
@@ -83,40 +114,46 @@ std::string problem_of(const Schedule& schedule) {
   return "";
 }
 
+std::vector<MeasuredPair> measured(const std::vector<PairBounds>& bounds, const Schedule& schedule,
+                                   const Viewer& viewer, const Fixation& fixation,
+                                   const std::optional<GazeRegion>& region) {
+  const PriorityMetric& metric = metric_of(schedule);
+  std::vector<MeasuredPair> pairs;
+  pairs.reserve(bounds.size());
+  for (const PairBounds& candidate : bounds) {
+    const double measure = metric.measure(candidate, viewer, fixation);
+    int list = 0;
+    if (schedule.rule == ListRule::kRegion) {
+      list = region && inside(*region, candidate, viewer) ? 0 : 1;
+    } else if (schedule.rule == ListRule::kThresholds) {
+      list = list_by_threshold(schedule, metric, measure);
+    }
+    pairs.push_back({{candidate.pair, list}, metric.priority(measure)});
+  }
+  if (schedule.rule == ListRule::kPairShares) {
+    list_by_rank(schedule.pair_shares, pairs);
+  }
+  return pairs;
+}
+
+std::vector<ScheduledPair> in_order(std::vector<MeasuredPair> pairs) {
+  std::stable_sort(pairs.begin(), pairs.end(), [](const MeasuredPair& x, const MeasuredPair& y) {
+    return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
+                                                : x.priority > y.priority;
+  });
+  std::vector<ScheduledPair> ordered;
+  ordered.reserve(pairs.size());
+  for (const MeasuredPair& pair : pairs) {
+    ordered.push_back(pair.scheduled);
+  }
+  return ordered;
+}
+
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
                                      const Schedule& schedule, const Viewer& viewer,
                                      const Fixation& fixation,
                                      const std::optional<GazeRegion>& region) {
-  if (bounds.empty()) {
-    return {};
-  }
-  struct Ranked {
-    ScheduledPair scheduled;
-    double priority;
-  };
-  const PriorityMetric& metric = metric_of(schedule);
-  std::vector<Ranked> ranked;
-  ranked.reserve(bounds.size());
-  for (const PairBounds& candidate : bounds) {
-    const double measured = metric.measure(candidate, viewer, fixation);
-    int list = 0;
-    if (schedule.rule == ListRule::kRegion) {
-      list = region && inside(*region, candidate, viewer) ? 0 : 1;
-    } else {
-      list = list_by_threshold(schedule, metric, measured);
-    }
-    ranked.push_back({{candidate.pair, list}, metric.priority(measured)});
-  }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& x, const Ranked& y) {
-    return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
-                                                : x.priority > y.priority;
-  });
-  std::vector<ScheduledPair> pairs;
-  pairs.reserve(ranked.size());
-  for (const Ranked& entry : ranked) {
-    pairs.push_back(entry.scheduled);
-  }
-  return pairs;
+  return in_order(measured(bounds, schedule, viewer, fixation, region));
 }
 
 }  // namespace impetus

@@ -40,7 +40,9 @@ bool inside(const GazeRegion& region, const PairBounds& bounds, const Viewer& vi
 enum class ListRule {
   kThresholds,  ///< its metric against `thresholds`
   kRegion,      ///< inside the step's region: list 0; outside, or without a region: list 1
-  kPairShares,  ///< its rank by the metric against `pair_shares`
+  /// Its rank by the metric among the step's pairs against `pair_shares`. Of equal measures the
+  /// pair first in the broad phase's order has the higher rank, so a share may part them.
+  kPairShares,
 };
 
 /// Which pair of a list gets the next block of work. (Dingliana 2002, fig. 5.1)
@@ -53,7 +55,7 @@ enum class Traversal {
 /// How the work of a step is shared. As it stands: one list, nearest first.
 struct Schedule {
   std::shared_ptr<const PriorityMetric> metric;  ///< none: distance
-  std::vector<PriorityList> lists{PriorityList{}};
+  std::vector<PriorityList> lists = std::vector<PriorityList>(1);
   ListRule rule{ListRule::kThresholds};
   /// One fewer than lists, in the metric's own unit, from high priority to low: a pair falls into
   /// the first list whose threshold it meets, or else into the last.
@@ -75,6 +77,20 @@ struct ScheduledPair {
   BodyPair pair;
   int list{0};
 };
+
+/// And with the priority that orders it within its list: larger comes sooner.
+struct MeasuredPair {
+  ScheduledPair scheduled;
+  double priority{0.0};
+};
+
+/// The pairs with what decides their place, in the order given.
+std::vector<MeasuredPair> measured(const std::vector<PairBounds>& bounds, const Schedule& schedule,
+                                   const Viewer& viewer, const Fixation& fixation,
+                                   const std::optional<GazeRegion>& region);
+
+/// By list, and by falling priority within each; equal priorities keep their order.
+std::vector<ScheduledPair> in_order(std::vector<MeasuredPair> pairs);
 
 /// The pairs by list, and by falling priority within each; equal priorities keep their order.
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,

@@ -14,6 +14,16 @@ Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg) {
   return viewer;
 }
 
+ViewFrustum view_frustum(const Viewer& viewer, double front_m, double back_m) {
+  return {viewer.eye,
+          viewer.right,
+          viewer.up,
+          0.5 * viewer.screen.width_m,
+          0.5 * viewer.screen.height_m,
+          front_m,
+          back_m};
+}
+
 Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point) {
   return point.x_m * viewer.right + point.y_m * viewer.up;
 }

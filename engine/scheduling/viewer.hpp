@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/numerics/vector.hpp"
+#include "engine/volumes/view_frustum.hpp"
 
 namespace impetus {
 
@@ -33,6 +34,9 @@ struct Viewer {
 /// An eye at the viewing distance, turned about the vertical by `azimuth_deg` from the z axis: the
 /// angle between the world's x axis and the image plane.
 Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg);
+
+/// What the viewer sees through the screen from `front_m` before it to `back_m` behind it.
+ViewFrustum view_frustum(const Viewer& viewer, double front_m, double back_m);
 
 /// A point of the screen: metres right of and above its centre.
 struct ScreenPoint {

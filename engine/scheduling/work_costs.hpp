@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace impetus {
 
@@ -25,5 +26,11 @@ struct WorkCosts {
 
 /// All phases of collision handling.
 inline constexpr WorkCosts kAllPhases{1, 8, 4, 60};
+
+/// Far above any sensible ratio, and far below what could overflow.
+inline constexpr std::int64_t kGreatestCost = 1'000'000;
+
+/// What is wrong with the costs, as "work costs: expected ..., got ..."; empty when nothing is.
+std::string problem_of(const WorkCosts& costs);
 
 }  // namespace impetus

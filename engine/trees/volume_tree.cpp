@@ -2,8 +2,11 @@
 #include "engine/trees/volume_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "engine/volumes/rounded_box.hpp"
 
 namespace impetus {
 namespace {
@@ -82,6 +85,7 @@ VolumeTree::VolumeTree(NodeVolumes volumes, std::vector<NodeLinks> links,
   if (volumes_.size() != node_count() || surfaces_.size() != links_.size()) {
     throw std::invalid_argument("volume tree: expected a volume and a surface for every node");
   }
+  measure_half_thicknesses();
   double of_leaves = 0.0;
   for (int level = 0; level < level_count(); ++level) {
     double worst = of_leaves;
@@ -94,6 +98,19 @@ VolumeTree::VolumeTree(NodeVolumes volumes, std::vector<NodeLinks> links,
   }
   const Sphere root = bounding_sphere(volume(0));
   bounding_radius_m_ = root.centre.norm() + root.radius_m;
+}
+
+void VolumeTree::measure_half_thicknesses() {
+  double of_leaves = std::numeric_limits<double>::infinity();
+  for (int level = 0; level < level_count(); ++level) {
+    double least = of_leaves;
+    for (std::int32_t node = level_begin(level); node < level_end(level); ++node) {
+      const double thickness_m = least_half_width_m(volume(node));
+      least = std::min(least, thickness_m);
+      of_leaves = links_[at(node)].child_count == 0 ? std::min(of_leaves, thickness_m) : of_leaves;
+    }
+    half_thicknesses_m_.push_back(least);
+  }
 }
 
 std::vector<std::int32_t> VolumeTree::standing_at(int level) const {
@@ -118,10 +135,14 @@ double VolumeTree::fit_error_m(int level) const {
   return fit_errors_m_[at(std::min(level, level_count() - 1))];
 }
 
+double VolumeTree::least_half_thickness_m(int level) const {
+  return half_thicknesses_m_[at(std::min(level, level_count() - 1))];
+}
+
 std::size_t VolumeTree::bytes() const {
   return volumes_.bytes() + links_.size() * sizeof(NodeLinks) +
          surfaces_.size() * sizeof(NodeSurface) + level_starts_.size() * sizeof(std::int32_t) +
-         fit_errors_m_.size() * sizeof(double);
+         (fit_errors_m_.size() + half_thicknesses_m_.size()) * sizeof(double);
 }
 
 VolumeTree single_node_tree(const Volume& volume) {

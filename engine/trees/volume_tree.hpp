@@ -82,6 +82,10 @@ class VolumeTree {
   /// upper bound. Levels past the last are as good as the last.
   [[nodiscard]] double fit_error_m(int level) const;
 
+  /// Half the least width of any node that stands for the object at `level` (metres): what moves by
+  /// less cannot pass through one unseen. Levels past the last are as the last.
+  [[nodiscard]] double least_half_thickness_m(int level) const;
+
   /// Radius about the centre of mass that bounds the whole object (metres).
   [[nodiscard]] double bounding_radius_m() const { return bounding_radius_m_; }
 
@@ -89,13 +93,15 @@ class VolumeTree {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  void measure_half_thicknesses();
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
   NodeVolumes volumes_;
   std::vector<NodeLinks> links_;
   std::vector<NodeSurface> surfaces_;
   std::vector<std::int32_t> level_starts_;
-  std::vector<double> fit_errors_m_;  ///< by level
+  std::vector<double> fit_errors_m_;        ///< by level
+  std::vector<double> half_thicknesses_m_;  ///< by level
   double bounding_radius_m_;
 };
 

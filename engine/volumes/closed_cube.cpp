@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/volumes/closed_cube.hpp"
 
-#include <cmath>
-
 namespace impetus {
 namespace {
 
@@ -10,21 +8,6 @@ namespace {
 double outward(int wall, const Vector3& point) {
   const double along = point[wall / 2];
   return wall % 2 == 0 ? along : -along;
-}
-
-/// An axis this close to parallel to a wall (cosine) counts as parallel.
-constexpr double kParallel = 1e-9;
-
-/// The middle of what of the core reaches furthest along `direction` (unit).
-Vector3 furthest_part(const Core& core, const Vector3& direction) {
-  Vector3 middle = core.centre;
-  for (int axis = 0; axis < core.dimension; ++axis) {
-    const double cosine = core.axes.col(axis).dot(direction);
-    if (std::abs(cosine) > kParallel) {
-      middle += (cosine > 0.0 ? core.half_m[axis] : -core.half_m[axis]) * core.axes.col(axis);
-    }
-  }
-  return middle;
 }
 
 TouchPoint touch_below(const ClosedCube& cube, int wall, const Vector3& point, double depth_m) {
@@ -37,6 +20,10 @@ TouchPoint touch_below(const ClosedCube& cube, int wall, const Vector3& point, d
 }
 
 }  // namespace
+
+std::string problem_of(const ClosedCube& cube) {
+  return cube.half_edge_m > 0.0 ? "" : "an enclosure needs a positive half edge";
+}
 
 double reach_beyond(const ClosedCube& cube, int wall, const Sphere& sphere) {
   return outward(wall, sphere.centre) + sphere.radius_m - cube.half_edge_m;
@@ -80,6 +67,13 @@ TouchPoint touch_wall(const ClosedCube& cube, int wall, const Volume& volume) {
                             ? core.centre
                             : furthest_part(core, -inward_normal(wall));
   return touch_below(cube, wall, point, reach_beyond(cube, wall, volume));
+}
+
+Vector3 corner(const ClosedCube& cube, int index) {
+  const auto side = [&](int axis) {
+    return (index >> axis & 1) != 0 ? cube.half_edge_m : -cube.half_edge_m;
+  };
+  return {side(0), side(1), side(2)};
 }
 
 }  // namespace impetus

@@ -65,6 +65,18 @@ double reach_along(const Core& core, const Vector3& direction) {
   return reach;
 }
 
+Vector3 furthest_part(const Core& core, const Vector3& direction) {
+  constexpr double kParallel = 1e-9;  // cosine below which an axis runs along the part
+  Vector3 middle = core.centre;
+  for (int axis = 0; axis < core.dimension; ++axis) {
+    const double cosine = core.axes.col(axis).dot(direction);
+    if (std::abs(cosine) > kParallel) {
+      middle += (cosine > 0.0 ? core.half_m[axis] : -core.half_m[axis]) * core.axes.col(axis);
+    }
+  }
+  return middle;
+}
+
 Vector3 nearest_point(const Core& core, const Vector3& point) {
   const Vector3 offset = point - core.centre;
   Vector3 nearest = core.centre;

@@ -44,6 +44,9 @@ double bounding_radius_m(const Core& core);
 /// How far the core reaches from its centre along `direction`, times the direction's length.
 double reach_along(const Core& core, const Vector3& direction);
 
+/// The middle of the part of the core that reaches furthest along `direction` (unit).
+Vector3 furthest_part(const Core& core, const Vector3& direction);
+
 /// The point of the core that is nearest to `point`.
 Vector3 nearest_point(const Core& core, const Vector3& point);
 

@@ -77,6 +77,13 @@ double width_along(const Volume& volume, const Vector3& direction) {
   return 2.0 * (reach_along(whole.core, direction) + whole.radius_m);
 }
 
+double share_of(double width_m, double depth_m) {
+  if (!(width_m > 0.0)) {
+    return depth_m >= 0.0 ? 1.0 : 0.0;
+  }
+  return std::clamp(depth_m / width_m, 0.0, 1.0);
+}
+
 }  // namespace
 
 bool overlap(const Volume& a, const Volume& b) {
@@ -96,11 +103,12 @@ TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback) {
 }
 
 double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact) {
-  const double least_m = std::min(width_along(a, contact.normal), width_along(b, contact.normal));
-  if (!(least_m > 0.0)) {
-    return contact.depth_m >= 0.0 ? 1.0 : 0.0;
-  }
-  return std::clamp(contact.depth_m / least_m, 0.0, 1.0);
+  return share_of(std::min(width_along(a, contact.normal), width_along(b, contact.normal)),
+                  contact.depth_m);
+}
+
+double wall_interpenetration(const Volume& volume, const TouchPoint& contact) {
+  return share_of(width_along(volume, contact.normal), contact.depth_m);
 }
 
 }  // namespace impetus

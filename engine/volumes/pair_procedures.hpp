@@ -27,4 +27,7 @@ TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback);
 /// (R_a + R_b − d) / (2 min(R_a, R_b)). (eq. 4.3, corrected)
 double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact);
 
+/// The same of a volume and a wall, which is wider than any.
+double wall_interpenetration(const Volume& volume, const TouchPoint& contact);
+
 }  // namespace impetus

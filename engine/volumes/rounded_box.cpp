@@ -146,4 +146,9 @@ std::optional<SegmentSpan> span_within(const RoundedBox& volume, const Vector3& 
   return within;
 }
 
+double least_half_width_m(const Volume& volume) {
+  const RoundedBox form = rounded_box(volume);
+  return form.half_extents_m.minCoeff() + form.radius_m;
+}
+
 }  // namespace impetus

@@ -40,6 +40,9 @@ RoundedBox rounded_box(const Volume& volume);
 /// holds it.
 Vector3 upright_reach_m(const RoundedBox& volume);
 
+/// Half the least distance of two parallel planes that hold the volume between them.
+double least_half_width_m(const Volume& volume);
+
 /// Shares of a segment from its first end, 0 ≤ begin ≤ end ≤ 1.
 struct SegmentSpan {
   double begin{0.0};

@@ -1,5 +1,5 @@
-// `impetus preview`: a scene runs in a window, beside a panel that changes its schedule.
-// SPDX-License-Identifier: MIT
+// `impetus preview`: a scene runs in a window, beside a panel that changes its schedule; or its
+// first collision becomes a picture, level by level. SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,7 +12,9 @@
 #include "experiments/commands/window_size.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/level_collision.hpp"
 #include "experiments/session/steady_clock.hpp"
+#include "experiments/stage/collision_strip.hpp"
 #include "experiments/stage/preview_view.hpp"
 #endif
 
@@ -23,6 +25,9 @@ struct PreviewOptions {
   std::string scene;
   std::string screen_file;
   std::string window_size;
+  std::string strip;
+  int width_px{0};
+  int height_px{0};
 };
 
 #ifdef IMPETUS_WINDOW
@@ -44,14 +49,45 @@ ScreenGeometry screen_of(const PreviewOptions& options) {
   return screen;
 }
 
+constexpr double kExactHold = 0.0;
+
+int picture_px(const char* name, int given, int usual) {
+  if (given < 0 || given > kLargestPicturePx) {
+    throw InputError(std::string(name) + ": expected from 1 to " +
+                     std::to_string(kLargestPicturePx) + " pixels, got " + std::to_string(given));
+  }
+  return given == 0 ? usual : given;
+}
+
+void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
+  if (std::filesystem::exists(options.strip)) {
+    throw InputError(options.strip + ": expected no such file, for a picture, but there is one");
+  }
+  const PictureSize size{picture_px("--width", options.width_px, 480),
+                         picture_px("--height", options.height_px, 360)};
+  ShapeLibrary shapes;
+  const StagedScene staged = build_scene(scene.value, screen_of(options), kExactHold, shapes);
+  try {
+    const CollisionByLevel collision = collision_by_level(staged);
+    write_png(strip_of(collision, staged, size), options.strip);
+    std::printf("written to %s, levels 0 to %zu\n", options.strip.c_str(),
+                collision.levels.size() - 1);
+  } catch (const InputError& error) {
+    throw InputError(scene.name + ": " + error.what());
+  }
+}
+
 void show(const JsonDocument& scene, const PreviewOptions& options) {
+  if (!options.strip.empty()) {
+    write_strip(scene, options);
+    return;
+  }
   const WindowOptions asked = window_options(options.window_size);
   const ScreenGeometry screen = screen_of(options);
   const SteadyClock clock;
   Window window(asked, clock);
   window.set_geometry(screen);
   ShapeLibrary shapes;
-  constexpr double kExactHold = 0.0;
   view_preview(window, build_scene(scene.value, window.geometry(), kExactHold, shapes), clock);
 }
 
@@ -78,6 +114,10 @@ void add_preview(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "Screen file instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option("--strip", options->strip,
+                      "Write a picture of the first collision at each level instead");
+  command->add_option("--width", options->width_px, "Of each picture in the strip, in pixels");
+  command->add_option("--height", options->height_px, "The same");
   command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
 }
 

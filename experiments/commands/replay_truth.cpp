@@ -17,14 +17,14 @@ namespace {
 CollisionTruth truth_of(const StoredCollision& collision, const StagedScene& scene,
                         const World& world) {
   const auto a = static_cast<std::size_t>(collision.bodies.a);
+  const Viewer viewer = scene.viewer_at_time(static_cast<double>(collision.step) / scene.step_hz);
   const Pose& pose_a = world.states()[a].pose;
   if (is_wall(collision.bodies.b)) {
     return measure_wall_truth(scene.looks[a], pose_a, *world.settings().enclosure,
-                              kEnclosure - collision.bodies.b, scene.viewer);
+                              kEnclosure - collision.bodies.b, viewer);
   }
   const auto b = static_cast<std::size_t>(collision.bodies.b);
-  return measure_truth(scene.looks[a], pose_a, scene.looks[b], world.states()[b].pose,
-                       scene.viewer);
+  return measure_truth(scene.looks[a], pose_a, scene.looks[b], world.states()[b].pose, viewer);
 }
 
 }  // namespace

@@ -37,8 +37,9 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
     }
     const auto a = static_cast<std::size_t>(collision.report.bodies.a);
     const auto b = static_cast<std::size_t>(collision.report.bodies.b);
-    const CollisionTruth truth = measure_truth(scene.looks[a], collision.pose_a, scene.looks[b],
-                                               collision.pose_b, scene.viewer);
+    const CollisionTruth truth =
+        measure_truth(scene.looks[a], collision.pose_a, scene.looks[b], collision.pose_b,
+                      scene.viewer_at_time(collision.time_s));
     const double speed_deg_s = collision.report.approach_m_s / m_per_deg;
     clearest = std::max(clearest,
                         seen_gap(truth.visible_arcmin(), collision.eccentricity_deg, speed_deg_s));

@@ -16,10 +16,12 @@ CollisionTruth truth_of(const CollisionRecord& collision, const StagedScene& sce
   const DrawnBody& a = scene.looks[static_cast<std::size_t>(bodies.a)];
   if (!is_wall(bodies.b)) {
     const DrawnBody& b = scene.looks[static_cast<std::size_t>(bodies.b)];
-    return measure_truth(a, collision.pose_a, b, collision.pose_b, scene.viewer);
+    return measure_truth(a, collision.pose_a, b, collision.pose_b,
+                         scene.viewer_at_time(collision.time_s));
   }
   const auto& cube = scene.world.settings().enclosure;
-  return cube ? measure_wall_truth(a, collision.pose_a, *cube, kEnclosure - bodies.b, scene.viewer)
+  return cube ? measure_wall_truth(a, collision.pose_a, *cube, kEnclosure - bodies.b,
+                                   scene.viewer_at_time(collision.time_s))
               : CollisionTruth{};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "engine/numerics/random_stream.hpp"
 
@@ -39,14 +40,37 @@ Quaternion orientation(RandomStream& stream) {
   }
 }
 
+/// Where the middles of balls may be that are within the walls: a box about `centre`, or less.
+struct Room {
+  Vector3 centre{Vector3::Zero()};
+  Vector3 half_extents_m{Vector3::Zero()};
+  const Enclosure* walls{nullptr};  ///< null: all of the box is within
+};
+
+Room room_within(const Enclosure& enclosure, double radius_m) {
+  if (const auto* cube = std::get_if<ClosedCube>(&enclosure)) {
+    return {Vector3::Zero(), Vector3::Constant(cube->half_edge_m - radius_m), nullptr};
+  }
+  constexpr int kCorners = 8;
+  Eigen::AlignedBox3d box;
+  for (int index = 0; index < kCorners; ++index) {
+    box.extend(corner(enclosure, index));
+  }
+  return {box.center(), 0.5 * box.sizes(), &enclosure};
+}
+
 /// A place where a ball is within the walls and apart from the bodies that have theirs.
-std::optional<Vector3> free_place(const std::vector<BodyState>& placed, double room_m,
+std::optional<Vector3> free_place(const std::vector<BodyState>& placed, const Room& room,
                                   double radius_m, RandomStream& stream) {
   constexpr int kMostDraws = 10'000;
   for (int draw = 0; draw < kMostDraws; ++draw) {
     const double x = symmetric(stream);
     const double y = symmetric(stream);
-    const Vector3 place = room_m * Vector3(x, y, symmetric(stream));
+    const Vector3 share(x, y, symmetric(stream));
+    const Vector3 place = room.centre + room.half_extents_m.cwiseProduct(share);
+    if (room.walls != nullptr && reaches_wall(*room.walls, Sphere{place, radius_m})) {
+      continue;
+    }
     const bool apart = std::all_of(placed.begin(), placed.end(), [&](const BodyState& other) {
       return (other.pose.position - place).squaredNorm() > 4.0 * radius_m * radius_m;
     });
@@ -60,16 +84,16 @@ std::optional<Vector3> free_place(const std::vector<BodyState>& placed, double r
 }  // namespace
 
 std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>& models,
-                                                   const ClosedCube& enclosure,
+                                                   const Enclosure& enclosure,
                                                    const CrowdStart& start) {
   RandomStream stream(start.seed, start.name);
-  const double room_m = enclosure.half_edge_m - start.radius_m;
-  if (room_m < 0.0) {
+  const Room room = room_within(enclosure, start.radius_m);
+  if (room.half_extents_m.minCoeff() < 0.0) {
     return std::nullopt;
   }
   std::vector<BodyState> states;
   for (const BodyModel& model : models) {
-    const auto place = free_place(states, room_m, start.radius_m, stream);
+    const auto place = free_place(states, room, start.radius_m, stream);
     if (!place) {
       return std::nullopt;
     }

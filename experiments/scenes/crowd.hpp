@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
 
@@ -23,7 +23,7 @@ struct CrowdStart {
 
 /// States of bodies alike, or none when no room was found for them all in 10,000 draws a body.
 std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>& models,
-                                                   const ClosedCube& enclosure,
+                                                   const Enclosure& enclosure,
                                                    const CrowdStart& start);
 
 }  // namespace impetus

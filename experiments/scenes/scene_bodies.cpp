@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 
 namespace impetus {
@@ -19,17 +20,29 @@ std::array<float, 3> parse_colour(const std::string& text) {
   return {channel(16), channel(8), channel(0)};
 }
 
-void add_body(const std::string& name, const std::string& colour, double density,
-              const BodyShape& shape, bool no_spin, SceneBodies& bodies) {
+/// What bodies of one shape may differ in.
+struct BodyTraits {
+  std::string name;
+  std::string colour;
+  double density_kg_m3{0.0};
+  int material{0};
+  bool fixed{false};
+  bool no_spin{false};
+};
+
+void add_body(const BodyTraits& traits, const BodyShape& shape, SceneBodies& bodies) {
   BodyModel model;
-  model.name = name;
+  model.name = traits.name;
   model.tree = shape.tree;
-  model.inverse_mass = 1.0 / (density * shape.unit_mass.mass_kg);
-  if (!no_spin) {
-    model.inverse_inertia = Matrix3(density * shape.unit_mass.inertia).inverse();
+  model.material = traits.material;
+  if (!traits.fixed) {
+    model.inverse_mass = 1.0 / (traits.density_kg_m3 * shape.unit_mass.mass_kg);
+  }
+  if (!traits.fixed && !traits.no_spin) {
+    model.inverse_inertia = Matrix3(traits.density_kg_m3 * shape.unit_mass.inertia).inverse();
   }
   bodies.models.push_back(std::move(model));
-  bodies.looks.push_back({name, shape.radius_m, parse_colour(colour), shape.mesh});
+  bodies.looks.push_back({traits.name, shape.radius_m, parse_colour(traits.colour), shape.mesh});
   bodies.shapes.push_back(&shape);
 }
 
@@ -45,15 +58,17 @@ SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary&
     const BodyShape& shape = library.shape(crowd["shape"], meshes, frame);
     const json& colours = crowd["colours"];
     for (std::size_t i = 0; i < crowd["count"].get<std::size_t>(); ++i) {
-      add_body(std::to_string(i + 1), colours[i % colours.size()].get<std::string>(),
-               crowd["density_kg_m3"].get<double>(), shape, no_spin, bodies);
+      add_body({std::to_string(i + 1), colours[i % colours.size()].get<std::string>(),
+                crowd["density_kg_m3"].get<double>(), material_of(scene, crowd), false, no_spin},
+               shape, bodies);
     }
     return bodies;
   }
   for (const json& body : scene["bodies"]) {
-    add_body(body["name"].get<std::string>(), body["colour"].get<std::string>(),
-             body["density_kg_m3"].get<double>(), library.shape(body["shape"], meshes, frame),
-             no_spin, bodies);
+    add_body({body["name"].get<std::string>(), body["colour"].get<std::string>(),
+              body["density_kg_m3"].get<double>(), material_of(scene, body),
+              body.value("fixed", false), no_spin},
+             library.shape(body["shape"], meshes, frame), bodies);
   }
   return bodies;
 }

@@ -3,10 +3,14 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "engine/starting_overlaps.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 #include "experiments/scenes/shape_checks.hpp"
 #include "experiments/session/wall_names.hpp"
@@ -55,7 +59,7 @@ void add_meeting_problems(const json& scene, Problems& problems) {
                                        std::to_string(scene["bodies"].size())});
   }
   for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    for (const char* key : {"position_deg", "velocity_deg_s", "spin_deg_s"}) {
+    for (const char* key : {"position_deg", "velocity_deg_s", "spin_deg_s", "fixed"}) {
       if (scene["bodies"][i].contains(key)) {
         problems.push_back({"/bodies/" + std::to_string(i) + "/" + key, "expected none " + why});
       }
@@ -85,10 +89,17 @@ void add_crowd_problems(const json& scene, Problems& problems) {
 void add_free_problems(const json& scene, Problems& problems) {
   require_key(scene, "duration_s", "where nothing meets", problems);
   for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    if (!scene["bodies"][i].contains("position_deg")) {
+    const json& body = scene["bodies"][i];
+    const std::string place = "/bodies/" + std::to_string(i);
+    if (!body.contains("position_deg")) {
       problems.push_back(
-          {"/bodies/" + std::to_string(i),
-           "expected the key \"position_deg\" where nothing meets, which is missing"});
+          {place, "expected the key \"position_deg\" where nothing meets, which is missing"});
+    }
+    for (const char* key : {"velocity_deg_s", "spin_deg_s"}) {
+      if (body.value("fixed", false) && body.contains(key)) {
+        problems.push_back(
+            {place + "/" + key, "expected none for a body that is fixed, got " + body[key].dump()});
+      }
     }
   }
   if (scene.contains("enclosure") && scene["enclosure"].contains("edge_at_count")) {
@@ -113,6 +124,11 @@ void add_overlap_problems(const json& scene, Problems& problems) {
 
 std::vector<SceneProblem> scene_problems(const json& scene) {
   Problems problems = schedule_problems(scene["engine"]);
+  add_region_problems(scene["engine"], problems);
+  for (SceneProblem& problem : engine_problems(scene)) {
+    problems.push_back(std::move(problem));
+  }
+  add_enclosure_problems(scene, problems);
   add_tree_problems(scene["engine"], problems);
   const json meshes = scene.value("meshes", json::object());
   if (scene.contains("crowd")) {

@@ -7,14 +7,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/numerics/cube_root.hpp"
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/embedded_schema.hpp"
 #include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/scene_settings.hpp"
 
 namespace impetus {
 namespace {
@@ -67,8 +69,10 @@ std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies,
     const json& body = scene["bodies"][i];
     BodyState state;
     state.pose = {vector_of(body, "position_deg", m_per_deg), orientation_of(body)};
-    state.linear_momentum =
-        vector_of(body, "velocity_deg_s", m_per_deg) / bodies.models[i].inverse_mass;
+    if (bodies.models[i].inverse_mass > 0.0) {
+      state.linear_momentum =
+          vector_of(body, "velocity_deg_s", m_per_deg) / bodies.models[i].inverse_mass;
+    }
     state.angular_momentum = angular_momentum_at(bodies.models[i], state.pose.orientation,
                                                  vector_of(body, "spin_deg_s", kRadiansPerDegree));
     states.push_back(state);
@@ -76,24 +80,12 @@ std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies,
   return states;
 }
 
-std::optional<ClosedCube> enclosure_of(const json& scene, double m_per_deg) {
-  if (!scene.contains("enclosure")) {
-    return std::nullopt;
-  }
-  const json& enclosure = scene["enclosure"];
-  double edge_m = enclosure["edge_deg"].get<double>() * m_per_deg;
-  if (scene.contains("crowd") && enclosure.contains("edge_at_count")) {
-    edge_m *=
-        cube_root(scene["crowd"]["count"].get<double>() / enclosure["edge_at_count"].get<double>());
-  }
-  return ClosedCube{0.5 * edge_m};
-}
-
 std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const SceneBodies& bodies,
-                                                      double m_per_deg, const std::string& start) {
+                                                      double m_per_deg, const Viewer& viewer,
+                                                      const std::string& start) {
   const json& crowd = scene["crowd"];
   const std::string name = "crowd of " + crowd["count"].dump() + "/" + start;
-  return crowd_states(bodies.models, *enclosure_of(scene, m_per_deg),
+  return crowd_states(bodies.models, *enclosure_of(scene, m_per_deg, viewer),
                       {crowd.value("start", std::uint64_t{1}), name,
                        bodies.models.front().tree->bounding_radius_m(),
                        crowd["speed_deg_s"].get<double>() * m_per_deg,
@@ -101,14 +93,14 @@ std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const S
 }
 
 std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, double m_per_deg,
-                                 const std::string& start) {
+                                 const Viewer& viewer, const std::string& start) {
   if (scene.contains("meeting")) {
     return meeting_states(scene, bodies, m_per_deg);
   }
   if (!scene.contains("crowd")) {
     return free_states(scene, bodies, m_per_deg);
   }
-  auto states = crowd_states_of(scene, bodies, m_per_deg, start);
+  auto states = crowd_states_of(scene, bodies, m_per_deg, viewer, start);
   if (!states) {
     throw std::runtime_error("the crowd found no room to start in");
   }
@@ -144,30 +136,31 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const json& engine = scene["engine"];
   const json imposed = scene.value("imposed", json::object());
+  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
-  std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, start);
+  std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, viewer, start);
 
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
-  WorldSettings settings;
-  settings.restitution = engine["restitution"].get<double>();
-  settings.response = engine.value("response", std::string("in-turn")) == std::string("together")
-                          ? ResponseMethod::kTogether
-                          : ResponseMethod::kInTurn;
+  WorldSettings settings = engine_settings_of(scene);
   settings.imposed_hold_s = realised_s;
-  settings.enclosure = enclosure_of(scene, m_per_deg);
-  settings.schedule = schedule_of(engine);
+  settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
+  settings.schedule = schedule_of(engine, m_per_deg);
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
-                     viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>()),
-                     std::move(bodies.looks)};
+                     viewer, std::move(bodies.looks)};
   staged.no_spin = imposed.value("no_spin", false);
   staged.intended_hold_s = intended_s;
   staged.realised_hold_s = realised_s;
-  staged.region = region_of(engine);
+  staged.region = region_of(engine, m_per_deg);
   staged.budget = budget_of(engine);
   staged.depends_on_gaze = depends_on_gaze(engine);
+  staged.scheduler = scheduler_of(engine);
+  staged.turn = {scene["viewer"]["azimuth_deg"].get<double>(),
+                 scene["viewer"].value("turn_deg_s", 0.0)};
+  staged.metric_options = metric_options_of(engine, m_per_deg);
+  staged.reduction = engine.value("contacts", json::object()).value("reduction", "");
   set_timing(scene, staged);
   return staged;
 }
@@ -177,10 +170,13 @@ bool crowd_has_room(const json& scene) {
   json shallow = scene;
   shallow["engine"]["tree_depth"] = 0;
   ShapeLibrary library;
-  const SceneBodies bodies = bodies_of(shallow, 1.0, library);
+  const ScreenGeometry screen = screen_for_checks();
+  const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
+  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
-    if (!crowd_states_of(scene, bodies, 1.0, "main/" + std::to_string(repetition))) {
+    if (!crowd_states_of(scene, bodies, m_per_deg, viewer, "main/" + std::to_string(repetition))) {
       return false;
     }
   }
@@ -188,11 +184,9 @@ bool crowd_has_room(const json& scene) {
 }
 
 std::vector<BodyPair> starting_overlaps_of(const json& scene) {
-  // Overlap is a matter of proportions, whatever the screen.
+  // Overlap is a matter of proportions, whatever the screen, but for a view frustum's.
   ShapeLibrary library;
-  ScreenGeometry any;
-  any.viewing_distance_m = 1.0;
-  const StagedScene staged = build_scene(scene, any, 0.0, library);
+  const StagedScene staged = build_scene(scene, screen_for_checks(), 0.0, library);
   int coarsest = kUnlimitedLevel;
   for (const PriorityList& list : staged.world.settings().schedule.lists) {
     coarsest = std::min(coarsest, list.greatest_level);

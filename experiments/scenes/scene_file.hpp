@@ -1,8 +1,8 @@
 // A scene's JSON and the world it becomes.
 //
 //   meeting   two bodies that approach along x and touch at the centre
-//   crowd     bodies alike at random places in a closed cube
-//   neither   bodies with places and velocities of their own, in a closed cube or none
+//   crowd     bodies alike at random places within walls
+//   neither   bodies with places and velocities of their own, within walls or without
 //
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_schedule.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 #include "engine/scheduling/metrics.hpp"
+#include "experiments/scenes/scene_region.hpp"
+#include "experiments/scenes/schedule_checks.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* kRegionScheduler = "region";
-constexpr double kDefaultRenewal_ms = 250.0;
-
-std::string scheduler_of(const json& engine) {
-  return engine.contains("schedule") ? engine["schedule"]["scheduler"].get<std::string>() : "";
-}
 
 PriorityList list_from(const json& entry) {
   PriorityList list;
@@ -25,150 +23,114 @@ PriorityList list_from(const json& entry) {
   return list;
 }
 
-double renewal_steps(const json& engine) {
-  return engine["region"].value("renewal_ms", kDefaultRenewal_ms) / 1e3 *
-         engine["step_hz"].get<double>();
+Traversal traversal_of(const json& schedule) {
+  const auto name = schedule.value("traversal", std::string("depth-first"));
+  return name == "breadth-first" ? Traversal::kBreadthFirst
+         : name == "best-first"  ? Traversal::kBestFirst
+                                 : Traversal::kDepthFirst;
 }
 
-void add_list_problems(const json& engine, std::vector<SceneProblem>& problems) {
-  const int deepest = engine.value("tree_depth", 0);
-  const json& lists = engine["schedule"]["lists"];
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const std::string place = "/engine/schedule/lists/" + std::to_string(i);
-    for (const char* key : {"least_level", "greatest_level"}) {
-      if (lists[i].contains(key) && lists[i][key] > deepest) {
-        problems.push_back({place + "/" + key, "expected at most " + std::to_string(deepest) +
-                                                   ", the deepest level of the trees, got " +
-                                                   lists[i][key].dump()});
-      }
-    }
-    const PriorityList list = list_from(lists[i]);
-    if (list.least_level > list.greatest_level) {
-      problems.push_back({place + "/least_level", "expected at most greatest_level " +
-                                                      std::to_string(list.greatest_level) +
-                                                      ", got " + std::to_string(list.least_level)});
-    }
+void set_rule(const json& schedule, Schedule& result) {
+  if (schedule["scheduler"].get<std::string>() == kRegionScheduler) {
+    result.rule = ListRule::kRegion;
+  } else if (schedule.contains("pair_shares")) {
+    result.rule = ListRule::kPairShares;
+    result.pair_shares = schedule["pair_shares"].get<std::vector<double>>();
+  } else {
+    result.thresholds = schedule.value("thresholds", std::vector<double>{});
   }
 }
 
-void add_threshold_problems(const json& engine, std::vector<SceneProblem>& problems) {
-  const json& schedule = engine["schedule"];
-  const std::size_t lists = schedule["lists"].size();
-  const std::size_t thresholds = schedule.value("thresholds", json::array()).size();
-  if (scheduler_of(engine) == kRegionScheduler) {
-    if (lists != 2) {
-      problems.push_back(
-          {"/engine/schedule/lists",
-           "expected two lists, inside and outside the region, got " + std::to_string(lists)});
-    }
-    if (thresholds != 0) {
-      problems.push_back(
-          {"/engine/schedule/thresholds",
-           "expected none with the scheduler region, got " + schedule["thresholds"].dump()});
-    }
-    return;
+/// The metrics that take part in a schedule's decisions.
+std::set<std::string> metrics_in(const json& schedule) {
+  std::set<std::string> names{schedule["scheduler"].get<std::string>()};
+  for (const json& term : schedule.value("terms", json::array())) {
+    names.insert(term["metric"].get<std::string>());
   }
-  if (thresholds + 1 != lists) {
-    problems.push_back({"/engine/schedule/thresholds", "expected one fewer than lists, " +
-                                                           std::to_string(lists - 1) + ", got " +
-                                                           std::to_string(thresholds)});
-    return;
-  }
-  const std::string message = problem_of(schedule_of(engine));
-  if (!message.empty()) {
-    problems.push_back({"/engine/schedule", message});
-  }
-}
-
-void add_region_problems(const json& engine, std::vector<SceneProblem>& problems) {
-  const bool by_region = scheduler_of(engine) == kRegionScheduler;
-  if (by_region && !engine.contains("region")) {
-    problems.push_back(
-        {"/engine", "expected the key \"region\" for the scheduler region, which is missing"});
-  }
-  if (!by_region && engine.contains("region")) {
-    problems.push_back(
-        {"/engine/region", "expected the scheduler region with it, got " +
-                               (engine.contains("schedule") ? engine["schedule"]["scheduler"].dump()
-                                                            : std::string("no schedule"))});
-  }
-  if (by_region && engine.contains("region")) {
-    const double steps = renewal_steps(engine);
-    if (steps < 1.0 || std::abs(steps - std::round(steps)) > 1e-9 * steps) {
-      problems.push_back(
-          {"/engine/region/renewal_ms",
-           "expected a whole number of steps of 1/" + engine["step_hz"].dump() + " s, got " +
-               engine["region"].value("renewal_ms", json(kDefaultRenewal_ms)).dump()});
-    }
-  }
+  return names;
 }
 
 }  // namespace
 
-Schedule schedule_of(const json& engine) {
-  Schedule schedule;
+std::string scheduler_of(const json& engine) {
+  return engine.contains("schedule") ? engine["schedule"]["scheduler"].get<std::string>() : "";
+}
+
+ScreenPoint screen_point_of(const json& point_deg, double metres_per_degree) {
+  return {metres_per_degree * point_deg[0].get<double>(),
+          metres_per_degree * point_deg[1].get<double>()};
+}
+
+double steps_of(double duration_ms, const json& engine) {
+  return duration_ms / 1e3 * engine["step_hz"].get<double>();
+}
+
+bool is_whole(double steps) { return std::abs(steps - std::round(steps)) <= 1e-9 * steps; }
+
+Schedule schedule_of(const json& engine, double metres_per_degree) {
+  Schedule result;
   if (engine.contains("level")) {
     const int level = engine["level"].get<int>();
-    schedule.lists.front().least_level = level;
-    schedule.lists.front().greatest_level = level;
+    result.lists.front().least_level = level;
+    result.lists.front().greatest_level = level;
   }
   if (!engine.contains("schedule")) {
-    return schedule;
+    return result;
   }
-  schedule.lists.clear();
-  for (const json& entry : engine["schedule"]["lists"]) {
-    schedule.lists.push_back(list_from(entry));
+  const json& schedule = engine["schedule"];
+  result.lists.clear();
+  for (const json& entry : schedule["lists"]) {
+    result.lists.push_back(list_from(entry));
   }
-  if (scheduler_of(engine) == kRegionScheduler) {
-    schedule.rule = ListRule::kRegion;
-    return schedule;
+  set_rule(schedule, result);
+  if (result.rule != ListRule::kRegion) {
+    result.metric = make_metric(scheduler_of(engine), metric_options_of(engine, metres_per_degree));
   }
-  schedule.metric = make_metric(scheduler_of(engine));
-  schedule.thresholds = engine["schedule"].value("thresholds", std::vector<double>{});
-  return schedule;
+  result.traversal = traversal_of(schedule);
+  result.persistence_steps = std::llround(steps_of(schedule.value("persistence_ms", 0.0), engine));
+  return result;
 }
 
-RegionRule region_of(const json& engine) {
-  if (scheduler_of(engine) != kRegionScheduler) {
-    return {};
+MetricOptions metric_options_of(const json& engine, double metres_per_degree) {
+  MetricOptions options;
+  const json schedule = engine.value("schedule", json::object());
+  if (schedule.contains("point_deg")) {
+    options.point = screen_point_of(schedule["point_deg"], metres_per_degree);
   }
-  const auto kind = engine["region"]["kind"].get<std::string>();
-  const RegionKind known = kind == "all-good"  ? RegionKind::kAllGood
-                           : kind == "all-bad" ? RegionKind::kAllBad
-                           : kind == "tracked" ? RegionKind::kTracked
-                                               : RegionKind::kRandom;
-  return {known, engine["region"]["radius_deg"].get<double>(), std::llround(renewal_steps(engine))};
-}
-
-WorkBudget budget_of(const json& engine) {
-  WorkBudget budget;
-  const json entry = engine.value("budget", json::object());
-  budget.tests_per_step = entry.value("tests_per_step", budget.tests_per_step);
-  budget.ns_per_step = std::llround(entry.value("ms_per_step", 0.0) * 1e6);
-  return budget;
+  for (const json& term : schedule.value("terms", json::array())) {
+    options.terms.push_back({term["metric"].get<std::string>(), term.value("weight", 1.0),
+                             term["urgent"].get<double>(), term["relaxed"].get<double>()});
+  }
+  return options;
 }
 
 bool depends_on_gaze(const json& engine) {
-  return region_of(engine).kind == RegionKind::kTracked || scheduler_of(engine) == "eccentricity";
+  if (region_of(engine, 1.0).kind == RegionKind::kTracked) {
+    return true;
+  }
+  if (!engine.contains("schedule") || engine["schedule"].contains("point_deg")) {
+    return false;
+  }
+  const std::set<std::string> metrics = metrics_in(engine["schedule"]);
+  return metrics.contains("eccentricity") || metrics.contains("visible-frequency");
 }
 
 std::vector<SceneProblem> schedule_problems(const json& engine) {
   std::vector<SceneProblem> problems;
-  if (engine.contains("level") && engine["level"] > engine.value("tree_depth", 0)) {
-    problems.push_back(
-        {"/engine/level", "expected at most " + std::to_string(engine.value("tree_depth", 0)) +
-                              ", the deepest level of the trees, got " + engine["level"].dump()});
-  }
+  add_level_problems(engine, problems);
   if (engine.contains("schedule")) {
-    if (engine.contains("level")) {
-      problems.push_back(
-          {"/engine/level", "expected none beside a schedule, whose lists have levels, got " +
-                                engine["level"].dump()});
-    }
-    add_list_problems(engine, problems);
-    add_threshold_problems(engine, problems);
+    add_schedule_key_problems(engine, problems);
   }
-  add_region_problems(engine, problems);
+  if (engine.contains("schedule") && problems.empty()) {
+    try {
+      const std::string message = problem_of(schedule_of(engine, 1.0));
+      if (!message.empty()) {
+        problems.push_back({"/engine/schedule", message});
+      }
+    } catch (const std::invalid_argument& error) {
+      problems.push_back({"/engine/schedule", error.what()});
+    }
+  }
   return problems;
 }
 

@@ -1,28 +1,40 @@
-// The engine part of a scene: schedule, region of high priority, budget.
+// The schedule of a scene: what orders its collisions, and how a step's work is shared among them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <string>
+#include <vector>
 
+#include "engine/scheduling/metrics.hpp"
+#include "engine/scheduling/priority_lists.hpp"
 #include "experiments/scenes/scene_checks.hpp"
-#include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 
+/// What decides a pair's list in `engine`: a metric's name, "region", or "" without a schedule.
+std::string scheduler_of(const nlohmann::json& engine);
+
 /// The schedule that `engine` asks for: one list to the finest level, or to `level`, when it asks
 /// for none. Precondition: schedule_problems() is empty.
-Schedule schedule_of(const nlohmann::json& engine);
+Schedule schedule_of(const nlohmann::json& engine, double metres_per_degree);
 
-/// The region that `engine` asks for; kNone when its scheduler is another.
-RegionRule region_of(const nlohmann::json& engine);
+/// What the scheduler's metric needs beside its name.
+MetricOptions metric_options_of(const nlohmann::json& engine, double metres_per_degree);
 
-WorkBudget budget_of(const nlohmann::json& engine);
+/// A place that a scene names in degrees, on the screen.
+ScreenPoint screen_point_of(const nlohmann::json& point_deg, double metres_per_degree);
 
 /// Whether the gaze decides the detail of collisions.
 bool depends_on_gaze(const nlohmann::json& engine);
 
-/// What is wrong with the engine part beyond the schema.
+/// A time in steps of the engine; expected to be whole.
+double steps_of(double duration_ms, const nlohmann::json& engine);
+
+/// Whether a number of steps is whole but for rounding.
+bool is_whole(double steps);
+
+/// What is wrong with level and schedule beyond the schema.
 std::vector<SceneProblem> schedule_problems(const nlohmann::json& engine);
 
 }  // namespace impetus

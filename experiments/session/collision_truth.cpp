@@ -111,11 +111,11 @@ CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const Drawn
   return truth_of(closest, {{a, pose_a}, {b, pose_b}}, viewer);
 }
 
-CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const ClosedCube& cube,
+CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const Enclosure& walls,
                                   int wall, const Viewer& viewer) {
-  const Vector3 outward = -inward_normal(wall);
+  const Vector3 outward = -inward_normal(walls, wall);
   const Vector3 on_body = farthest_along(outward, look, pose);
-  const double gap_m = std::max(0.0, cube.half_edge_m - on_body.dot(outward));
+  const double gap_m = std::max(0.0, -reach_beyond(walls, wall, Sphere{on_body, 0.0}));
   return truth_of({gap_m, on_body, on_body + gap_m * outward}, {{look, pose}}, viewer);
 }
 

@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
@@ -30,7 +30,7 @@ CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const Drawn
 /// the wall's plane straight to the plane. Nothing is left where the body reaches the plane or
 /// beyond. Of several points equally near, the mesh's first. Walls hide nothing: those before the
 /// eye are not drawn.
-CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const ClosedCube& cube,
+CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const Enclosure& walls,
                                   int wall, const Viewer& viewer);
 
 }  // namespace impetus

@@ -3,8 +3,12 @@
 //   |slice|slice|slice|slice|slice          the clock is read once before each slice
 //   start                  deadline|refused for the rest of the step
 //
+// What is reserved for the phases that follow detection must still fit before the deadline: a
+// request is refused when the time left does not cover it, at half as much again as a unit of work
+// has taken in this step so far, and no less than kLeastNsPerUnit.
+//
 // The clock decides only how much is granted. That total, logged, replays the step with FixedWork.
-// (Dingliana 2002, sec. 3.3.1)
+// (Dingliana 2002, sec. 3.3.1; eq. 3.9)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,6 +19,10 @@
 
 namespace impetus {
 
+/// The test of two spheres took 5 ns on the machine that the costs were calibrated on, and twice
+/// that is for slower ones and for caches gone cold.
+inline constexpr double kLeastNsPerUnit = 10.0;
+
 class DeadlineWork final : public WorkMeter {
  public:
   /// `clock` must outlive it. Grants nothing before the first start_step().
@@ -24,15 +32,21 @@ class DeadlineWork final : public WorkMeter {
   /// Starts the next step's time; call it just before World::step().
   void start_step();
 
-  std::int64_t request(std::int64_t total_tests) override;
+  std::int64_t request(std::int64_t total, std::int64_t reserved) override;
 
  private:
+  [[nodiscard]] bool too_late(std::int64_t now_ns, std::int64_t done, std::int64_t reserved);
+
   const Clock* clock_;
   std::int64_t ns_per_step_;
   std::int64_t deadline_ns_{0};
   std::int64_t granted_{0};
   std::int64_t slice_end_{0};  ///< granted without another look at the clock
   bool refused_{true};
+
+  /// At the first look of the step, after the floor: what was done by then, and when.
+  std::int64_t first_done_{-1};
+  std::int64_t first_ns_{0};
 };
 
 }  // namespace impetus

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/demonstration.hpp"
 
+#include <algorithm>
+
 #include "experiments/session/playback.hpp"
 #include "experiments/session/whole_frames.hpp"
 
@@ -15,9 +17,9 @@ Interruption show_demonstration(const std::string& id, const Script& script,
   const std::int64_t last = whole_frames(playback.scene().duration_s, hz);
   ports.display.restart_grid();
   for (std::int64_t frame = -interval; frame <= last; ++frame) {
-    const std::vector<Pose> poses =
-        frame < 0 ? std::vector<Pose>{} : playback.poses_at(static_cast<double>(frame) / hz);
-    ports.display.show(picture_of(playback.scene(), poses, progress));
+    const double time_s = std::max(0.0, static_cast<double>(frame) / hz);
+    const std::vector<Pose> poses = frame < 0 ? std::vector<Pose>{} : playback.poses_at(time_s);
+    ports.display.show(picture_of(playback.scene(), poses, time_s, progress));
     const Interruption interruption = ports.input.interruption();
     if (interruption != Interruption::kNone) {
       return interruption;

@@ -38,17 +38,14 @@ std::vector<ScreenPoint> whole_screen(const ScreenGeometry& screen) {
   return {{-x_m, -y_m}, {x_m, -y_m}, {x_m, y_m}, {-x_m, y_m}};
 }
 
-std::vector<ScreenPoint> outline_of(const std::optional<ClosedCube>& enclosure,
+std::vector<ScreenPoint> outline_of(const std::optional<Enclosure>& enclosure,
                                     const Viewer& viewer) {
   if (!enclosure) {
     return whole_screen(viewer.screen);
   }
   std::vector<ScreenPoint> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto side = [&](int axis) {
-      return (corner >> axis & 1) != 0 ? enclosure->half_edge_m : -enclosure->half_edge_m;
-    };
-    const std::optional<ScreenPoint> image = projected(viewer, Vector3(side(0), side(1), side(2)));
+  for (int index = 0; index < 8; ++index) {
+    const std::optional<ScreenPoint> image = projected(viewer, corner(*enclosure, index));
     if (!image) {
       return whole_screen(viewer.screen);
     }
@@ -59,7 +56,7 @@ std::vector<ScreenPoint> outline_of(const std::optional<ClosedCube>& enclosure,
 
 }  // namespace
 
-EnclosureImage::EnclosureImage(const std::optional<ClosedCube>& enclosure, const Viewer& viewer)
+EnclosureImage::EnclosureImage(const std::optional<Enclosure>& enclosure, const Viewer& viewer)
     : viewer_(viewer), outline_(outline_of(enclosure, viewer)) {
   least_ = greatest_ = outline_.front();
   for (const ScreenPoint& corner : outline_) {

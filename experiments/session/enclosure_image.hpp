@@ -7,14 +7,14 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
 
 class EnclosureImage {
  public:
   /// The whole screen when there is no enclosure, or when the eye is not before all of it.
-  EnclosureImage(const std::optional<ClosedCube>& enclosure, const Viewer& viewer);
+  EnclosureImage(const std::optional<Enclosure>& enclosure, const Viewer& viewer);
 
   [[nodiscard]] bool contains(const ScreenPoint& point) const;
 

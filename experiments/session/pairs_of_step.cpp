@@ -18,7 +18,7 @@ std::vector<MovedBound> moved_bounds(const World& world, const std::vector<BodyS
   return bounds;
 }
 
-void add_wall_pairs(const ClosedCube& walls, const std::vector<MovedBound>& bounds,
+void add_wall_pairs(const Enclosure& walls, const std::vector<MovedBound>& bounds,
                     std::vector<PairBounds>& pairs) {
   for (std::size_t body = 0; body < bounds.size(); ++body) {
     const Sphere& bound = bounds[body].bound;

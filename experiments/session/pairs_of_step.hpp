@@ -2,7 +2,8 @@
 //
 // A step reports the pairs that collided; this tells all that it looked at, from the states before
 // and after it. A body's place at the end of the step and its momentum before it are what the step
-// itself prioritised by, so the lists agree.
+// itself prioritised by, so the lists agree; but a pair that persistence holds in a higher list is
+// told in its own.
 // SPDX-License-Identifier: MIT
 #pragma once
 

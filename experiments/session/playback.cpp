@@ -25,9 +25,15 @@ std::optional<DeadlineWork> deadline_of(const WorkBudget& budget, const Clock* c
 }  // namespace
 
 StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report) {
-  return {
+  StepRecord record{
       step, report.work_granted, report.work_spent, report.degradations, std::move(report.state),
       gaze};
+  record.pops = static_cast<std::int64_t>(report.pops.size());
+  record.stopped_short = static_cast<std::int64_t>(report.stopped.size());
+  for (const LevelPop& pop : report.pops) {
+    record.largest_pop_deg = std::max(record.largest_pop_deg, pop.size_deg);
+  }
+  return record;
 }
 
 Playback::Playback(StagedScene scene, std::uint64_t seed, const Clock* work_clock)
@@ -45,7 +51,9 @@ void Playback::step_once() {
   before_ = scene_.world.states();
   const std::int64_t step = steps_.back().step + 1;
   gaze_.region = regions_.at(step, gaze_.fixation);
-  const StepInput input{1.0 / scene_.step_hz, scene_.viewer, gaze_.fixation, gaze_.region};
+  const double time_s = static_cast<double>(step) / scene_.step_hz;
+  const StepInput input{1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), gaze_.fixation,
+                        gaze_.region};
   StepReport report = scene_.world.step(input, meter_of_step());
   for (const CollisionReport& collision : report.collisions) {
     if (collision.began) {
@@ -64,13 +72,14 @@ WorkMeter& Playback::meter_of_step() {
 }
 
 CollisionRecord Playback::record_of(std::int64_t step, const CollisionReport& collision) const {
-  const Vector3& point = collision.contact.touch.point;
-  const auto from = [&](const ScreenPoint& place) {
-    return visual_angle_deg(scene_.viewer, point, on_screen(scene_.viewer, place));
-  };
   CollisionRecord record;
   record.step = step;
   record.time_s = static_cast<double>(step) / scene_.step_hz;
+  const Vector3& point = collision.contact.touch.point;
+  const Viewer viewer = scene_.viewer_at_time(record.time_s);
+  const auto from = [&](const ScreenPoint& place) {
+    return visual_angle_deg(viewer, point, on_screen(viewer, place));
+  };
   record.report = collision;
   record.pose_a = pose_of(collision.bodies.a);
   record.pose_b = pose_of(collision.bodies.b);

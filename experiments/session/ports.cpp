@@ -3,10 +3,10 @@
 
 namespace impetus {
 
-Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
+Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress) {
   Picture picture;
-  picture.viewer = scene.viewer;
+  picture.viewer = scene.viewer_at_time(time_s);
   picture.progress = progress;
   if (!poses.empty()) {
     picture.enclosure = scene.world.settings().enclosure;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
@@ -44,14 +44,15 @@ struct PosedBody {
 struct Picture {
   bool fixation_cross{false};
   std::vector<PosedBody> bodies;
-  std::optional<ClosedCube> enclosure{};  ///< drawn as seen from inside: walls that face the eye
-  bool pointer{false};                    ///< the mouse pointer is visible: it stands in for gaze
+  std::optional<Enclosure> enclosure{};  ///< drawn as seen from inside: walls that face the eye
+  bool pointer{false};                   ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
   SessionProgress progress;
 };
 
-/// The picture of the scene with its bodies in these poses; without poses, nothing but the ground.
-Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses,
+/// The picture of the scene at `time_s` with its bodies in these poses; without poses, nothing but
+/// the ground.
+Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress);
 
 class Display {

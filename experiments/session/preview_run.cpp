@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kContactInView_s = 0.25;
 constexpr double kWorkInView_s = 4.0;
+constexpr std::size_t kMostNodeContacts = 500;  // of a pair
 
 /// A pause of the program (a window moved, a debugger) is not caught up with.
 constexpr double kMostCaughtUp_s = 0.1;
@@ -78,6 +79,7 @@ void PreviewRun::restart() {
   const Schedule schedule = scene_.world.settings().schedule;
   scene_ = start_;
   scene_.world.set_schedule(schedule);
+  apply_settings();
   regions_ = RegionSource(scene_, kPlacesSeed);
   regions_.set_rule(settings_.region);
   input_ = {};
@@ -89,16 +91,35 @@ void PreviewRun::restart() {
   collision_count_ = 0;
   pairs_.clear();
   contacts_.clear();
+  node_contacts_.clear();
+  pop_count_ = stopped_count_ = 0;
   work_.clear();
+}
+
+void PreviewRun::apply_settings() {
+  World& world = scene_.world;
+  world.set_contacts(contacts_of(settings_));
+  world.set_tunnelling(settings_.tunnelling);
+  world.set_response(settings_.response);
+  world.set_costs(costs_of(settings_));
+  world.watch_node_contacts(watches_node_contacts_);
+}
+
+void PreviewRun::watch_node_contacts(bool watch) {
+  watches_node_contacts_ = watch;
+  scene_.world.watch_node_contacts(watch);
+  if (!watch) {
+    node_contacts_.clear();
+  }
 }
 
 void PreviewRun::change(const PreviewSettings& settings) {
   settings_ = settings;
   regions_.set_rule(settings_.region);
-  Schedule schedule = schedule_of(settings_);
-  problem_ = problem_of(schedule);
+  apply_settings();
+  problem_ = problem_of(settings_);
   if (problem_.empty()) {
-    scene_.world.set_schedule(std::move(schedule));
+    scene_.world.set_schedule(schedule_of(settings_));
   }
 }
 
@@ -122,7 +143,8 @@ std::optional<GazeRegion> PreviewRun::region_of_step() {
 
 void PreviewRun::step_once() {
   before_ = scene_.world.states();
-  input_ = {1.0 / scene_.step_hz, scene_.viewer, gaze_, region_of_step()};
+  const double time_s = static_cast<double>(step_ + 1) / scene_.step_hz;
+  input_ = {1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), gaze_, region_of_step()};
   const std::int64_t started_ns = clock_->now_ns();
   const StepReport report = step_world(input_);
   const double taken_ms = static_cast<double>(clock_->now_ns() - started_ns) / 1e6;
@@ -146,10 +168,7 @@ StepReport PreviewRun::step_world(const StepInput& input) {
 void PreviewRun::keep(const StepReport& report) {
   for (const CollisionReport& collision : report.collisions) {
     collision_count_ += collision.began ? 1 : 0;
-    std::erase_if(contacts_, [&collision](const ShownContact& shown) {
-      return shown.bodies == collision.bodies;
-    });
-    contacts_.push_back({collision.bodies, collision.contact.touch, collision.list, step_});
+    keep_contacts(report, collision);
     for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
       if (is_wall(body)) {
         continue;
@@ -162,6 +181,35 @@ void PreviewRun::keep(const StepReport& report) {
   const bool by_tests = settings_.budget == BudgetUnit::kTests;
   work_.push_back({report.work_spent, report.work_floor,
                    by_tests ? settings_.tests_per_step : report.work_granted});
+  pop_count_ += static_cast<std::int64_t>(report.pops.size());
+  stopped_count_ += static_cast<std::int64_t>(report.stopped.size());
+}
+
+void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& collision) {
+  const auto of_pair = [&collision](const auto& contact) {
+    return contact.bodies == collision.bodies;
+  };
+  std::erase_if(contacts_, of_pair);
+  std::erase_if(node_contacts_, of_pair);
+  const auto first = static_cast<std::size_t>(collision.first_contact);
+  const auto count = static_cast<std::size_t>(collision.contact_count);
+  for (std::size_t i = first; i < std::min(first + count, report.contacts.size()); ++i) {
+    contacts_.push_back({collision.bodies, report.contacts[i].touch, collision.list, step_});
+  }
+  if (report.contacts.empty()) {
+    contacts_.push_back({collision.bodies, collision.contact.touch, collision.list, step_});
+  }
+  std::vector<TouchPoint> touches;
+  for (const Contact& contact : report.node_contacts) {
+    if (of_pair(contact)) {
+      touches.push_back(contact.touch);
+    }
+  }
+  // More could not be told apart.
+  const std::size_t stride = 1 + touches.size() / kMostNodeContacts;
+  for (std::size_t i = 0; i < touches.size(); i += stride) {
+    node_contacts_.push_back({collision.bodies, touches[i], collision.list, step_});
+  }
 }
 
 void PreviewRun::find_pairs() {
@@ -174,6 +222,9 @@ void PreviewRun::forget_old() {
   while (!contacts_.empty() && freshness(contacts_.front()) <= 0.0) {
     contacts_.pop_front();
   }
+  while (!node_contacts_.empty() && freshness(node_contacts_.front()) <= 0.0) {
+    node_contacts_.pop_front();
+  }
   while (work_.size() > work_span()) {
     work_.pop_front();
   }
@@ -182,6 +233,8 @@ void PreviewRun::forget_old() {
 double PreviewRun::energy_share() const {
   return start_energy_J_ > 0.0 ? energy_J(scene_.world) / start_energy_J_ : 0.0;
 }
+
+Viewer PreviewRun::viewer() const { return scene_.viewer_at_time(position_ / scene_.step_hz); }
 
 std::vector<PosedBody> PreviewRun::bodies() const {
   const double fraction = std::clamp(position_ - static_cast<double>(step_) + 1.0, 0.0, 1.0);

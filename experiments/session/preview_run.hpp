@@ -28,7 +28,7 @@ struct WorkOfStep {
   std::int64_t granted{0};  ///< what the budget allowed; as much as `spent` when it is unlimited
 };
 
-/// A contact that is kept in view for a while, since it lasts one step; the newest of its pair.
+/// A contact that is kept in view for a while, since it lasts one step; of the newest of its pair.
 struct ShownContact {
   BodyPair bodies;
   TouchPoint touch;
@@ -52,10 +52,13 @@ class PreviewRun {
   void set_speed(double factor) { speed_ = factor; }
 
   /// From the next step on. An impossible schedule leaves the last good one running, and problem()
-  /// says why; budget and region are taken all the same.
+  /// says why; all else is taken all the same.
   void change(const PreviewSettings& settings);
   [[nodiscard]] const PreviewSettings& settings() const { return settings_; }
   [[nodiscard]] const std::string& problem() const { return problem_; }
+
+  /// Whether node_contacts() are found: they cost time.
+  void watch_node_contacts(bool watch);
 
   /// Where the viewer looks from the next step on.
   void look_at(const ScreenPoint& point) { gaze_ = point; }
@@ -68,6 +71,10 @@ class PreviewRun {
   [[nodiscard]] double speed() const { return speed_; }
   [[nodiscard]] std::int64_t step_number() const { return step_; }
   [[nodiscard]] std::int64_t collision_count() const { return collision_count_; }
+  /// Pairs that fell to a coarser level while they touched.
+  [[nodiscard]] std::int64_t pop_count() const { return pop_count_; }
+  /// Pairs that were stopped where they would have passed through each other.
+  [[nodiscard]] std::int64_t stopped_count() const { return stopped_count_; }
   /// Kinetic energy now as a share of that at the onset; 0 when nothing moved then.
   [[nodiscard]] double energy_share() const;
   /// Scene time gone by as a share of what was asked for, over the last second or so.
@@ -75,12 +82,15 @@ class PreviewRun {
   /// What a step takes by the clock, averaged over the last few (milliseconds).
   [[nodiscard]] double step_ms() const { return step_ms_; }
 
+  [[nodiscard]] Viewer viewer() const;
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
   /// The last step's, by list.
   [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return pairs_; }
   /// What is still in view, oldest first.
   [[nodiscard]] const std::deque<ShownContact>& contacts() const { return contacts_; }
+  /// The same of overlapping nodes, before the reduction; at most 500 of a pair.
+  [[nodiscard]] const std::deque<ShownContact>& node_contacts() const { return node_contacts_; }
   /// 1 for a contact of the last step, falling to 0 as it leaves the view.
   [[nodiscard]] double freshness(const ShownContact& contact) const;
   /// The level of the body's last collision while that is in view; 0 while it is in a pair at all;
@@ -97,7 +107,9 @@ class PreviewRun {
   [[nodiscard]] ScreenPoint looked_at() const;
   std::optional<GazeRegion> region_of_step();
   StepReport step_world(const StepInput& input);
+  void apply_settings();
   void keep(const StepReport& report);
+  void keep_contacts(const StepReport& report, const CollisionReport& collision);
   void find_pairs();
   void forget_old();
 
@@ -122,12 +134,16 @@ class PreviewRun {
   double step_ms_{0.0};
   double start_energy_J_{0.0};
   std::int64_t collision_count_{0};
+  std::int64_t pop_count_{0};
+  std::int64_t stopped_count_{0};
+  bool watches_node_contacts_{false};
 
   std::vector<BodyState> before_;
   StepInput input_;
   std::vector<ScheduledPair> pairs_;
   std::vector<BodyLevel> levels_;
   std::deque<ShownContact> contacts_;
+  std::deque<ShownContact> node_contacts_;
   std::deque<WorkOfStep> work_;
 };
 

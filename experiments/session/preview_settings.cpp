@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <typeinfo>
+#include <stdexcept>
 
 #include "engine/scheduling/metrics.hpp"
 
@@ -24,31 +24,61 @@ int finest_level_of(const World& world) {
   return finest;
 }
 
-/// Metrics carry no name: the one of the same kind has it.
-std::string name_of(const Schedule& schedule) {
-  if (schedule.rule == ListRule::kRegion) {
+std::string name_of(const StagedScene& scene) {
+  if (scene.world.settings().schedule.rule == ListRule::kRegion) {
     return kRegion;
   }
-  if (!schedule.metric) {
-    return "distance";
-  }
-  const PriorityMetric& own = *schedule.metric;
-  for (const std::string_view name : metric_names()) {
-    const auto known = make_metric(name);
-    const PriorityMetric& metric = *known;
-    if (typeid(own) == typeid(metric)) {
-      return std::string(name);
-    }
-  }
-  return "distance";
+  return scene.scheduler.empty() ? "distance" : scene.scheduler;
 }
 
-void spread_thresholds(PreviewSettings& settings) {
+/// As many pairs and as much of the scheduler's range to each list.
+void spread_limits(PreviewSettings& settings) {
   const ThresholdRange range = threshold_range(settings.scheduler);
   for (int list = 0; list + 1 < settings.list_count; ++list) {
     const double share = (list + 1.0) / settings.list_count;
     settings.lists[at(list)].threshold = range.urgent + share * (range.relaxed - range.urgent);
+    settings.lists[at(list)].pair_share = 1.0 / settings.list_count;
   }
+}
+
+/// Where the scene has no terms: central and with a large gap, both alike.
+std::vector<WeightedTerm> usual_terms() {
+  std::vector<WeightedTerm> terms;
+  for (const char* metric : {"eccentricity", "projected-gap"}) {
+    const ThresholdRange range = threshold_range(metric);
+    terms.push_back({metric, 1.0, range.urgent, range.relaxed});
+  }
+  return terms;
+}
+
+/// What the metric called `name` takes of the scene's own options.
+MetricOptions options_for(const std::string& name, const MetricOptions& own) {
+  MetricOptions options;
+  if (takes_point(name)) {
+    options.point = own.point;
+  }
+  if (needs_terms(name)) {
+    options.terms = own.terms;
+  }
+  return options;
+}
+
+void take_world(PreviewSettings& settings, const StagedScene& scene) {
+  const WorldSettings& world = scene.world.settings();
+  settings.traversal = world.schedule.traversal;
+  settings.persistence_steps = static_cast<int>(world.schedule.persistence_steps);
+  settings.by_pair_shares = world.schedule.rule == ListRule::kPairShares;
+  settings.all_phases = !(world.costs == WorkCosts{});
+  settings.metric_options = scene.metric_options;
+  if (settings.metric_options.terms.empty()) {
+    settings.metric_options.terms = usual_terms();
+  }
+  if (!scene.reduction.empty()) {
+    settings.reduction = scene.reduction;
+  }
+  settings.most_per_pair = world.contacts.most_per_pair;
+  settings.tunnelling = world.tunnelling;
+  settings.response = world.response;
 }
 
 RegionRule region_of(const StagedScene& scene) {
@@ -80,18 +110,26 @@ void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
 std::vector<std::string> scheduler_names() {
   std::vector<std::string> names;
   for (const std::string_view name : metric_names()) {
-    names.emplace_back(name);
+    if (!needs_terms(name)) {
+      names.emplace_back(name);
+    }
   }
   names.emplace_back(kRegion);
   return names;
 }
 
 ThresholdRange threshold_range(const std::string& scheduler) {
-  static const std::map<std::string, ThresholdRange> known{{"distance", {"m", 0.0, 2.0}},
-                                                           {"eccentricity", {"°", 0.0, 30.0}},
-                                                           {"projected-gap", {"°", 15.0, 0.0}},
-                                                           {"size", {"°", 15.0, 0.0}},
-                                                           {"velocity", {"°/s", 0.0, 60.0}}};
+  static const std::map<std::string, ThresholdRange> known{
+      {"collision-speed", {"°/s", 0.0, 60.0}},
+      {"distance", {"m", 0.0, 2.0}},
+      {"eccentricity", {"°", 0.0, 30.0}},
+      {"gap", {"m", 0.2, 0.0}},
+      {"gap-bound", {"m", 0.1, 0.0}},
+      {"projected-gap", {"°", 15.0, 0.0}},
+      {"size", {"°", 15.0, 0.0}},
+      {"velocity", {"°/s", 0.0, 60.0}},
+      {"visible-frequency", {"c/°", 60.0, 0.0}},
+      {"weighted", {"", 2.0, 0.0}}};
   const auto found = known.find(scheduler);
   return found == known.end() ? ThresholdRange{"", 0.0, 100.0} : found->second;
 }
@@ -103,11 +141,12 @@ PreviewSettings settings_of(const StagedScene& scene) {
   for (PreviewList& list : settings.lists) {
     list.greatest_level = settings.finest_level;
   }
-  settings.scheduler = name_of(schedule);
+  settings.scheduler = name_of(scene);
   settings.list_count = std::min(static_cast<int>(schedule.lists.size()), kMostPreviewLists);
   settings.region = region_of(scene);
   take_budget(settings, scene.budget);
-  spread_thresholds(settings);
+  take_world(settings, scene);
+  spread_limits(settings);
   for (int i = 0; i < settings.list_count; ++i) {
     const PriorityList& list = schedule.lists[at(i)];
     PreviewList& shown = settings.lists[at(i)];
@@ -116,6 +155,9 @@ PreviewSettings settings_of(const StagedScene& scene) {
     shown.greatest_level = std::min(list.greatest_level, settings.finest_level);
     if (at(i) < schedule.thresholds.size()) {
       shown.threshold = schedule.thresholds[at(i)];
+    }
+    if (at(i) < schedule.pair_shares.size()) {
+      shown.pair_share = schedule.pair_shares[at(i)];
     }
   }
   return settings;
@@ -130,14 +172,29 @@ void choose_list_count(PreviewSettings& settings, int count) {
   constexpr int kListsOfRegion = 2;
   settings.list_count =
       settings.scheduler == kRegion ? kListsOfRegion : std::clamp(count, 1, kMostPreviewLists);
-  spread_thresholds(settings);
+  spread_limits(settings);
+}
+
+ContactModel contacts_of(const PreviewSettings& settings) {
+  return {make_reduction(settings.reduction), settings.most_per_pair};
+}
+
+WorkCosts costs_of(const PreviewSettings& settings) {
+  return settings.all_phases ? kAllPhases : WorkCosts{};
 }
 
 Schedule schedule_of(const PreviewSettings& settings) {
   Schedule schedule;
   const bool by_region = settings.scheduler == kRegion;
-  schedule.rule = by_region ? ListRule::kRegion : ListRule::kThresholds;
-  schedule.metric = by_region ? nullptr : make_metric(settings.scheduler);
+  schedule.rule = by_region                 ? ListRule::kRegion
+                  : settings.by_pair_shares ? ListRule::kPairShares
+                                            : ListRule::kThresholds;
+  schedule.metric = by_region
+                        ? nullptr
+                        : make_metric(settings.scheduler,
+                                      options_for(settings.scheduler, settings.metric_options));
+  schedule.traversal = settings.traversal;
+  schedule.persistence_steps = settings.persistence_steps;
   schedule.lists.clear();
   for (int i = 0; i < settings.list_count; ++i) {
     const PreviewList& list = settings.lists[at(i)];
@@ -145,14 +202,22 @@ Schedule schedule_of(const PreviewSettings& settings) {
     schedule.lists.push_back(
         {list.share, list.least_level, limited ? list.greatest_level : kUnlimitedLevel});
     if (!by_region && i + 1 < settings.list_count) {
-      schedule.thresholds.push_back(list.threshold);
+      if (settings.by_pair_shares) {
+        schedule.pair_shares.push_back(list.pair_share);
+      } else {
+        schedule.thresholds.push_back(list.threshold);
+      }
     }
   }
   return schedule;
 }
 
 std::string problem_of(const PreviewSettings& settings) {
-  return problem_of(schedule_of(settings));
+  try {
+    return problem_of(schedule_of(settings));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
 }
 
 }  // namespace impetus

@@ -1,6 +1,7 @@
-// What a preview's controls say: scheduler, lists, region and budget, as plain data.
+// What a preview's controls say, as plain data: scheduler, lists, region, budget, contacts,
+// response.
 //
-//   controls -> PreviewSettings -> Schedule, for the next step
+//   controls -> PreviewSettings -> Schedule, ContactModel, ..., for the next step
 //
 // A combination that no schedule allows is kept as it is, with the sentence that says why.
 // SPDX-License-Identifier: MIT
@@ -20,10 +21,11 @@ inline constexpr int kMostPreviewLists = 4;
 enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
 
 struct PreviewList {
-  double share{1.0};      ///< relative to the other lists'
-  int least_level{0};     ///< done whatever the budget
-  int greatest_level{0};  ///< at the finest level: no limit
-  double threshold{0.0};  ///< in the scheduler's unit; the last list needs none
+  double share{1.0};       ///< relative to the other lists'
+  int least_level{0};      ///< done whatever the budget
+  int greatest_level{0};   ///< at the finest level: no limit
+  double threshold{0.0};   ///< in the scheduler's unit; the last list needs none
+  double pair_share{0.0};  ///< in place of the threshold, when lists go by shares
 };
 
 struct PreviewSettings {
@@ -35,6 +37,15 @@ struct PreviewSettings {
   BudgetUnit budget{BudgetUnit::kUnlimited};
   int tests_per_step{500};
   double ms_per_step{0.2};
+  bool all_phases{false};  ///< work counts contacts and response too
+  bool by_pair_shares{false};
+  Traversal traversal{Traversal::kDepthFirst};
+  int persistence_steps{0};
+  MetricOptions metric_options{};    ///< the scene's own; its terms for the scheduler "weighted"
+  std::string reduction{"average"};  ///< one of reduction_names()
+  int most_per_pair{4};
+  Tunnelling tunnelling{Tunnelling::kStopAtEntry};
+  ResponseMethod response{ResponseMethod::kInTurn};
 };
 
 /// The names of the metrics, and "region".
@@ -58,6 +69,10 @@ void choose_scheduler(PreviewSettings& settings, const std::string& scheduler);
 
 /// Another number of lists, with thresholds spread anew.
 void choose_list_count(PreviewSettings& settings, int count);
+
+/// What the contacts, and the work, are to be.
+ContactModel contacts_of(const PreviewSettings& settings);
+WorkCosts costs_of(const PreviewSettings& settings);
 
 /// The schedule they ask for, which may be impossible: see problem_of().
 Schedule schedule_of(const PreviewSettings& settings);

@@ -9,6 +9,7 @@
 #include "engine/world.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
+#include "experiments/session/wall_names.hpp"
 
 namespace impetus {
 
@@ -29,10 +30,13 @@ struct StepRecord {
   std::uint32_t degradations{0};
   StateHash state;
   GazeInput gaze{};
-  std::int64_t shown_frame{-1};  ///< of the attempt's frames, the first to show it; −1: none
+  std::int64_t shown_frame{-1};   ///< of the attempt's frames, the first to show it; −1: none
+  std::int64_t pops{0};           ///< pairs that touch at a coarser level than in the step before
+  std::int64_t stopped_short{0};  ///< pairs that were stopped where they entered each other
+  double largest_pop_deg{0.0};    ///< visual angle; of no pop, 0
 };
 
-/// One contact, at the step in which it began.
+/// One pair in contact, at the step in which that began.
 struct CollisionRecord {
   std::int64_t step{0};
   CollisionReport report;
@@ -89,6 +93,7 @@ struct AttemptRecord {
   AttemptOutcome outcome{AttemptOutcome::kInterrupted};
   std::int64_t onset_ns{0};             ///< flip of the first frame of the stimulus
   std::vector<std::string> body_names;  ///< by index in the world
+  WallNaming wall_naming{WallNaming::kAxes};
   std::vector<StepRecord> steps;
   std::vector<CollisionRecord> collisions;
   std::vector<FrameRecord> frames;

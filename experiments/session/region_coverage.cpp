@@ -8,7 +8,8 @@ namespace impetus {
 
 std::optional<double> mean_covered_share(const StagedScene& scene,
                                          const std::vector<StepRecord>& steps) {
-  const EnclosureImage image(scene.world.settings().enclosure, scene.viewer);
+  EnclosureImage image(scene.world.settings().enclosure, scene.viewer);
+  const bool turns = scene.turn.rate_deg_s != 0.0;
   double sum = 0.0;
   std::int64_t count = 0;
   double share = 0.0;
@@ -17,7 +18,12 @@ std::optional<double> mean_covered_share(const StagedScene& scene,
     if (!step.gaze.region || step.gaze.region->radius_deg >= kWholeView_deg) {
       continue;
     }
-    if (measured == nullptr || !(measured->gaze.region->centre == step.gaze.region->centre)) {
+    if (turns) {
+      const double time_s = static_cast<double>(step.step) / scene.step_hz;
+      image = EnclosureImage(scene.world.settings().enclosure, scene.viewer_at_time(time_s));
+    }
+    if (turns || measured == nullptr ||
+        !(measured->gaze.region->centre == step.gaze.region->centre)) {
       share = image.covered_share(*step.gaze.region);
       measured = &step;
     }

@@ -1,10 +1,12 @@
-// The region of high priority, step by step: about the gaze, at random, everywhere or nowhere.
+// The region of high priority, step by step: about the gaze, at random or about a point, everywhere
+// or nowhere.
 //
 //   all good   a region that holds all the view       all bad   none
 //   tracked    about the fixation                     random    about a place within the
 //                                                               enclosure's image, renewed
+//   fixed      about a point of the screen
 //
-// All four are the same schedule with another region. (Dingliana 2002, sec. 6.3.1)
+// All of them are the same schedule with another region. (Dingliana 2002, sec. 6.3.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -33,6 +35,10 @@ class RegionSource {
 
  private:
   RegionRule rule_;
+  std::optional<Enclosure> enclosure_;
+  Viewer viewer_;
+  ViewerTurn turn_;
+  double step_hz_;
   EnclosureImage image_;
   RandomStream places_;
   ScreenPoint place_{};

@@ -27,7 +27,8 @@ ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
       now.state = hash_state(scene.world.states());
     } else {
       FixedWork meter(then.work_granted);
-      const StepInput input{1.0 / scene.step_hz, scene.viewer, then.gaze.fixation,
+      const double time_s = static_cast<double>(then.step) / scene.step_hz;
+      const StepInput input{1.0 / scene.step_hz, scene.viewer_at_time(time_s), then.gaze.fixation,
                             then.gaze.region};
       now = scene.world.step(input, meter);
       ++result.steps;

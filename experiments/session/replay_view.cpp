@@ -34,6 +34,7 @@ void mark_collisions(double time_s, const StepReport& report, std::vector<Timeli
 ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded) {
   ReplayView view;
   view.viewer = scene.viewer;
+  view.turn = scene.turn;
   view.looks = scene.looks;
   view.enclosure = scene.world.settings().enclosure;
   view.step_hz = scene.step_hz;

@@ -32,9 +32,10 @@ struct TimelineMark {
 struct ReplayView {
   std::string title;               ///< "P01 · trial 37 of 87 · main"
   std::vector<std::string> facts;  ///< "delay_ms 100", "rated 2", ...
-  Viewer viewer;
+  Viewer viewer;                   ///< at the onset
+  ViewerTurn turn;
   std::vector<DrawnBody> looks;
-  std::optional<ClosedCube> enclosure;
+  std::optional<Enclosure> enclosure;
   double step_hz{240.0};
   double duration_s{0.0};
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/scheduling/metrics.hpp"
 #include "engine/world.hpp"
+#include "experiments/session/turning_viewer.hpp"
 
 namespace impetus {
 
@@ -28,18 +30,20 @@ enum class RegionKind {
   kAllBad,   ///< nowhere
   kTracked,  ///< about the gaze
   kRandom,   ///< about places drawn within the enclosure's image
+  kFixed,    ///< about a point of the screen
 };
 
 struct RegionRule {
   RegionKind kind{RegionKind::kNone};
   double radius_deg{0.0};
   std::int64_t renewal_steps{0};  ///< of kRandom: how long a place lasts
+  ScreenPoint point{};            ///< of kFixed
 };
 
 /// How much a step may do; at most one of the two limits.
 struct WorkBudget {
-  std::int64_t tests_per_step{kUnlimitedTests};
-  std::int64_t ns_per_step{0};  ///< by the clock; 0: none
+  std::int64_t tests_per_step{kUnlimitedTests};  ///< units of work: see WorldSettings::costs
+  std::int64_t ns_per_step{0};                   ///< by the clock; 0: none
 };
 
 struct StagedScene {
@@ -55,6 +59,15 @@ struct StagedScene {
   RegionRule region{};
   WorkBudget budget{};
   bool depends_on_gaze{false};  ///< the gaze decides the detail of collisions
+  /// As they were asked for, for controls that show them; "": not known by name.
+  std::string scheduler{};
+  MetricOptions metric_options{};
+  std::string reduction{};
+  ViewerTurn turn{};  ///< `viewer` is where it starts
+
+  [[nodiscard]] Viewer viewer_at_time(double time_s) const {
+    return turned_viewer(viewer, turn, time_s);
+  }
 };
 
 }  // namespace impetus

@@ -35,6 +35,7 @@ class Attempt {
     for (const BodyModel& body : playback_.scene().world.models()) {
       result_.record.body_names.push_back(body.name);
     }
+    result_.record.wall_naming = wall_naming(playback_.scene().world.settings().enclosure);
     result_.record.intended_hold_s = playback_.scene().intended_hold_s;
     result_.record.realised_hold_s = playback_.scene().realised_hold_s;
     if (script.gaze && ports.gaze != nullptr) {
@@ -137,12 +138,12 @@ class Attempt {
     return page;
   }
 
-  [[nodiscard]] Picture picture() const { return with_pointer({}); }
+  [[nodiscard]] Picture picture() const { return with_pointer({}, 0.0); }
 
-  Picture picture_at(double time_s) { return with_pointer(playback_.poses_at(time_s)); }
+  Picture picture_at(double time_s) { return with_pointer(playback_.poses_at(time_s), time_s); }
 
-  [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses) const {
-    Picture picture = picture_of(playback_.scene(), poses, progress_);
+  [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses, double time_s) const {
+    Picture picture = picture_of(playback_.scene(), poses, time_s, progress_);
     picture.pointer = script_.gaze && ports_.gaze != nullptr && ports_.gaze->is_pointer();
     return picture;
   }

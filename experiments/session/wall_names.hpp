@@ -6,13 +6,21 @@
 #include <optional>
 #include <string>
 
+#include "engine/volumes/enclosure.hpp"
+
 namespace impetus {
 
 /// What a wall's name begins with; no body's name does.
 inline constexpr const char* kWallPrefix = "wall ";
 
-/// "wall +x", "wall -x", ...; `wall` as in BodyPair::b, is_wall(wall).
-std::string wall_name(std::int32_t wall);
+/// What walls are named by: axes, or how the viewer sees them.
+enum class WallNaming { kAxes, kView };
+
+WallNaming wall_naming(const std::optional<Enclosure>& enclosure);
+
+/// "wall +x", "wall -x", ..., or "wall right", "wall left", "wall above", "wall below", "wall
+/// near", "wall far"; `wall` as in BodyPair::b, is_wall(wall).
+std::string wall_name(std::int32_t wall, WallNaming naming = WallNaming::kAxes);
 
 /// The wall called `name`, if it is one's.
 std::optional<std::int32_t> wall_named(const std::string& name);

@@ -3,6 +3,8 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "experiments/stage/enclosure_shader.hpp"
@@ -35,30 +37,41 @@ Vector3 turned_to_eye(const Viewer& viewer, const Vector3& direction) {
           viewer.right.cross(viewer.up).dot(direction)};
 }
 
+/// The wall's corners in order around it. Corners are numbered by three bits, one for each pair of
+/// opposite walls.
+std::array<Vector3, 4> corners_of(const Enclosure& enclosure, int wall) {
+  const int bit = wall / 2;
+  const int across = 1 << (bit + 1) % 3;
+  const int along = 1 << (bit + 2) % 3;
+  const auto distance = [&](int first) {
+    return std::abs(reach_beyond(enclosure, wall, Sphere{corner(enclosure, first), 0.0}));
+  };
+  const int first = distance(0) < distance(1 << bit) ? 0 : 1 << bit;
+  return {corner(enclosure, first), corner(enclosure, first | across),
+          corner(enclosure, first | across | along), corner(enclosure, first | along)};
+}
+
 /// Two triangles.
-void add_wall(const ClosedCube& cube, int wall, const Viewer& viewer,
+void add_wall(const Enclosure& enclosure, int wall, const Viewer& viewer,
               std::vector<Corner>& corners) {
-  constexpr double kAround[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
-  const Vector3 normal = inward_normal(wall);
-  const float tone = wall_grey(turned_to_eye(viewer, normal));
-  const int across = (wall / 2 + 1) % 3;
-  const int along = (wall / 2 + 2) % 3;
-  for (const auto& [u, v] : kAround) {
-    Vector3 corner = -normal;
-    corner[across] = u;
-    corner[along] = v;
-    const Eigen::Vector3f place = seen_from_eye(viewer, cube.half_edge_m * corner).cast<float>();
+  constexpr std::array<std::size_t, 6> kOrder{0, 1, 2, 0, 2, 3};
+  constexpr float kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const float tone = wall_grey(turned_to_eye(viewer, inward_normal(enclosure, wall)));
+  const std::array<Vector3, 4> places = corners_of(enclosure, wall);
+  for (const std::size_t place : kOrder) {
+    const Eigen::Vector3f seen = seen_from_eye(viewer, places[place]).cast<float>();
     corners.push_back(
-        {{place.x(), place.y(), place.z()}, {static_cast<float>(u), static_cast<float>(v)}, tone});
+        {{seen.x(), seen.y(), seen.z()}, {kAround[place][0], kAround[place][1]}, tone});
   }
 }
 
 }  // namespace
 
-std::vector<int> walls_facing(const ClosedCube& cube, const Vector3& eye) {
+std::vector<int> walls_facing(const Enclosure& enclosure, const Vector3& eye) {
+  constexpr double kFromTheEdge_m = -1e-9;
   std::vector<int> walls;
   for (int wall = 0; wall < kWallCount; ++wall) {
-    if (inward_normal(wall).dot(eye) > -cube.half_edge_m) {
+    if (reach_beyond(enclosure, wall, Sphere{eye, 0.0}) < kFromTheEdge_m) {
       walls.push_back(wall);
     }
   }
@@ -89,10 +102,10 @@ EnclosurePainter::~EnclosurePainter() {
   glDeleteProgram(program_);
 }
 
-void EnclosurePainter::paint(const ClosedCube& cube, const Viewer& viewer) {
+void EnclosurePainter::paint(const Enclosure& enclosure, const Viewer& viewer) {
   std::vector<Corner> corners;
-  for (const int wall : walls_facing(cube, viewer.eye)) {
-    add_wall(cube, wall, viewer, corners);
+  for (const int wall : walls_facing(enclosure, viewer.eye)) {
+    add_wall(enclosure, wall, viewer, corners);
   }
   const ScreenGeometry& screen = viewer.screen;
   glUseProgram(program_);

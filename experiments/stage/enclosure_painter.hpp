@@ -4,13 +4,14 @@
 
 #include <vector>
 
-#include "engine/volumes/closed_cube.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "experiments/session/ports.hpp"
 
 namespace impetus {
 
-/// Indices (as in ClosedCube) of the walls whose inside the eye can see.
-[[nodiscard]] std::vector<int> walls_facing(const ClosedCube& cube, const Vector3& eye);
+/// Indices (as in the enclosure) of the walls whose inside the eye can see: not those of a view
+/// frustum that hold the eye and are seen from their edge.
+[[nodiscard]] std::vector<int> walls_facing(const Enclosure& enclosure, const Vector3& eye);
 
 /// The tone of a wall (sRGB, 0–1) whose inward unit normal is `normal_E` as the viewer sees it:
 /// light and without colour, the floor lightest, the ceiling darkest, left and right apart.
@@ -26,7 +27,7 @@ class EnclosurePainter {
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
   /// the depths of the meshes.
-  void paint(const ClosedCube& cube, const Viewer& viewer);
+  void paint(const Enclosure& enclosure, const Viewer& viewer);
 
  private:
   unsigned program_{0};

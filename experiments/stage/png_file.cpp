@@ -34,6 +34,16 @@ Pixels beside_each_other(const std::vector<Pixels>& pictures) {
   return all;
 }
 
+Pixels below_each_other(const std::vector<Pixels>& pictures) {
+  Pixels all;
+  for (const Pixels& picture : pictures) {
+    all.width = picture.width;
+    all.height += picture.height;
+    all.rgb.insert(all.rgb.end(), picture.rgb.begin(), picture.rgb.end());
+  }
+  return all;
+}
+
 void write_png(const Pixels& pixels, const std::string& file) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

@@ -18,6 +18,9 @@ struct Pixels {
 /// Pictures of one height, from left to right.
 Pixels beside_each_other(const std::vector<Pixels>& pictures);
 
+/// Pictures of one width, from the top down.
+Pixels below_each_other(const std::vector<Pixels>& pictures);
+
 /// Writes the file or replaces it. Throws std::runtime_error, in one sentence that names it, when
 /// it cannot be written.
 void write_png(const Pixels& pixels, const std::string& file);

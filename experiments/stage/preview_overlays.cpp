@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/stage/gaze_overlay.hpp"
+#include "experiments/stage/overlay_marks.hpp"
 
 namespace impetus {
 namespace {
@@ -59,7 +60,7 @@ class OverlayDrawing {
       line(from, bodies[static_cast<std::size_t>(pair.pair.b)].pose.position, pair.list);
       return;
     }
-    const ClosedCube& walls = *run_.scene().world.settings().enclosure;
+    const Enclosure& walls = *run_.scene().world.settings().enclosure;
     const BodyModel& model = run_.scene().world.models()[static_cast<std::size_t>(pair.pair.a)];
     const Sphere bound{from, model.tree->bounding_radius_m()};
     for (int wall = 0; wall < kWallCount; ++wall) {
@@ -70,18 +71,13 @@ class OverlayDrawing {
   }
 
   void contact(const ShownContact& contact, double arrow_m) {
-    const double opacity = run_.freshness(contact);
-    const auto from = map_.seen(contact.touch.point);
-    const auto to = map_.seen(contact.touch.point + arrow_m * contact.touch.normal);
-    if (!from || !to) {
-      return;
-    }
-    const ImU32 ink = IM_COL32(20, 20, 20, static_cast<int>(255.0 * opacity));
-    const ImU32 halo = IM_COL32(255, 255, 255, static_cast<int>(190.0 * opacity));
-    arrow(pixel(*from), pixel(*to), 5.0F, halo);
-    arrow(pixel(*from), pixel(*to), 2.0F, ink);
-    draw_.AddCircleFilled(pixel(*from), 6.5F, halo);
-    draw_.AddCircleFilled(pixel(*from), 5.0F, colour(colour_of_list(contact.list), opacity));
+    const Vector3& place = contact.touch.point;
+    mark_contact(draw_, map_, place, place + arrow_m * contact.touch.normal,
+                 run_.freshness(contact));
+  }
+
+  void node_contact(const ShownContact& contact) {
+    mark_node_contact(draw_, map_, contact.touch.point, run_.freshness(contact));
   }
 
  private:
@@ -92,19 +88,6 @@ class OverlayDrawing {
       draw_.AddLine(pixel(*begin), pixel(*end), IM_COL32(255, 255, 255, 150), 4.5F);
       draw_.AddLine(pixel(*begin), pixel(*end), colour(colour_of_list(list), 1.0), 2.5F);
     }
-  }
-
-  void arrow(ImVec2 from, ImVec2 to, float thickness, ImU32 ink) {
-    const float length = std::hypot(to.x - from.x, to.y - from.y);
-    draw_.AddLine(from, to, ink, thickness);
-    if (length < 4.0F) {
-      return;  // towards the eye or away from it
-    }
-    const float head = std::min(9.0F, 0.5F * length);
-    const ImVec2 back((from.x - to.x) / length * head, (from.y - to.y) / length * head);
-    const ImVec2 side(-0.55F * back.y, 0.55F * back.x);
-    draw_.AddLine(to, ImVec2(to.x + back.x + side.x, to.y + back.y + side.y), ink, thickness);
-    draw_.AddLine(to, ImVec2(to.x + back.x - side.x, to.y + back.y - side.y), ink, thickness);
   }
 
   const PreviewRun& run_;
@@ -155,6 +138,9 @@ void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const
     }
   }
   if (overlays.contacts) {
+    for (const ShownContact& contact : run.node_contacts()) {
+      drawing.node_contact(contact);
+    }
     const double arrow_m = arrow_length_m(run);
     for (const ShownContact& contact : run.contacts()) {
       drawing.contact(contact, arrow_m);

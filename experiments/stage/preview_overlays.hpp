@@ -1,7 +1,10 @@
 // What a preview draws over the scene: pairs by priority, contacts, and where the viewer looks.
 //
-//   red    pairs of list 0          ●──▶  a contact and its normal, fading for a quarter second
-//   blue   pairs of lower lists     ◯     the gaze and, for schedules by region, the region
+//   red    pairs of list 0          ·     contacts of overlapping nodes, red, and
+//   blue   pairs of lower lists     ●──▶  what the reduction leaves of them, yellow with normals
+//                                   ◯     the gaze and, for schedules by region, the region
+//
+// Contacts fade for a quarter of a second. (Dingliana 2002, figure 6.3)
 //
 // SPDX-License-Identifier: MIT
 #pragma once

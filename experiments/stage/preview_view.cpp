@@ -91,12 +91,13 @@ class PreviewScreen {
 
   std::int64_t draw_and_flip() {
     const PixelArea area = panel_shown_ ? area_beside_panel() : canvas_.whole();
-    const PictureMap map(run_.scene().viewer, area, canvas_.window.height_px());
+    const PictureMap map(run_.viewer(), area, canvas_.window.height_px());
     follow_mouse(map);
+    run_.watch_node_contacts(overlays_.shown && overlays_.contacts);
     Picture picture;
     picture.bodies = shown_bodies(run_, overlays_);
     picture.enclosure = run_.scene().world.settings().enclosure;
-    picture.viewer = run_.scene().viewer;
+    picture.viewer = run_.viewer();
     canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
     canvas_.painter.paint(picture, area, volumes_.of(run_, overlays_, picture.bodies));
     canvas_.gui.begin();

@@ -103,7 +103,7 @@ class ReplayScreen {
     Picture picture;
     picture.bodies = playback_.bodies();
     picture.enclosure = replay_.enclosure;
-    picture.viewer = replay_.viewer;
+    picture.viewer = viewer_now();
     canvas_.painter.paint(picture, picture_area());
     canvas_.gui.begin();
     if (gaze_shown_) {
@@ -115,9 +115,13 @@ class ReplayScreen {
     return canvas_.pacer.flip().flipped_ns;
   }
 
+  [[nodiscard]] Viewer viewer_now() const {
+    return turned_viewer(replay_.viewer, replay_.turn, playback_.time_s());
+  }
+
   /// The present step's: what it was told of the gaze, and its region.
   void draw_gaze_over(const PixelArea& area) const {
-    const PictureMap map(replay_.viewer, area, canvas_.window.height_px());
+    const PictureMap map(viewer_now(), area, canvas_.window.height_px());
     const GazeInput gaze = playback_.gaze();
     push_clip_rect(area, canvas_.gui.height());
     if (gaze.fixation) {

@@ -64,11 +64,16 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area,
   }
 }
 
+void ScenePainter::paint_onto(unsigned framebuffer, const Picture& picture, const PixelArea& area,
+                              const std::vector<ColouredVolume>& volumes) {
+  paint_multisampled(picture, volumes, {0, 0, area.width, area.height}, framebuffer);
+}
+
 // Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
 // samples knows whether one of them is in front.
 void ScenePainter::paint_multisampled(const Picture& picture,
                                       const std::vector<ColouredVolume>& volumes,
-                                      const PixelArea& area) {
+                                      const PixelArea& area, unsigned framebuffer) {
   const PixelArea all{0, 0, area.width, area.height};
   target_.begin(area.width, area.height);
   fill(all, palette::kPictureGrey);
@@ -78,7 +83,7 @@ void ScenePainter::paint_multisampled(const Picture& picture,
   }
   meshes_.paint(picture);
   paint_rest(picture, volumes, all);
-  target_.end_onto(area);
+  target_.end_onto(area, framebuffer);
 }
 
 void ScenePainter::paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,

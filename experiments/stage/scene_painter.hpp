@@ -37,9 +37,13 @@ class ScenePainter {
   void paint(const Picture& picture, const PixelArea& area,
              const std::vector<ColouredVolume>& volumes = {});
 
+  /// The same onto another framebuffer of OpenGL's, of the area's size, at 0, 0.
+  void paint_onto(unsigned framebuffer, const Picture& picture, const PixelArea& area,
+                  const std::vector<ColouredVolume>& volumes);
+
  private:
   void paint_multisampled(const Picture& picture, const std::vector<ColouredVolume>& volumes,
-                          const PixelArea& area);
+                          const PixelArea& area, unsigned framebuffer = 0);
   void paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                   const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);

@@ -6,16 +6,10 @@
 #include <vector>
 
 #include "experiments/stage/png_file.hpp"
+#include "experiments/stage/readable_target.hpp"
 #include "experiments/stage/tree_look.hpp"
 
 namespace impetus {
-
-struct PictureSize {
-  int width_px{1200};
-  int height_px{1200};
-};
-
-inline constexpr int kLargestPicturePx = 8192;
 
 /// One picture for each look, on a white ground. Throws std::runtime_error with one sentence when
 /// no OpenGL 3.3 can be had.

@@ -28,6 +28,8 @@ const char* name_of(StopReason reason) {
       return "finest";
     case StopReason::kGreatestLevel:
       return "greatest level";
+    case StopReason::kCapped:
+      return "capped";
     default:
       return "budget";
   }
@@ -61,23 +63,24 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
       "INSERT INTO collision (attempt_id, step, body_a, body_b, level, stopped, point_x_m, "
       "point_y_m, point_z_m, normal_x, normal_y, normal_z, depth_m, approach_m_s, impulse_Ns, "
       "imposed_hold_ms, imposed_no_spin, eccentricity_deg, first_frame, list, time_s, "
-      "gaze_eccentricity_deg, region_eccentricity_deg) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, ?, ?)");
+      "contacts, gaze_eccentricity_deg, region_eccentricity_deg) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, ?, ?, "
+      "?)");
   for (const CollisionRecord& collision : attempt.collisions) {
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
     const auto a = static_cast<std::size_t>(report.bodies.a);
     const std::string body_b = is_wall(report.bodies.b)
-                                   ? wall_name(report.bodies.b)
+                                   ? wall_name(report.bodies.b, attempt.wall_naming)
                                    : attempt.body_names[static_cast<std::size_t>(report.bodies.b)];
     SQLite::bind(insert, id, collision.step, attempt.body_names[a], body_b, report.level,
                  name_of(report.stop), touch.point.x(), touch.point.y(), touch.point.z(),
                  touch.normal.x(), touch.normal.y(), touch.normal.z(), touch.depth_m,
                  report.approach_m_s, report.impulse_Ns, report.imposed_hold_s * 1e3,
                  collision.no_spin ? 1 : 0, collision.eccentricity_deg, collision.first_frame_shown,
-                 report.list, collision.time_s);
-    bind_or_null(insert, 22, collision.gaze_eccentricity_deg);
-    bind_or_null(insert, 23, collision.region_eccentricity_deg);
+                 report.list, collision.time_s, report.contact_count);
+    bind_or_null(insert, 23, collision.gaze_eccentricity_deg);
+    bind_or_null(insert, 24, collision.region_eccentricity_deg);
     insert.exec();
     insert.reset();
     insert.clearBindings();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/store/embedded_migration_1_2.hpp"
+#include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 
@@ -26,6 +27,39 @@ void drop_views(SQLite::Database& database) {
   }
 }
 
+/// While tables are copied what refers to them refers to nothing; inside a transaction the pragma
+/// would do nothing.
+class ForeignKeysOff {
+ public:
+  explicit ForeignKeysOff(SQLite::Database& database)
+      : database_(database), were_on_(database.execAndGet("PRAGMA foreign_keys").getInt() != 0) {
+    database_.exec("PRAGMA foreign_keys = OFF");
+  }
+  ~ForeignKeysOff() {
+    if (were_on_) {
+      database_.tryExec("PRAGMA foreign_keys = ON");
+    }
+  }
+  ForeignKeysOff(const ForeignKeysOff&) = delete;
+  ForeignKeysOff& operator=(const ForeignKeysOff&) = delete;
+
+ private:
+  SQLite::Database& database_;
+  bool were_on_;
+};
+
+/// The first files of schema 1 were made before bodies that cannot turn.
+void add_early_missing_column(SQLite::Database& database) {
+  const bool has_it = database
+                          .execAndGet(
+                              "SELECT count(*) FROM pragma_table_info('collision') "
+                              "WHERE name = 'imposed_no_spin'")
+                          .getInt() > 0;
+  if (!has_it) {
+    database.exec("ALTER TABLE collision ADD COLUMN imposed_no_spin INTEGER NOT NULL DEFAULT 0");
+  }
+}
+
 }  // namespace
 
 void create_tables_and_views(SQLite::Database& database) {
@@ -34,10 +68,15 @@ void create_tables_and_views(SQLite::Database& database) {
 }
 
 void migrate(SQLite::Database& database, std::int64_t version) {
+  const ForeignKeysOff copying(database);
   SQLite::Transaction transaction(database);
   drop_views(database);
   if (version < 2) {
     database.exec(kMigrationFrom1To2Sql);
+  }
+  if (version < 3) {
+    add_early_missing_column(database);
+    database.exec(kMigrationFrom2To3Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

@@ -103,7 +103,7 @@ CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 
 CREATE TABLE step (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
-  work_granted INTEGER NOT NULL,            -- node-pair tests
+  work_granted INTEGER NOT NULL,            -- units of work; a test of a pair of nodes is one
   work_spent INTEGER NOT NULL,
   degradations INTEGER NOT NULL,            -- bits, see engine/world.hpp
   hash INTEGER NOT NULL,                    -- of the bodies' state, 64 bits
@@ -116,6 +116,9 @@ CREATE TABLE step (
   region_y_m REAL,
   region_radius_deg REAL,
   shown_frame INTEGER,                      -- of this attempt, the first to show it; NULL: none
+  pops INTEGER NOT NULL DEFAULT 0,          -- pairs that touch at a coarser level than before
+  largest_pop_deg REAL,                     -- visual angle that bounds grew by; NULL: no pop
+  stopped_short INTEGER NOT NULL DEFAULT 0, -- pairs stopped at entry, or they had passed through
   PRIMARY KEY (attempt_id, step)
 ) STRICT, WITHOUT ROWID;
 
@@ -126,7 +129,7 @@ CREATE TABLE collision (
   body_a TEXT NOT NULL,
   body_b TEXT NOT NULL,
   level INTEGER NOT NULL,
-  stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget', 'greatest level')),
+  stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget', 'greatest level', 'capped')),
   point_x_m REAL NOT NULL, point_y_m REAL NOT NULL, point_z_m REAL NOT NULL,
   normal_x REAL NOT NULL, normal_y REAL NOT NULL, normal_z REAL NOT NULL,  -- from b to a
   depth_m REAL NOT NULL,
@@ -139,7 +142,8 @@ CREATE TABLE collision (
   list INTEGER NOT NULL DEFAULT 0,    -- priority list it was refined in, from 0
   time_s REAL,                        -- of the stimulus; NULL: recorded before schema 2
   gaze_eccentricity_deg REAL,         -- of the contact from the fixation; NULL: not known
-  region_eccentricity_deg REAL        -- from the centre of the region; NULL: none
+  region_eccentricity_deg REAL,       -- from the centre of the region; NULL: none
+  contacts INTEGER NOT NULL DEFAULT 1 CHECK (contacts >= 1)  -- point and normal are the deepest's
 ) STRICT;
 CREATE INDEX collision_attempt ON collision (attempt_id);
 

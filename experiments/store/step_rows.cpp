@@ -71,8 +71,10 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
                            "INSERT INTO step (attempt_id, step, work_granted, work_spent, "
                            "degradations, hash, digests, fixation_x_m, fixation_y_m, "
                            "fixation_taken_ns, fixation_age_ns, region_x_m, region_y_m, "
-                           "region_radius_deg, shown_frame) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1))");
+                           "region_radius_deg, shown_frame, pops, stopped_short, "
+                           "largest_pop_deg) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, "
+                           "?)");
   for (const StepRecord& step : steps) {
     const std::string digests = pack(step.state.bodies);
     insert.bind(1, id);
@@ -84,6 +86,11 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
     insert.bind(7, digests.data(), static_cast<int>(digests.size()));
     bind_gaze(insert, 8, step.gaze);
     insert.bind(15, step.shown_frame);
+    insert.bind(16, step.pops);
+    insert.bind(17, step.stopped_short);
+    if (step.pops > 0) {
+      insert.bind(18, step.largest_pop_deg);
+    }
     insert.exec();
     insert.reset();
     insert.clearBindings();
@@ -94,7 +101,8 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
   SQLite::Statement query(database,
                           "SELECT step, work_granted, work_spent, degradations, hash, digests, "
                           "fixation_x_m, fixation_y_m, fixation_taken_ns, fixation_age_ns, "
-                          "region_x_m, region_y_m, region_radius_deg, coalesce(shown_frame, -1) "
+                          "region_x_m, region_y_m, region_radius_deg, coalesce(shown_frame, -1), "
+                          "pops, stopped_short, coalesce(largest_pop_deg, 0.0) "
                           "FROM step WHERE attempt_id = ? ORDER BY step");
   query.bind(1, attempt_id);
   std::vector<StepRecord> steps;
@@ -108,6 +116,9 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
     step.state.bodies = unpack(query.getColumn(5).getString());
     step.gaze = gaze_from(query, 6);
     step.shown_frame = query.getColumn(13).getInt64();
+    step.pops = query.getColumn(14).getInt64();
+    step.stopped_short = query.getColumn(15).getInt64();
+    step.largest_pop_deg = query.getColumn(16).getDouble();
     steps.push_back(std::move(step));
   }
   return steps;

@@ -61,7 +61,8 @@ SELECT participant.pseudonym AS participant,
        collision.list AS list,
        collision.time_s AS time_s,
        collision.gaze_eccentricity_deg AS gaze_eccentricity_deg,
-       collision.region_eccentricity_deg AS region_eccentricity_deg
+       collision.region_eccentricity_deg AS region_eccentricity_deg,
+       collision.contacts AS contacts
 FROM collision
 JOIN attempt ON attempt.id = collision.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -153,6 +154,25 @@ JOIN protocol ON protocol.id = enrolment.protocol_id
 LEFT JOIN frame AS shown
   ON shown.attempt_id = step.attempt_id AND shown.frame = step.shown_frame
 WHERE step.fixation_x_m IS NOT NULL OR step.region_x_m IS NOT NULL;
+
+-- One row per step of a completed attempt in which something popped or was stopped short.
+CREATE VIEW popped_step AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       step.step AS step,
+       step.shown_frame AS shown_frame,
+       step.pops AS pops,
+       step.largest_pop_deg AS largest_pop_deg,
+       step.stopped_short AS stopped_short
+FROM step
+JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE step.pops > 0 OR step.stopped_short > 0;
 
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS

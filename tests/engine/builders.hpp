@@ -115,6 +115,13 @@ inline World enclosed_l_blocks(int count, int depth, Schedule schedule = {}) {
           std::move(settings)};
 }
 
+/// The average of the contacts of all overlapping nodes of two bodies that do not move.
+/// Precondition: the pair overlaps.
+inline Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree& a,
+                               PlacedTree& b, const NormalFallbacks& fallbacks) {
+  return pair_contacts(bodies, pair, {a}, {b}, fallbacks, {}).at(0);
+}
+
 /// One step of `world` with all the work it asks for.
 inline StepReport step_whole(World& world, double dt_s = kStep_s) {
   FixedWork meter(kUnlimitedTests);

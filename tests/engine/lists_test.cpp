@@ -226,7 +226,12 @@ StepInput looking_at(double x_m, double y_m, double radius_deg) {
 TEST(Lists, EverySchedulerWithAnUnlimitedBudgetEndsInTheSameState) {
   for (const std::string_view name : metric_names()) {
     World plain = enclosed_l_blocks(15, 3);
-    Schedule schedule = lists_by(std::string(name).c_str(), {});
+    MetricOptions options;
+    if (needs_terms(name)) {
+      options.terms = {{"eccentricity", 1.0, 0.0, 20.0}, {"size", 1.0, 5.0, 0.0}};
+    }
+    Schedule schedule;
+    schedule.metric = make_metric(name, options);
     World other = enclosed_l_blocks(15, 3, schedule);
     World regional = enclosed_l_blocks(15, 3, by_region());
     std::size_t contacts = 0;

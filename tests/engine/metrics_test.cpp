@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/collision/pair_refinement.hpp"
+#include "engine/scheduling/visible_frequency.hpp"
+#include "engine/shapes/mesh_distance.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {
@@ -106,18 +110,178 @@ TEST(Metrics, ProjectedGapIsTheAngleOfTheFitErrorAndLargeIsHigh) {
   EXPECT_GT(priority("projected-gap", pair), priority("projected-gap", farther));
 }
 
+TEST(Metrics, CollisionSpeedIsThatOfOneBodyPastTheOtherAndSlowIsHigh) {
+  // 1 m from the eye, side by side: 0.3 m/s across the line of sight are 0.3 rad/s.
+  PairBounds pair = pair_at({0.0, 0.0, -0.5});
+  pair.velocity_a = Vector3(0.2, 0.0, 7.0);
+  pair.velocity_b = Vector3(-0.1, 0.0, 2.0);
+  const double per_radian = 180.0 / std::numbers::pi;
+  EXPECT_NEAR(measured("collision-speed", pair), 0.3 * per_radian, kAngleError_deg);
+  PairBounds together = pair;
+  together.velocity_b = together.velocity_a;
+  EXPECT_EQ(measured("collision-speed", together), 0.0) << "side by side";
+  EXPECT_GT(priority("collision-speed", together), priority("collision-speed", pair));
+  PairBounds at_wall = together;
+  at_wall.pair.b = kEnclosure;
+  EXPECT_NEAR(measured("collision-speed", at_wall), 0.2 * per_radian, kAngleError_deg)
+      << "the wall stands still";
+}
+
+TEST(Metrics, GapIsBetweenTheCentresAndGapBoundTheFitErrorAndLargeIsHigh) {
+  PairBounds pair = pair_at({0.3, 0.0, -0.5}, 0.25);
+  pair.fit_error_m = 0.125;
+  EXPECT_DOUBLE_EQ(measured("gap", pair), 0.5);
+  EXPECT_DOUBLE_EQ(measured("gap-bound", pair), 0.125);
+  PairBounds wider = pair_at({0.3, 0.0, -9.5}, 0.3);
+  wider.fit_error_m = 0.2;
+  EXPECT_GT(priority("gap", wider), priority("gap", pair)) << "at any distance";
+  EXPECT_GT(priority("gap-bound", wider), priority("gap-bound", pair));
+}
+
+TEST(Metrics, NoPairThatTouchesAtALevelIsFurtherApartThanItsGapBound) {
+  RandomStream random(7, "gap bounds");
+  const TriangleMesh mesh = small_l_block();
+  const VolumeTree tree = octree(mesh, 3);
+  const auto metric = make_metric("gap-bound");
+  int touching = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Pose pose{random_in_cube(random, 0.2), random_turn(random)};
+    PlacedTree a(tree);
+    PlacedTree b(tree);
+    b.move_to(pose);
+    PairRefinement refinement(a, b);
+    const double gap_m =
+        intersects(mesh, {}, mesh, pose) ? 0.0 : mesh_distance(mesh, {}, mesh, pose).distance_m;
+    while (true) {
+      if (!refinement.overlapping().empty()) {
+        PairBounds bounds;
+        bounds.fit_error_m = 2.0 * tree.fit_error_m(refinement.level());
+        EXPECT_LE(gap_m, metric->measure(bounds, kViewer, {})) << "trial " << trial;
+        ++touching;
+      }
+      const int level = refinement.level();
+      while (!refinement.resolved() && refinement.level() == level) {
+        refinement.refine_one_block();
+      }
+      if (refinement.level() == level) {
+        break;
+      }
+    }
+  }
+  EXPECT_GT(touching, 60);
+}
+
+TEST(Metrics, VisibleFrequencyHasReddysValues) {
+  // experiments: M(10) = .4681, M(20) = .1529, G(10) = 29.91, their product 14.00.
+  EXPECT_NEAR(share_seen_at_eccentricity(10.0), 0.4681, 5e-5);
+  EXPECT_NEAR(share_seen_at_eccentricity(20.0), 0.1529, 5e-5);
+  EXPECT_EQ(share_seen_at_eccentricity(5.79), 1.0);
+  EXPECT_NEAR(frequency_seen_at_speed(10.0), 29.91, 5e-3);
+  EXPECT_EQ(frequency_seen_at_speed(0.825), 60.0);
+  EXPECT_EQ(frequency_seen_at_speed(118.4), 0.1);
+  // 10° right of the fixation, both at 10°/s: 1 m away, along the circle about the eye.
+  const double angle_rad = 10.0 / 180.0 * std::numbers::pi;
+  const Vector3 ray(std::sin(angle_rad), 0.0, -std::cos(angle_rad));
+  PairBounds pair{{0, 1}, {kViewer.eye + ray, 0.01}, {kViewer.eye + ray, 0.01}};
+  pair.velocity_a = angle_rad * Vector3::UnitY();
+  pair.velocity_b = pair.velocity_a;
+  EXPECT_NEAR(measured("visible-frequency", pair), 14.00, 5e-3);
+  PairBounds slower = pair;
+  slower.velocity_b.setZero();
+  EXPECT_GT(priority("visible-frequency", slower), priority("visible-frequency", pair));
+  EXPECT_GT(priority("visible-frequency", pair, ScreenPoint{0.05, 0.0}),
+            priority("visible-frequency", pair));
+}
+
+TEST(Metrics, APointStandsInTheFixationsPlace) {
+  const PairBounds pair = pair_at({0.5, 0.0, 0.0});
+  MetricOptions options;
+  options.point = ScreenPoint{0.5, 0.0};
+  for (const char* name : {"eccentricity", "visible-frequency"}) {
+    const double at_point = measured(name, pair, options.point);
+    for (const Fixation& fixation : {Fixation{}, Fixation{ScreenPoint{-0.5, 0.1}}}) {
+      EXPECT_EQ(make_metric(name, options)->measure(pair, kViewer, fixation), at_point) << name;
+      EXPECT_NE(measured(name, pair, fixation), at_point) << name;
+    }
+  }
+}
+
+MetricOptions terms(std::vector<WeightedTerm> of) {
+  MetricOptions options;
+  options.terms = std::move(of);
+  return options;
+}
+
+TEST(Metrics, AWeightedSumBringsEachTermFromRelaxedToUrgent) {
+  const MetricOptions both = terms({{"distance", 3.0, 1.0, 2.0}, {"eccentricity", 1.0, 0.0, 90.0}});
+  const auto metric = make_metric("weighted", both);
+  const auto at = [&](const Vector3& place) {
+    return metric->measure(pair_at(place), kViewer, {});
+  };
+  EXPECT_NEAR(at({0.0, 0.0, -0.5}), 4.0, kAngleError_deg) << "1 m ahead";
+  EXPECT_NEAR(at({0.0, 0.0, -0.75}), 3.0 * 0.75 + 1.0, kAngleError_deg);
+  EXPECT_NEAR(at({0.0, 0.0, -9.0}), 1.0, kAngleError_deg) << "clamped";
+  EXPECT_NEAR(at({0.0, 0.0, 0.4}), 4.0, kAngleError_deg) << "clamped";
+  EXPECT_NEAR(at({2.0, 0.0, -1.5}), 0.5, kAngleError_deg) << "45 degrees, 2.8 m";
+  EXPECT_GT(metric->priority(1.0), metric->priority(0.5)) << "high first";
+}
+
+TEST(Metrics, AWeightedSumHandsThePointToTheTermsThatTakeOne) {
+  MetricOptions options = terms({{"distance", 1.0, 0.0, 1.0}, {"eccentricity", 1.0, 0.0, 90.0}});
+  options.point = ScreenPoint{0.5, 0.0};
+  const PairBounds pair = pair_at({0.5, 0.0, 0.0});
+  EXPECT_GT(make_metric("weighted", options)->measure(pair, kViewer, ScreenPoint{-0.5, 0.0}), 1.0);
+}
+
+std::string refusal(const char* name, const MetricOptions& options = {}) {
+  try {
+    make_metric(name, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
 TEST(Metrics, EveryNameMakesAMetricAndOthersAreRefused) {
   for (const std::string_view name : metric_names()) {
-    EXPECT_NE(make_metric(name), nullptr) << name;
+    const MetricOptions options =
+        needs_terms(name) ? terms({{"size", 1.0, 10.0, 0.0}}) : MetricOptions{};
+    EXPECT_NE(make_metric(name, options), nullptr) << name;
   }
-  try {
-    make_metric("loudness");
-    ADD_FAILURE() << "accepted";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(),
-                 "scheduler: expected one of distance, eccentricity, projected-gap, size, "
-                 "velocity, got \"loudness\"");
-  }
+  EXPECT_EQ(refusal("loudness"),
+            "scheduler: expected one of collision-speed, distance, eccentricity, gap, gap-bound, "
+            "projected-gap, size, velocity, visible-frequency, weighted, got \"loudness\"");
+}
+
+TEST(Metrics, OptionsWithoutAUseAreRefused) {
+  MetricOptions point;
+  point.point = ScreenPoint{};
+  EXPECT_EQ(refusal("size", point),
+            "scheduler: expected no point, which \"size\" has no use for, got one");
+  EXPECT_EQ(refusal("eccentricity", terms({{"size", 1.0, 1.0, 0.0}})),
+            "scheduler: expected no terms, which \"eccentricity\" has no use for, got 1");
+  point.terms = {{"size", 1.0, 1.0, 0.0}};
+  EXPECT_EQ(refusal("weighted", point),
+            "weighted scheduler: expected no point, which none of its terms has a use for, got "
+            "one");
+}
+
+TEST(Metrics, AWeightedSumsProblemIsNamed) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string start = "weighted scheduler: expected ";
+  EXPECT_EQ(refusal("weighted"), start + "at least one term, got none");
+  EXPECT_EQ(refusal("weighted", terms({{"size", 0.0, 1.0, 0.0}})),
+            start + "a weight above 0 for \"size\", got 0.000000");
+  EXPECT_EQ(refusal("weighted", terms({{"size", infinity, 1.0, 0.0}})),
+            start + "a weight above 0 for \"size\", got inf");
+  const std::string ends = start + "two different finite ends, urgent and relaxed, for \"size\", ";
+  EXPECT_EQ(refusal("weighted", terms({{"size", 1.0, 2.0, 2.0}})),
+            ends + "got 2.000000 and 2.000000");
+  EXPECT_EQ(refusal("weighted", terms({{"size", 1.0, std::nan(""), 2.0}})),
+            ends + "got nan and 2.000000");
+  EXPECT_EQ(refusal("weighted", terms({{"weighted", 1.0, 1.0, 0.0}})),
+            start + "terms that are no sums themselves, got \"weighted\"");
+  EXPECT_EQ(refusal("weighted", terms({{"loudness", 1.0, 1.0, 0.0}})), refusal("loudness"));
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST_P(TreesOfKind, NodesOfAnOldPoseAreNeverSeenAgain) {
 }
 
 TEST_P(TreesOfKind, AWallIsTouchedByTheNodesThatReachIt) {
-  const ClosedCube walls{1.0};
+  const Enclosure walls = ClosedCube{1.0};
   int touched = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const VolumeTree tree = tree_of(random_, GetParam(), 3);
@@ -168,7 +168,7 @@ TEST_P(TreesOfKind, AWallIsTouchedByTheNodesThatReachIt) {
     cached.move_to(now.pose);
     const PairRefinement pair(cached, walls);
     ASSERT_EQ(pair.overlapping().empty(), !reaches_wall(walls, now.at(0)));
-    for (const Contact& contact : wall_contacts(0, pair, cached, walls)) {
+    for (const Contact& contact : wall_contacts(0, pair, {cached}, walls, {})) {
       const int wall = kEnclosure - contact.bodies.b;
       ASSERT_GE(wall, 0);
       ASSERT_EQ(contact.touch.depth_m, reach_beyond(walls, wall, now.at(0)));

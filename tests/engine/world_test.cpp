@@ -335,7 +335,7 @@ class SlicedWork final : public WorkMeter {
   SlicedWork(std::int64_t slice, std::int64_t refuse_from)
       : slice_(slice), refuse_from_(refuse_from) {}
 
-  std::int64_t request(std::int64_t total_tests) override {
+  std::int64_t request(std::int64_t total_tests, std::int64_t /*reserved*/) override {
     while (granted_ < total_tests && granted_ < refuse_from_) {
       granted_ += slice_;
     }

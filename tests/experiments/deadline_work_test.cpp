@@ -24,7 +24,7 @@ TEST(DeadlineWork, GrantsWhatIsAskedBeforeTheDeadline) {
   DeadlineWork meter(clock, 1'000'000);
   meter.start_step();
   for (std::int64_t total = 100; total <= 10'000; total += 100) {
-    EXPECT_EQ(meter.request(total), total);
+    EXPECT_EQ(meter.request(total, 0), total);
   }
 }
 
@@ -33,11 +33,11 @@ TEST(DeadlineWork, OnceRefusedTheAnswerNeverRises) {
   DeadlineWork meter(clock,
                      30);  // from 10 on: the looks at 20 and 30 are before it, that at 40 is not
   meter.start_step();
-  EXPECT_EQ(meter.request(1'000), 1'000);
-  EXPECT_EQ(meter.request(2'000), 2'000);
+  EXPECT_EQ(meter.request(1'000, 0), 1'000);
+  EXPECT_EQ(meter.request(2'000, 0), 2'000);
   // The third look is too late; what the slice before had left over is lost with it.
   for (std::int64_t total : {3'000, 2'001, 100'000, 10}) {
-    EXPECT_EQ(meter.request(total), 2'000) << total;
+    EXPECT_EQ(meter.request(total, 0), 2'000) << total;
   }
 }
 
@@ -45,13 +45,13 @@ TEST(DeadlineWork, ARequestAfterTheDeadlineIsRefused) {
   const TickingClock clock(10);
   DeadlineWork meter(clock, 5);
   meter.start_step();
-  EXPECT_EQ(meter.request(1), 0);
+  EXPECT_EQ(meter.request(1, 0), 0);
 }
 
 TEST(DeadlineWork, NothingIsGrantedBeforeTheFirstStep) {
   const TickingClock clock(10);
   DeadlineWork meter(clock, 1'000'000'000);
-  EXPECT_EQ(meter.request(1), 0);
+  EXPECT_EQ(meter.request(1, 0), 0);
 }
 
 TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
@@ -59,8 +59,8 @@ TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
   DeadlineWork meter(clock, 15);
   for (int step = 0; step < 3; ++step) {
     meter.start_step();
-    EXPECT_EQ(meter.request(500), 500);
-    EXPECT_EQ(meter.request(50'000), 500);
+    EXPECT_EQ(meter.request(500, 0), 500);
+    EXPECT_EQ(meter.request(50'000, 0), 500);
   }
 }
 

@@ -5,10 +5,14 @@
 namespace impetus {
 namespace {
 
-/// A copy of the recording that was made with schema 1.
-std::filesystem::path old_study(const TemporaryFolder& folder) {
+/// A recording of each schema before this one, and one of the first files of schema 1.
+constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
+constexpr const char* kSchema1 = "tests/recordings/gap.sqlite";
+constexpr const char* kSchema2 = "tests/recordings/gaze-contingent.sqlite";
+
+std::filesystem::path old_study(const TemporaryFolder& folder, const char* recording = kSchema1) {
   std::filesystem::path path = folder / "old.sqlite";
-  std::filesystem::copy_file(source_file("tests/recordings/gap.sqlite"), path);
+  std::filesystem::copy_file(source_file(recording), path);
   return path;
 }
 
@@ -34,10 +38,33 @@ TEST(Migration, ReadingAnOlderStudyLeavesTheFileAsItIs) {
 }
 
 TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
+  for (const char* recording : {kEarliest, kSchema1, kSchema2}) {
+    const TemporaryFolder folder;
+    StudyFile migrated = StudyFile::open_for_reading(old_study(folder, recording));
+    StudyFile fresh = opened(folder / "new.sqlite");
+    EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
+  }
+}
+
+TEST(Migration, CollisionsKeepTheirIdsValuesAndTruths) {
+  const char* const kCollisions =
+      "SELECT group_concat(id || body_a || body_b || level || stopped || hex(depth_m) || list, "
+      "'|') "
+      "FROM collision";
   const TemporaryFolder folder;
-  StudyFile migrated = StudyFile::open_for_reading(old_study(folder));
-  StudyFile fresh = opened(folder / "new.sqlite");
-  EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
+  const std::filesystem::path path = old_study(folder, kSchema2);
+  ASSERT_EQ(value_of(path, "PRAGMA user_version"), "2");
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+      .exec("INSERT INTO collision_truth SELECT id, 0, 0, 0, 0 FROM collision");
+  const std::string before = value_of(path, kCollisions);
+  ASSERT_FALSE(before.empty());
+  { opened(path); }
+  EXPECT_EQ(value_of(path, kCollisions), before);
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM pragma_foreign_key_check"), "0");
+  EXPECT_EQ(value_of(path, "SELECT sum(contacts) = count(*) FROM seen_collision"), "1");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM collision_truth"),
+            value_of(path, "SELECT count(*) FROM collision"));
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM popped_step"), "0");
 }
 
 TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {
@@ -45,7 +72,7 @@ TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {
   const std::filesystem::path path = old_study(folder);
   const std::string ratings = value_of(path, "SELECT group_concat(rating) FROM rating");
   { opened(path); }
-  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "2");
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "3");
   EXPECT_EQ(value_of(path, "SELECT group_concat(rating) FROM rating"), ratings);
   const std::filesystem::path kept = folder / "old.schema-1.sqlite";
   EXPECT_EQ(value_of(kept, "PRAGMA user_version"), "1");
@@ -60,7 +87,7 @@ TEST(Migration, AFileInTheWayOfTheKeptOriginalIsNotOverwritten) {
   const std::string before = text_of(path);
   EXPECT_EQ(open_refusal(path), path.string() + ": expected to keep it, of schema version 1, as " +
                                     kept.string() +
-                                    " before it is brought to version 2, but there is such a file");
+                                    " before it is brought to version 3, but there is such a file");
   EXPECT_EQ(text_of(kept), "mine");
   EXPECT_EQ(value_of(path, "PRAGMA user_version"), "1");
 }

@@ -6,40 +6,11 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/observers/headless_lab.hpp"
-#include "experiments/protocol/scene_loading.hpp"
-#include "experiments/protocol/screen_file.hpp"
-#include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/preview_run.hpp"
-#include "tests/engine/builders.hpp"
-#include "tests/experiments/refusals.hpp"
+#include "tests/experiments/preview_scenes.hpp"
 
 namespace impetus {
 namespace {
-
-constexpr int kDepth = 3;
-constexpr double kFrame_s = 1.0 / 60.0;
-
-StagedScene crowd(Schedule schedule = {}) {
-  constexpr int kBodies = 27;
-  Viewer viewer = step_of(kStep_s).viewer;
-  viewer.screen = {0.376, 0.301, 1280, 1024, 10.0};
-  return {enclosed_l_blocks(kBodies, kDepth, std::move(schedule)), viewer,
-          std::vector<DrawnBody>(kBodies)};
-}
-
-StagedScene two_l_blocks() {
-  const JsonDocument scene =
-      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/two-l-blocks.json");
-  ShapeLibrary shapes;
-  return build_scene(scene.value, assumed_screen(), 0.0, shapes);
-}
-
-StagedScene cube() {
-  const JsonDocument scene =
-      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/l-blocks-in-a-cube.json");
-  ShapeLibrary shapes;
-  return build_scene(scene.value, assumed_screen(), 0.0, shapes);
-}
 
 std::uint64_t hash_of(const PreviewRun& run) { return hash_state(run.scene().world.states()).hash; }
 
@@ -59,85 +30,6 @@ std::set<int> lists_of_a_second(PreviewRun& run) {
     }
   }
   return lists;
-}
-
-// ---------------------------------------------------------------- what the controls ask for
-
-TEST(PreviewSettings, EveryChoiceOfSchedulerAndListsIsAGoodSchedule) {
-  for (const std::string& scheduler : scheduler_names()) {
-    for (int lists = 1; lists <= kMostPreviewLists; ++lists) {
-      PreviewSettings settings = settings_of(crowd());
-      choose_list_count(settings, lists);
-      choose_scheduler(settings, scheduler);
-      EXPECT_EQ(problem_of(settings), "") << scheduler << " with " << lists << " lists";
-      choose_list_count(settings, lists);
-      EXPECT_EQ(problem_of(settings), "") << scheduler << " with " << lists << " lists";
-    }
-  }
-}
-
-TEST(PreviewSettings, ARegionHasTwoListsWhateverIsAskedFor) {
-  PreviewSettings settings = settings_of(crowd());
-  choose_scheduler(settings, "region");
-  choose_list_count(settings, 4);
-  EXPECT_EQ(settings.list_count, 2);
-  EXPECT_EQ(schedule_of(settings).rule, ListRule::kRegion);
-}
-
-TEST(PreviewSettings, AScenesOwnScheduleIsWhatTheControlsShow) {
-  for (const std::string_view name : metric_names()) {
-    Schedule schedule;
-    schedule.metric = make_metric(name);
-    schedule.lists = {{3.0, 1, 2}, {1.0, 0, 1}};
-    schedule.thresholds = {7.5};
-    const PreviewSettings settings = settings_of(crowd(schedule));
-    EXPECT_EQ(settings.scheduler, name);
-    const Schedule again = schedule_of(settings);
-    ASSERT_EQ(again.lists.size(), 2U);
-    EXPECT_EQ(again.lists[0].share, 3.0);
-    EXPECT_EQ(again.lists[0].least_level, 1);
-    EXPECT_EQ(again.lists[0].greatest_level, 2);
-    EXPECT_EQ(again.lists[1].greatest_level, 1);
-    EXPECT_EQ(again.thresholds, schedule.thresholds);
-  }
-}
-
-TEST(PreviewSettings, TheFinestLevelIsNoLimit) {
-  const PreviewSettings settings = settings_of(two_l_blocks());
-  EXPECT_EQ(settings.finest_level, 4);
-  EXPECT_EQ(settings.lists[0].least_level, 4);
-  EXPECT_EQ(schedule_of(settings).lists[0].greatest_level, kUnlimitedLevel);
-}
-
-TEST(PreviewSettings, AScenesOwnRegionIsWhatTheControlsShow) {
-  const PreviewSettings settings = settings_of(cube());
-  EXPECT_EQ(settings.scheduler, "region");
-  EXPECT_EQ(settings.region.kind, RegionKind::kAllGood);
-  EXPECT_EQ(settings.region.radius_deg, 5.0);
-  EXPECT_EQ(settings.region.renewal_steps, 60);
-  EXPECT_EQ(settings.budget, BudgetUnit::kUnlimited);
-  const Schedule schedule = schedule_of(settings);
-  EXPECT_EQ(schedule.rule, ListRule::kRegion);
-  ASSERT_EQ(schedule.lists.size(), 2U);
-  EXPECT_EQ(schedule.lists[0].least_level, 4);
-  EXPECT_EQ(schedule.lists[1].greatest_level, 0);
-  EXPECT_EQ(problem_of(settings), "");
-}
-
-TEST(PreviewSettings, AScenesOwnBudgetIsWhatTheControlsShow) {
-  StagedScene scene = crowd();
-  scene.budget.tests_per_step = 321;
-  EXPECT_EQ(settings_of(scene).budget, BudgetUnit::kTests);
-  EXPECT_EQ(settings_of(scene).tests_per_step, 321);
-  scene.budget = {kUnlimitedTests, 750'000};
-  EXPECT_EQ(settings_of(scene).budget, BudgetUnit::kMilliseconds);
-  EXPECT_EQ(settings_of(scene).ms_per_step, 0.75);
-}
-
-TEST(PreviewSettings, WithoutARegionOfTheScenesOwnItFollowsTheMouse) {
-  const PreviewSettings settings = settings_of(crowd());
-  EXPECT_EQ(settings.region.kind, RegionKind::kTracked);
-  EXPECT_EQ(settings.region.renewal_steps, 60);
 }
 
 // ---------------------------------------------------------------- time

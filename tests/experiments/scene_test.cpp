@@ -5,61 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "engine/starting_overlaps.hpp"
-#include "experiments/protocol/scene_loading.hpp"
-#include "experiments/protocol/screen_file.hpp"
-#include "experiments/scenes/scene_file.hpp"
-#include "tests/experiments/fakes.hpp"
-#include "tests/experiments/refusals.hpp"
+#include "tests/experiments/test_scenes.hpp"
 
 namespace impetus {
 namespace {
-
-constexpr const char* kCrowdScene = "stimuli/l-blocks-in-a-cube.json";
-
-json crowd_scene() { return json::parse(shipped(kCrowdScene)); }
-
-/// Two balls, a box and an L-block with places of their own in a cube of 20°.
-json free_scene() {
-  return json::parse(R"({
-    "schema_version": 1, "title": "free",
-    "engine": {"step_hz": 240, "restitution": 1, "tree_depth": 2},
-    "viewer": {"azimuth_deg": 0},
-    "enclosure": {"edge_deg": 20},
-    "duration_s": 2,
-    "bodies": [
-      {"name": "ball", "shape": {"kind": "sphere", "radius_deg": 1}, "density_kg_m3": 1000,
-       "colour": "#ffffff", "position_deg": [-5, 0, 0], "velocity_deg_s": [10, 0, 0]},
-      {"name": "box", "shape": {"kind": "box", "width_deg": 2, "height_deg": 1, "depth_deg": 3},
-       "density_kg_m3": 1000, "colour": "#ffffff", "position_deg": [5, 0, 0],
-       "spin_deg_s": [0, 90, 0]},
-      {"name": "block", "shape": {"kind": "l-block", "arm_deg": 2, "thickness_deg": 0.7},
-       "density_kg_m3": 1000, "colour": "#ffffff", "position_deg": [0, 5, 0]}]})");
-}
-
-StagedScene built(const json& scene, const std::string& start = "main/1") {
-  ShapeLibrary library;
-  return build_scene(scene, assumed_screen(), 0.0, library, start);
-}
-
-/// The sentence with which a scene file is refused, without the file's name; "accepted" when not.
-std::string scene_refusal(const json& scene) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("scene.json", scene.dump()).string();
-  const std::string sentence = refusal([&] { load_scene(path); });
-  return sentence.starts_with(path) ? sentence.substr(path.size() + 1) : sentence;
-}
-
-json changed(json scene, const std::string& pointer, json value) {
-  scene[json::json_pointer(pointer)] = std::move(value);
-  return scene;
-}
-
-double metres_of(double degrees) {
-  return degrees * metres_per_degree(assumed_screen().viewing_distance_m);
-}
 
 TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
   const StagedScene scene = built(free_scene());
@@ -69,7 +20,7 @@ TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
   EXPECT_NEAR(states[0].pose.position.x(), metres_of(-5.0), 1e-12);
   EXPECT_NEAR(velocity(models[0], states[0]).x(), metres_of(10.0), 1e-12);
   EXPECT_NEAR(angular_velocity(models[1], states[1]).y(), std::acos(-1.0) / 2.0, 1e-12);
-  EXPECT_EQ(scene.world.settings().enclosure->half_edge_m, 0.5 * metres_of(20.0));
+  EXPECT_EQ(closed_cube(scene.world.settings().enclosure)->half_edge_m, 0.5 * metres_of(20.0));
   EXPECT_EQ(scene.duration_s, 2.0);
   EXPECT_NEAR(1.0 / models[1].inverse_mass, 1000.0 * 6.0 * std::pow(metres_of(1.0), 3), 1e-9);
 }
@@ -101,7 +52,8 @@ TEST(Scene, ACrowdMovesAndTurnsAtTheSpeedsTheSceneSays) {
 TEST(Scene, TheEnclosureKeepsTheDensityOfTheCrowd) {
   for (const int count : {1, 5, 10, 15, 40}) {
     const json scene = changed(crowd_scene(), "/crowd/count", count);
-    const double edge_m = 2.0 * built(scene).world.settings().enclosure->half_edge_m;
+    const StagedScene staged = built(scene);
+    const double edge_m = 2.0 * closed_cube(staged.world.settings().enclosure)->half_edge_m;
     EXPECT_NEAR(edge_m, metres_of(15.0) * std::cbrt(count / 5.0), 1e-12);
   }
 }
@@ -125,13 +77,16 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
     json scene = free_scene();
     scene["engine"]["schedule"] = {{"scheduler", std::string(name)},
                                    {"lists", {{{"share", 3}}, {{"greatest_level", 1}}}},
-                                   {"thresholds", {1.5}}};
+                                   {"thresholds", {0.5}}};
+    if (name == "weighted") {
+      scene["engine"]["schedule"]["terms"] = {{{"metric", "size"}, {"urgent", 10}, {"relaxed", 0}}};
+    }
     EXPECT_EQ(scene_refusal(scene), "accepted") << name;
     const Schedule schedule = built(scene).world.settings().schedule;
     EXPECT_EQ(schedule.lists[0].share, 3.0);
     EXPECT_EQ(schedule.lists[1].greatest_level, 1);
-    EXPECT_EQ(schedule.thresholds, std::vector<double>{1.5});
-    EXPECT_EQ(built(scene).depends_on_gaze, name == "eccentricity");
+    EXPECT_EQ(schedule.thresholds, std::vector<double>{0.5});
+    EXPECT_EQ(built(scene).depends_on_gaze, name == "eccentricity" || name == "visible-frequency");
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(known.get<std::vector<std::string>>(), names);
@@ -139,8 +94,9 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
 
 TEST(Scene, AnUnknownSchedulerIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/schedule/scheduler", "nearest")),
-            "/engine/schedule/scheduler: expected one of \"distance\", \"eccentricity\", "
-            "\"projected-gap\", \"region\", \"size\", \"velocity\", got \"nearest\"");
+            "/engine/schedule/scheduler: expected one of \"collision-speed\", \"distance\", "
+            "\"eccentricity\", \"gap\", \"gap-bound\", \"projected-gap\", \"region\", "
+            "\"size\", \"velocity\", \"visible-frequency\", \"weighted\", got \"nearest\"");
 }
 
 TEST(Scene, ListsAndThresholdsMustFitTogether) {

@@ -1,5 +1,6 @@
 // What a session keeps in its study, and that it says in one sentence when it cannot.
 // SPDX-License-Identifier: MIT
+#include "experiments/session/playback.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus {
@@ -123,6 +124,40 @@ TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
   EXPECT_EQ(value_of(path, "SELECT rating FROM rated_trial"),
             std::to_string(attempt.ratings.front().rating));
   EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "quit");
+}
+
+TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ASSERT_FALSE(attempt.collisions.empty());
+  attempt.collisions[0].report.stop = StopReason::kCapped;
+  attempt.collisions[0].report.contact_count = 3;
+  StepReport degraded;
+  degraded.pops = {{{0, 1}, 3, 2, 0.25}, {{0, 1}, 3, 1, 0.5}};
+  degraded.stopped = {{{0, 1}, 0.125}};
+  const StepRecord popped = record_of(7, {}, degraded);
+  attempt.steps[7].pops = popped.pops;
+  attempt.steps[7].largest_pop_deg = popped.largest_pop_deg;
+  attempt.steps[7].stopped_short = popped.stopped_short;
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT stopped || ' ' || contacts FROM seen_collision"), "capped 3");
+  EXPECT_EQ(value_of(path,
+                     "SELECT group_concat(step || ' ' || pops || ' ' || largest_pop_deg || ' ' || "
+                     "stopped_short) FROM popped_step"),
+            "7 2 0.5 1");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM step WHERE largest_pop_deg IS NULL"),
+            std::to_string(attempt.steps.size() - 1));
+  StudyFile study = StudyFile::open_for_reading(path);
+  const StepRecord loaded = load_steps(study.database(), 1)[7];
+  EXPECT_EQ(loaded.pops, 2);
+  EXPECT_EQ(loaded.largest_pop_deg, 0.5);
+  EXPECT_EQ(loaded.stopped_short, 1);
 }
 
 TEST(StudyWriter, SqlAndMarkupStayText) {

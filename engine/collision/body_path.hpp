@@ -1,0 +1,54 @@
+// The way of a body within a step: at rest, then straight and by the shortest turn, then at rest.
+//
+//   0 ------- begin ~~~~~~~~~~~~~~~~ stop ------- 1      shares of the step
+//     start           moving              end
+//
+// This is the way that is drawn. The turn is interpolated by normalised quaternions, which turn
+// fastest half way: by 4 tan(Θ/4) a stretch for a turn by Θ.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/numerics/vector.hpp"
+
+namespace impetus {
+
+struct BodyPath {
+  Pose start;
+  Pose end;
+  double begin{0.0};
+  double stop{1.0};
+};
+
+/// Where the body is at share `time` of the step.
+Pose pose_at(const BodyPath& path, double time);
+
+/// At most how far a point no further than `reach_m` from the centre of mass goes (metres).
+double farthest_m(const BodyPath& path, double reach_m);
+
+/// How two bodies move against each other from share `begin` of the step to `end`: nothing of it
+/// changes in between.
+struct RelativeStretch {
+  double begin{0.0};
+  double end{0.0};
+  Vector3 velocity{Vector3::Zero()};  ///< of a against b (metres a step)
+  double turn_a{0.0};                 ///< at most (radians a step)
+  double turn_b{0.0};
+
+  /// At most how far points of the bodies come towards each other (metres a step): those no
+  /// further than `reach_a_m` and `reach_b_m` from the centres of mass.
+  [[nodiscard]] double fastest(double reach_a_m, double reach_b_m) const {
+    return velocity.norm() + turn_a * reach_a_m + turn_b * reach_b_m;
+  }
+};
+
+/// The stretches in which one body or both move, in order of time.
+std::vector<RelativeStretch> stretches_of(const BodyPath& a, const BodyPath& b);
+
+/// At most how far points so far from the centres of mass move against each other from share `from`
+/// of the step on (metres).
+double way_from(double from, const std::vector<RelativeStretch>& stretches, double reach_a_m,
+                double reach_b_m);
+
+}  // namespace impetus

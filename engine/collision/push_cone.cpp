@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "engine/collision/push_cone.hpp"
+
+#include <algorithm>
+
+namespace impetus {
+namespace {
+
+/// Share of a generator's length: what of it is no longer beyond others depends on them.
+constexpr double kDependent = 1e-9;
+/// Share of the wrench's length: a generator along which less is left brings it no nearer.
+constexpr double kNoNearer = 1e-10;
+
+struct Member {
+  std::size_t generator;
+  double coefficient;
+};
+
+/// The nearest point of the cone on its way: of the generators that have a part in it, the wrench
+/// is always left with nothing along them.
+class NearestPush {
+ public:
+  NearestPush(const std::vector<Wrench>& generators, const Wrench& wrench)
+      : generators_(generators), wrench_(wrench), left_(wrench) {}
+
+  [[nodiscard]] double distance() const { return left_.norm(); }
+
+  /// Goes nearer by the generator along which most is left; false when none brings it nearer.
+  bool go_nearer() {
+    const std::size_t next = steepest();
+    if (next == generators_.size()) {
+      return false;
+    }
+    members_.push_back({next, 0.0});
+    std::vector<double> aims;
+    if (!fit(aims)) {
+      return false;
+    }
+    while (std::any_of(aims.begin(), aims.end(), [](double aim) { return aim <= 0.0; })) {
+      drop_what_turns_negative(aims);
+      fit(aims);
+    }
+    left_ = wrench_;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      members_[i].coefficient = aims[i];
+      left_ -= aims[i] * generators_[members_[i].generator];
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t steepest() const {
+    std::size_t best = generators_.size();
+    double most = kNoNearer * wrench_.norm();
+    for (std::size_t i = 0; i < generators_.size(); ++i) {
+      const bool is_member =
+          std::any_of(members_.begin(), members_.end(),
+                      [i](const Member& member) { return member.generator == i; });
+      const double along = generators_[i].dot(left_) / generators_[i].norm();
+      if (!is_member && along > most) {
+        best = i;
+        most = along;
+      }
+    }
+    return best;
+  }
+
+  /// The coefficients, of any sign, that bring the members nearest to the wrench, by Gram and
+  /// Schmidt. False when a member depends on those before it.
+  bool fit(std::vector<double>& aims) const {
+    const std::size_t count = members_.size();
+    std::vector<Wrench> axes;
+    std::vector<std::vector<double>> along(count, std::vector<double>(count, 0.0));
+    for (std::size_t j = 0; j < count; ++j) {
+      Wrench rest = generators_[members_[j].generator];
+      const double length = rest.norm();
+      for (std::size_t i = 0; i < j; ++i) {
+        along[i][j] = axes[i].dot(rest);
+        rest -= along[i][j] * axes[i];
+      }
+      along[j][j] = rest.norm();
+      if (!(along[j][j] > kDependent * length)) {
+        return false;
+      }
+      axes.emplace_back(rest / along[j][j]);
+    }
+    aims.assign(count, 0.0);
+    for (std::size_t j = count; j-- > 0;) {
+      double sum = axes[j].dot(wrench_);
+      for (std::size_t k = j + 1; k < count; ++k) {
+        sum -= along[j][k] * aims[k];
+      }
+      aims[j] = sum / along[j][j];
+    }
+    return true;
+  }
+
+  /// Moves towards `aims` until a coefficient is zero, and drops it.
+  void drop_what_turns_negative(const std::vector<double>& aims) {
+    double step = 1.0;
+    std::size_t first = members_.size();
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const double now = members_[i].coefficient;
+      if (aims[i] <= 0.0 && (first == members_.size() || now / (now - aims[i]) < step)) {
+        step = now > 0.0 ? now / (now - aims[i]) : 0.0;
+        first = i;
+      }
+    }
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      members_[i].coefficient += step * (aims[i] - members_[i].coefficient);
+    }
+    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
+  const std::vector<Wrench>& generators_;
+  const Wrench& wrench_;
+  Wrench left_;
+  std::vector<Member> members_;
+};
+
+}  // namespace
+
+double PushCone::distance(const Wrench& wrench) const {
+  NearestPush nearest(generators_, wrench);
+  // In exact numbers each set of members comes but once; the bound is against rounding.
+  const std::size_t most_rounds = 3 * generators_.size();
+  for (std::size_t round = 0; round < most_rounds && nearest.go_nearer(); ++round) {
+  }
+  return nearest.distance();
+}
+
+}  // namespace impetus

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "engine/collision/sweep_and_prune.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace impetus {
+namespace {
+
+/// Far beyond what rounding can do to the test of two spheres, as a share of the numbers in it.
+constexpr double kSlack = 1e-14;
+/// Squares of less are lost below the smallest number, squares of more are no numbers.
+constexpr double kTiny_m = 1e-150;
+constexpr double kHuge_m = 1e150;
+
+struct Span {
+  double least{-std::numeric_limits<double>::infinity()};
+  double greatest{std::numeric_limits<double>::infinity()};
+};
+
+/// What the body covers along the axis; everything when that cannot be told.
+Span span_of(const MovedBound& body, int axis) {
+  const double place_m = body.bound.centre[axis];
+  const double reach_m = body.bound.radius_m + body.travelled_m;
+  if (!(std::abs(place_m) < kHuge_m) || !(std::abs(reach_m) < kHuge_m)) {
+    return {};
+  }
+  const double grown_m = reach_m + kSlack * (std::abs(place_m) + std::abs(reach_m)) + kTiny_m;
+  return {place_m - grown_m, place_m + grown_m};
+}
+
+/// The axis along which the bodies' centres spread most; the first of equals.
+int widest_axis(const std::vector<MovedBound>& bodies) {
+  int widest = 0;
+  double most_m = -1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Span span{kHuge_m, -kHuge_m};
+    for (const MovedBound& body : bodies) {
+      const double place_m = body.bound.centre[axis];
+      if (std::abs(place_m) < kHuge_m) {
+        span = {std::min(span.least, place_m), std::max(span.greatest, place_m)};
+      }
+    }
+    if (span.greatest - span.least > most_m) {
+      most_m = span.greatest - span.least;
+      widest = axis;
+    }
+  }
+  return widest;
+}
+
+}  // namespace
+
+void SweepAndPrune::cover(const std::vector<MovedBound>& bodies, int axis) {
+  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+  if (order.size() != bodies.size()) {
+    order.resize(bodies.size());
+    std::iota(order.begin(), order.end(), 0);
+  }
+  intervals_.clear();
+  for (const std::int32_t body : order) {
+    const MovedBound& moved = bodies[static_cast<std::size_t>(body)];
+    const Span along = span_of(moved, axis);
+    const Span second = span_of(moved, (axis + 1) % 3);
+    const Span third = span_of(moved, (axis + 2) % 3);
+    intervals_.push_back({along.least,
+                          along.greatest,
+                          {second.least, third.least},
+                          {second.greatest, third.greatest},
+                          body,
+                          moved.movable});
+  }
+}
+
+void SweepAndPrune::sort() {
+  const auto goes_before = [](const Interval& x, const Interval& y) {
+    return x.least != y.least ? x.least < y.least : x.body < y.body;
+  };
+  std::size_t moves_left = 8 * intervals_.size();
+  for (std::size_t i = 1; i < intervals_.size(); ++i) {
+    for (std::size_t j = i; j > 0 && goes_before(intervals_[j], intervals_[j - 1]); --j) {
+      std::swap(intervals_[j], intervals_[j - 1]);
+      if (--moves_left == 0) {
+        std::sort(intervals_.begin(), intervals_.end(), goes_before);
+        return;
+      }
+    }
+  }
+}
+
+std::vector<PairBounds> SweepAndPrune::candidates(const std::vector<MovedBound>& bodies) {
+  const int axis = widest_axis(bodies);
+  cover(bodies, axis);
+  sort();
+  std::vector<BodyPair> found;
+  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+  for (std::size_t i = 0; i < intervals_.size(); ++i) {
+    const Interval& x = intervals_[i];
+    order[i] = x.body;
+    for (std::size_t j = i + 1; j < intervals_.size() && intervals_[j].least <= x.greatest; ++j) {
+      const Interval& y = intervals_[j];
+      if (y.across_least[0] <= x.across_greatest[0] && x.across_least[0] <= y.across_greatest[0] &&
+          y.across_least[1] <= x.across_greatest[1] && x.across_least[1] <= y.across_greatest[1] &&
+          (x.movable || y.movable)) {
+        found.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const BodyPair& p, const BodyPair& q) {
+    return p.b != q.b ? p.b < q.b : p.a < q.a;
+  });
+  std::vector<PairBounds> pairs;
+  for (const BodyPair& pair : found) {
+    const MovedBound& a = bodies[static_cast<std::size_t>(pair.a)];
+    const MovedBound& b = bodies[static_cast<std::size_t>(pair.b)];
+    if (could_meet(a, b)) {
+      pairs.push_back({pair, a.bound, b.bound});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace impetus

@@ -1,0 +1,25 @@
+// Of many contacts, the few that can do what all of them can.
+//
+//   wrench of a contact   (n, (p − p_mean) × n / size)
+//   kept                  the deepest; then, again and again, the one whose wrench lies furthest
+//                         from the cone Σ λ_i w_i, λ_i ≥ 0, of those kept
+//
+// Impulses only push, so what contacts can do together is the cone of their wrenches, not their
+// linear span: a box on three corners of its face tips over the fourth, although its wrench lies
+// in the span of the others. A contact within the cone can neither do more nor approach while
+// those that are kept do not, so it is left out. (Farkas 1902)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/volumes/sphere.hpp"
+
+namespace impetus {
+
+/// At most `most` (1 or more) of `contacts`, in their order; all of them when they are no more.
+/// Torques are measured against pushes by `size_m`, the bodies' size. Ties go to the first.
+std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
+                                             double size_m);
+
+}  // namespace impetus

@@ -1,0 +1,47 @@
+// The pairs of one priority list that wait for work, and which of them is next.
+//
+//   depth-first    as they come, by falling priority: one after the other
+//   breadth-first  the coarsest level first
+//   best-first     the most visible gap that the next level is expected to remove per unit of work:
+//                    (fit error now − fit error then, in degrees at the eye)
+//                    × probability that the surfaces meet, κ ρ_a ρ_b of the likeliest nodes
+//                    / what the tests of the next level cost
+//
+// Ties go to the pair of higher priority. A pair's urgency changes only when a level of it is
+// complete, so one that was begun is finished first.
+// (Dingliana 2002, fig. 5.1 and eq. 4.6; Klein and Zachmann 2003 for the expectation)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/collision/work_ledger.hpp"
+
+namespace impetus {
+
+/// How soon a pair comes, larger sooner; zero for depth-first.
+double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& costs);
+
+class WaitingPairs {
+ public:
+  [[nodiscard]] bool empty() const { return heap_.empty(); }
+
+  /// `index` is the pair's place by priority.
+  void add(std::size_t index, double urgency);
+
+  /// Precondition: !empty().
+  [[nodiscard]] std::size_t next() const { return heap_.front().index; }
+  void remove_next();
+
+ private:
+  struct Waiting {
+    double urgency;
+    std::size_t index;
+  };
+  static bool comes_after(const Waiting& x, const Waiting& y);
+
+  std::vector<Waiting> heap_;
+};
+
+}  // namespace impetus

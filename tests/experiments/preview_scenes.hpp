@@ -1,0 +1,38 @@
+// Scenes for previews without a window.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "tests/engine/builders.hpp"
+#include "tests/experiments/refusals.hpp"
+
+namespace impetus {
+
+inline constexpr int kDepth = 3;
+inline constexpr double kFrame_s = 1.0 / 60.0;
+
+inline StagedScene crowd(Schedule schedule = {}) {
+  constexpr int kBodies = 27;
+  Viewer viewer = step_of(kStep_s).viewer;
+  viewer.screen = {0.376, 0.301, 1280, 1024, 10.0};
+  return {enclosed_l_blocks(kBodies, kDepth, std::move(schedule)), viewer,
+          std::vector<DrawnBody>(kBodies)};
+}
+
+inline StagedScene two_l_blocks() {
+  const JsonDocument scene =
+      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/two-l-blocks.json");
+  ShapeLibrary shapes;
+  return build_scene(scene.value, assumed_screen(), 0.0, shapes);
+}
+
+inline StagedScene cube() {
+  const JsonDocument scene =
+      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/l-blocks-in-a-cube.json");
+  ShapeLibrary shapes;
+  return build_scene(scene.value, assumed_screen(), 0.0, shapes);
+}
+
+}  // namespace impetus
