@@ -6,18 +6,32 @@
 
 namespace impetus {
 
-double ContactPatches::Patch::spread_m() const { return std::sqrt(scatter_m2 / count); }
+/// Of an even row of points with the patch's variance along `direction` (unit).
+double ContactPatches::Patch::half_length_m(const Vector3& direction) const {
+  return std::sqrt(std::max(0.0, 3.0 * direction.dot(scatter_m2 * direction) / count));
+}
 
-bool ContactPatches::Patch::continues(const Patch& other) const {
-  const double apart_m = (mean_point() - other.mean_point()).norm();
+bool ContactPatches::Patch::is_near(const Patch& other) const {
+  const Vector3 between = mean_point() - other.mean_point();
+  const double apart_m = between.norm();
+  const Vector3 along = apart_m > 0.0 ? Vector3(between / apart_m) : Vector3::Zero();
   const double neighbours_m = 2.0 * std::max(node_m, other.node_m);
-  return normals.dot(other.normals) >= kOneSurfaceCosine * normals.norm() * other.normals.norm() &&
-         apart_m <= spread_m() + other.spread_m() + neighbours_m;
+  return apart_m <= half_length_m(along) + other.half_length_m(along) + neighbours_m;
+}
+
+bool ContactPatches::Patch::faces_as(const Patch& other) const {
+  return normals.dot(other.normals) >= kOneSurfaceCosine * normals.norm() * other.normals.norm();
+}
+
+bool ContactPatches::Patch::may_be_of(const Patch& patch) const {
+  return group_a == patch.group_a && group_b == patch.group_b &&
+         ((group_a != kNoGroup && group_b != kNoGroup) || is_near(patch));
 }
 
 void ContactPatches::Patch::join(const Patch& other) {
-  const double apart_m2 = (mean_point() - other.mean_point()).squaredNorm();
-  scatter_m2 += other.scatter_m2 + apart_m2 * count * other.count / (count + other.count);
+  const Vector3 between = mean_point() - other.mean_point();
+  scatter_m2 += other.scatter_m2 +
+                count * other.count / (count + other.count) * (between * between.transpose());
   count += other.count;
   normals += other.normals;
   points += other.points;
@@ -43,7 +57,7 @@ ContactPatches::Patch* ContactPatches::patch_for(const Patch& contact) {
   Patch* best = nullptr;
   double longest = kOneSurfaceCosine;
   for (Patch& patch : patches_) {
-    if (patch.group_a == contact.group_a && patch.group_b == contact.group_b) {
+    if (contact.may_be_of(patch)) {
       const double length = (patch.normals + contact.normals).norm() / (patch.count + 1.0);
       if (length >= longest) {
         best = &patch;
@@ -77,8 +91,9 @@ void ContactPatches::add(const NodeContact& contact, double weight) {
 std::vector<TouchPoint> ContactPatches::contacts() const {
   std::vector<Patch> whole;
   for (const Patch& patch : patches_) {
-    const auto before = std::find_if(whole.begin(), whole.end(),
-                                     [&](const Patch& other) { return patch.continues(other); });
+    const auto before = std::find_if(whole.begin(), whole.end(), [&](const Patch& other) {
+      return patch.faces_as(other) && patch.is_near(other);
+    });
     if (before == whole.end()) {
       whole.push_back(patch);
     } else {

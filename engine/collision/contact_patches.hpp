@@ -4,7 +4,8 @@
 //
 // A contact joins, of its groups' patches, the one whose mean of unit normals stays longest. Where
 // it would fall below kOneSurfaceCosine the patch would not be one surface, so the contact starts
-// another. At last patches of different groups that face the same way within that cosine, and are
+// another. Nodes without a group, inside the solid, are of no one surface: they join what is near.
+// At last patches of different groups that face the same way within that cosine, and are
 // no further apart than neighbouring nodes, are one again: groups cut curved surfaces into pieces
 // and a corner lies on several, which would make many contacts of one.
 // (Dingliana 2002, sec. 4.2.3 and eq. 4.11 and 4.12, corrected)
@@ -39,7 +40,7 @@ class ContactPatches {
     double count{0.0};
     Vector3 normals{Vector3::Zero()};
     Vector3 points{Vector3::Zero()};
-    double scatter_m2{0.0};  ///< sum of squared distances from the mean point
+    Matrix3 scatter_m2{Matrix3::Zero()};  ///< sum of d dᵀ, d from the mean point
     double weight{0.0};
     Vector3 weighted_normals{Vector3::Zero()};
     Vector3 weighted_points{Vector3::Zero()};
@@ -48,8 +49,10 @@ class ContactPatches {
 
     [[nodiscard]] TouchPoint contact() const;
     [[nodiscard]] Vector3 mean_point() const { return points / count; }
-    [[nodiscard]] double spread_m() const;
-    [[nodiscard]] bool continues(const Patch& other) const;
+    [[nodiscard]] double half_length_m(const Vector3& direction) const;
+    [[nodiscard]] bool is_near(const Patch& other) const;
+    [[nodiscard]] bool faces_as(const Patch& other) const;
+    [[nodiscard]] bool may_be_of(const Patch& patch) const;
     void join(const Patch& other);
   };
 
