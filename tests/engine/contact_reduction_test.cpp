@@ -29,6 +29,8 @@ NodeContact at(const Vector3& point, const Vector3& normal, double depth_m) {
   NodeContact contact;
   contact.touch = {point, normal.normalized(), depth_m};
   contact.node_m = 0.1;
+  contact.group_a = 0;
+  contact.group_b = 0;
   return contact;
 }
 
