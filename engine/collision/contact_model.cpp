@@ -47,10 +47,16 @@ void weigh(NodeContact& contact, const NodePair& nodes, const MovingTree& a, con
   const TouchPoint& touch = contact.touch;
   const NodeSurface& of_a = a.tree.tree().surface(nodes.a);
   const NodeSurface& of_b = b.tree.tree().surface(nodes.b);
-  contact.approach_m_s = -touch.normal.dot(
-      Vector3(a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point)));
-  contact.interpenetration =
-      interpenetration(a.tree.world_volume(nodes.a), b.tree.world_volume(nodes.b), touch);
+  const Volume node_a = a.tree.world_volume(nodes.a);
+  const Volume node_b = b.tree.world_volume(nodes.b);
+  const Vector3 moving = a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point);
+  const double reach_m =
+      0.5 * (width_along(node_a, touch.normal) + width_along(node_b, touch.normal));
+  contact.approach_m_s = -touch.normal.dot(moving);
+  contact.since_entry_s =
+      time_since_entry_s(reach_m, touch.depth_m, contact.approach_m_s, moving.norm());
+  contact.node_m = std::min(bounding_sphere(node_a).radius_m, bounding_sphere(node_b).radius_m);
+  contact.interpenetration = interpenetration(node_a, node_b, touch);
   contact.occupancy_a = static_cast<double>(of_a.occupancy);
   contact.occupancy_b = static_cast<double>(of_b.occupancy);
   contact.group_a = of_a.group;
@@ -64,7 +70,12 @@ void weigh_at_wall(NodeContact& contact, std::int32_t node, const MovingTree& a)
   const TouchPoint& touch = contact.touch;
   const NodeSurface& surface = a.tree.tree().surface(node);
   contact.approach_m_s = -touch.normal.dot(a.motion.velocity_at(touch.point));
-  contact.interpenetration = wall_interpenetration(a.tree.world_volume(node), touch);
+  if (contact.approach_m_s > 0.0) {
+    contact.since_entry_s = touch.depth_m / contact.approach_m_s;
+  }
+  const Volume volume = a.tree.world_volume(node);
+  contact.node_m = bounding_sphere(volume).radius_m;
+  contact.interpenetration = wall_interpenetration(volume, touch);
   contact.occupancy_a = static_cast<double>(surface.occupancy);
   contact.group_a = surface.group;
   contact.outward_a = -touch.normal;

@@ -2,27 +2,32 @@
 //
 //   (group of a, group of b) --> patch, patch ...      Σ P, Σ P n, Σ P p, greatest depth
 //
-// A contact joins, of its groups' patches, the one whose mean of unit normals stays longest; where
+// A contact joins, of its groups' patches, the one whose mean of unit normals stays longest. Where
 // it would fall below kOneSurfaceCosine the patch would not be one surface, so the contact starts
-// another. (Dingliana 2002, sec. 4.2.3 and eq. 4.11 and 4.12, corrected)
+// another. Nodes without a group, inside the solid, are of no one surface: they join what is near.
+// At last patches of different groups that face the same way within that cosine, and are
+// no further apart than neighbouring nodes, are one again: groups cut curved surfaces into pieces
+// and a corner lies on several, which would make many contacts of one.
+// (Dingliana 2002, sec. 4.2.3 and eq. 4.11 and 4.12, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "engine/volumes/sphere.hpp"
+#include "engine/collision/node_contact.hpp"
 
 namespace impetus {
 
-/// Length of the mean of unit normals below which they are not of one surface; normals 91° apart
-/// are not.
-inline constexpr double kOneSurfaceCosine = 0.7;
+/// Length of the mean of unit normals below which they are not of one surface, and cosine between
+/// patches that are not: two normals 120° apart, two patches 60° apart. Normals between nodes of a
+/// grid scatter by as much as 45° about that of a plane.
+inline constexpr double kOneSurfaceCosine = 0.5;
 
 class ContactPatches {
  public:
-  /// Adds a contact on group `group_a` of a and `group_b` of b, of weight P ≥ 0.
-  void add(std::int32_t group_a, std::int32_t group_b, const TouchPoint& touch, double weight);
+  /// Adds a contact of weight P ≥ 0.
+  void add(const NodeContact& contact, double weight);
 
   /// One contact for each patch, in the order in which they began: normal ΣPn made unit, point
   /// ΣPp / ΣP, greatest depth. Weights that are all zero count as equal.
@@ -30,19 +35,28 @@ class ContactPatches {
 
  private:
   struct Patch {
-    std::int32_t group_a;
-    std::int32_t group_b;
+    std::int32_t group_a{kNoGroup};
+    std::int32_t group_b{kNoGroup};
     double count{0.0};
     Vector3 normals{Vector3::Zero()};
     Vector3 points{Vector3::Zero()};
+    Matrix3 scatter_m2{Matrix3::Zero()};  ///< sum of d dᵀ, d from the mean point
     double weight{0.0};
     Vector3 weighted_normals{Vector3::Zero()};
     Vector3 weighted_points{Vector3::Zero()};
     double depth_m{0.0};
+    double node_m{0.0};  ///< the largest of its contacts'
+
+    [[nodiscard]] TouchPoint contact() const;
+    [[nodiscard]] Vector3 mean_point() const { return points / count; }
+    [[nodiscard]] double half_length_m(const Vector3& direction) const;
+    [[nodiscard]] bool is_near(const Patch& other) const;
+    [[nodiscard]] bool faces_as(const Patch& other) const;
+    [[nodiscard]] bool may_be_of(const Patch& patch) const;
+    void join(const Patch& other);
   };
 
-  Patch& patch_for(std::int32_t group_a, std::int32_t group_b, const Vector3& normal);
-  static TouchPoint contact_of(const Patch& patch);
+  Patch* patch_for(const Patch& contact);
 
   std::vector<Patch> patches_;
 };

@@ -12,9 +12,9 @@
 
 namespace impetus {
 
-/// Outward normals whose difference is shorter than this, 11° from the same way, do not say which
-/// body is on which side: the geometric normal stands.
-inline constexpr double kLeastOpposed = 0.2;
+/// Outward normals less than 90° apart, whose difference is shorter than this, are not of surfaces
+/// that face each other: the geometric normal stands.
+inline constexpr double kLeastOpposed = 1.4142135623730951;
 
 /// The normal, unit and from b to a, that the densities of the two nodes give.
 inline Vector3 density_contact_normal(const NodeContact& contact) {
@@ -28,9 +28,9 @@ class DensityContacts final : public ContactSums {
   explicit DensityContacts(const Vector3& /*fallback*/) {}
 
   void add(const NodeContact& contact) override {
-    TouchPoint touch = contact.touch;
-    touch.normal = density_contact_normal(contact);
-    patches_.add(contact.group_a, contact.group_b, touch, /*weight=*/1.0);
+    NodeContact faced = contact;
+    faced.touch.normal = density_contact_normal(contact);
+    patches_.add(faced, /*weight=*/1.0);
   }
   [[nodiscard]] std::vector<TouchPoint> reduced() const override { return patches_.contacts(); }
 

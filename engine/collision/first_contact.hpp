@@ -1,13 +1,14 @@
-// The contact that was entered first: the one with the greatest depth for its speed of approach.
+// The contact that was entered first, by the time since its nodes met.
 //
-// Depth over approach is the time since entry. The thesis compares κ instead, which is relative to
-// the smaller node and so depends on its size. Contacts that part were not entered by this motion:
-// they count when nothing approaches, the deepest first. Of equals the first to come.
+// The thesis compares κ instead, which is relative to the smaller node and so depends on its size.
+// A contact that parts gives the response nothing to do, so it counts only when none approaches;
+// of equal times the deeper counts, of equals the first to come.
 // (Dingliana 2002, sec. 4.2.1, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "engine/collision/contact_reduction.hpp"
@@ -27,21 +28,17 @@ class FirstContact final : public ContactSums {
   }
 
   [[nodiscard]] std::vector<TouchPoint> reduced() const override {
-    if (first_.empty()) {
-      return {};
+    std::vector<TouchPoint> contacts;
+    for (const NodeContact& first : first_) {
+      contacts.push_back(first.touch);
     }
-    return {first_.front().touch};
+    return contacts;
   }
 
  private:
   static bool was_before(const NodeContact& x, const NodeContact& y) {
-    const bool x_approaches = x.approach_m_s > 0.0;
-    const bool y_approaches = y.approach_m_s > 0.0;
-    if (x_approaches != y_approaches) {
-      return x_approaches;
-    }
-    return x_approaches ? x.touch.depth_m * y.approach_m_s > y.touch.depth_m * x.approach_m_s
-                        : x.touch.depth_m > y.touch.depth_m;
+    return std::tuple(x.approach_m_s > 0.0, x.since_entry_s, x.touch.depth_m) >
+           std::tuple(y.approach_m_s > 0.0, y.since_entry_s, y.touch.depth_m);
   }
 
   std::vector<NodeContact> first_;  ///< none or one

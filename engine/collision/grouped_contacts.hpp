@@ -14,9 +14,7 @@ class GroupedContacts final : public ContactSums {
  public:
   explicit GroupedContacts(const Vector3& /*fallback*/) {}
 
-  void add(const NodeContact& contact) override {
-    patches_.add(contact.group_a, contact.group_b, contact.touch, /*weight=*/1.0);
-  }
+  void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
   [[nodiscard]] std::vector<TouchPoint> reduced() const override { return patches_.contacts(); }
 
  private:

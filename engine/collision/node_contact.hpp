@@ -13,6 +13,8 @@ namespace impetus {
 struct NodeContact {
   TouchPoint touch;
   double approach_m_s{0.0};      ///< of the bodies' points there along the normal; < 0: they part
+  double since_entry_s{0.0};     ///< see time_since_entry_s()
+  double node_m{0.0};            ///< radius that bounds the smaller of the two nodes
   double interpenetration{1.0};  ///< κ, from 0, touching, to 1, nested (eq. 4.3, corrected)
   double occupancy_a{1.0};       ///< share of the node that is solid
   double occupancy_b{1.0};
@@ -26,5 +28,13 @@ struct NodeContact {
 inline double collision_probability(const NodeContact& contact) {
   return contact.interpenetration * contact.occupancy_a * contact.occupancy_b;
 }
+
+/// How long ago two nodes of `reach_m` (sum of their half widths along the normal) began to overlap
+/// when they moved at `speed_m_s`, of which `approach_m_s` along the normal: exact for spheres,
+///   |(reach − depth) n − v t| = reach,
+/// and depth over approach, the form of Dingliana 2002, sec. 4.2.1, corrected, where depth is
+/// small. That form has no bound for nodes that slide past each other, which this has. Zero when
+/// nothing moves.
+double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, double speed_m_s);
 
 }  // namespace impetus

@@ -15,7 +15,7 @@ class WeightedContacts final : public ContactSums {
   explicit WeightedContacts(const Vector3& /*fallback*/) {}
 
   void add(const NodeContact& contact) override {
-    patches_.add(contact.group_a, contact.group_b, contact.touch, collision_probability(contact));
+    patches_.add(contact, collision_probability(contact));
   }
   [[nodiscard]] std::vector<TouchPoint> reduced() const override { return patches_.contacts(); }
 

@@ -72,11 +72,6 @@ constexpr PairProcedures kTable[][std::variant_size_v<Volume>] = {
 // clang-format on
 static_assert(std::size(kTable) == std::variant_size_v<Volume>);
 
-double width_along(const Volume& volume, const Vector3& direction) {
-  const CoredVolume whole = cored(for_contact(volume));
-  return 2.0 * (reach_along(whole.core, direction) + whole.radius_m);
-}
-
 double share_of(double width_m, double depth_m) {
   if (!(width_m > 0.0)) {
     return depth_m >= 0.0 ? 1.0 : 0.0;
@@ -100,6 +95,11 @@ TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback) {
   TouchPoint contact = kTable[b.index()][a.index()].touch(b, a, -fallback);
   contact.normal = -contact.normal;
   return contact;
+}
+
+double width_along(const Volume& volume, const Vector3& direction) {
+  const CoredVolume whole = cored(for_contact(volume));
+  return 2.0 * (reach_along(whole.core, direction) + whole.radius_m);
 }
 
 double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact) {

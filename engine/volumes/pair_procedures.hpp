@@ -22,6 +22,10 @@ bool overlap(const Volume& a, const Volume& b);
 /// `fallback` (unit, from b to a) also gives the normal where the geometry leaves it open.
 TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback);
 
+/// The width along `direction` (unit) of what a volume's contacts are worked out by (metres): of a
+/// cube, of the sphere that circumscribes it.
+double width_along(const Volume& volume, const Vector3& direction);
+
 /// How deep two volumes are in each other, from 0, touching, to 1, where the smaller is wholly
 /// within the other along the normal: depth over the lesser width along it. For spheres,
 /// (R_a + R_b − d) / (2 min(R_a, R_b)). (eq. 4.3, corrected)

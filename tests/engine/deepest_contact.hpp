@@ -1,0 +1,30 @@
+// The worked example of engine/README.md: a reduction of one's own.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/collision/contact_reduction.hpp"
+
+namespace impetus {
+
+/// The deepest contact alone; of equals the first to come.
+class DeepestContact final : public ContactSums {
+ public:
+  static constexpr std::int64_t kMost = 1;
+  static constexpr bool kWeighs = false;  // looks at nothing but where nodes touch
+
+  explicit DeepestContact(const Vector3& /*fallback*/) {}
+
+  void add(const NodeContact& contact) override {
+    if (deepest_.empty() || contact.touch.depth_m > deepest_.front().depth_m) {
+      deepest_ = {contact.touch};
+    }
+  }
+  std::vector<TouchPoint> reduced() const override { return deepest_; }
+
+ private:
+  std::vector<TouchPoint> deepest_;  // none or one
+};
+
+}  // namespace impetus
