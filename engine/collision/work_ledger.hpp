@@ -41,7 +41,8 @@ class PhaseCosts {
 
   /// Of modelling `nodes` overlapping pairs of nodes: what is spent on it, too.
   [[nodiscard]] std::int64_t of_modelling(const RefinedPair& pair, std::int64_t nodes) const {
-    return costs_.model * nodes * pair.walls;
+    const bool plain = pair.refinement.of_spheres() || is_wall(pair.bodies.b);
+    return (costs_.model + (plain ? 0 : costs_.volume_model)) * nodes * pair.walls;
   }
 
   [[nodiscard]] std::int64_t of_response(std::int64_t contacts) const {

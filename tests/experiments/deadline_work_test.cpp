@@ -64,6 +64,29 @@ TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
   }
 }
 
+TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
+  // Started at 10, looked at 20: 990 ns are left, for fewer than 99 units of 10 ns.
+  for (const std::int64_t reserved : {98, 99}) {
+    const TickingClock clock(10);
+    DeadlineWork meter(clock, 1'000);
+    meter.start_step();
+    EXPECT_EQ(meter.request(1 + reserved, reserved), reserved == 98 ? 99 : 0);
+  }
+}
+
+TEST(DeadlineWork, AStepThatProvedSlowReservesMoreTime) {
+  // Between the looks at 40,000 and 60,000, 200 units took 100 ns each; with half as much again,
+  // the 15,000 ns that are left are enough for fewer than 100.
+  for (const std::int64_t reserved : {99, 100}) {
+    const TickingClock clock(20'000);
+    DeadlineWork meter(clock, 55'000);
+    meter.start_step();
+    ASSERT_EQ(meter.request(100, 0), 100);
+    EXPECT_EQ(meter.request(300 + reserved, reserved), reserved == 99 ? 399 : 100);
+    EXPECT_EQ(meter.request(500, 0), reserved == 99 ? 399 : 100) << "past the deadline";
+  }
+}
+
 TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {
   constexpr int kSteps = 240;
   constexpr int kDepth = 4;
