@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/collision/time_of_entry.hpp"
+#include "engine/dynamics/stop_at_entry.hpp"
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
@@ -177,6 +178,96 @@ TEST(Tunnelling, ABulletIntoACrowdSendsNobodyThroughThePlate) {
     passed_ignoring += shoot(shot_into_crowd(same, speed_m, Tunnelling::kIgnored), 30).passed;
   }
   EXPECT_GT(passed_ignoring, 10);
+}
+
+struct Bodies {
+  std::vector<BodyModel> models;
+  std::vector<BodyState> states;
+};
+
+/// Bullets one behind the other, straight down on a static plate.
+Bodies convoy(RandomStream& random, int count, double speed_m) {
+  Bodies bodies{{plate("box", false)}, std::vector<BodyState>(1)};
+  double height_m = uniform_in(random, 0.02, 0.02 + 0.5 * speed_m);
+  for (int i = 0; i < count; ++i) {
+    bodies.models.push_back(bullet());
+    bodies.states.push_back(moving(bullet(), {0.01, 0.02, height_m}, {0.0, 0.0, -speed_m}));
+    height_m += uniform_in(random, 0.009, 0.02);
+  }
+  return bodies;
+}
+
+/// Whether they are still one behind the other, and before the plate's middle.
+bool in_order(const std::vector<BodyState>& states) {
+  double ahead_m = 0.0;
+  for (std::size_t body = 1; body < states.size(); ++body) {
+    if (states[body].pose.position.z() <= ahead_m) {
+      return false;
+    }
+    ahead_m = states[body].pose.position.z();
+  }
+  return true;
+}
+
+TEST(Tunnelling, AConvoyThatRunsIntoAPlateStaysOneBehindTheOther) {
+  // Each bullet meets the one before it only because that one was stopped.
+  RandomStream random(kSeed, "convoy");
+  for (const int count : {2, 8, 20}) {
+    for (int trial = 0; trial < 6; ++trial) {
+      const double speed_m = 0.1 * std::ldexp(1.0, 2 * trial);
+      const Bodies bodies = convoy(random, count, speed_m);
+      World world(bodies.models, bodies.states, handled(Tunnelling::kStopAtEntry));
+      const double energy = total_energy(world);
+      std::size_t stopped = 0;
+      for (int step = 0; step < 60; ++step) {
+        const StepReport report = step_whole(world, 1.0);
+        stopped += report.stopped.size();
+        ASSERT_TRUE(in_order(world.states()))
+            << "seed " << kSeed << ", " << count << " at " << speed_m << ", step " << step;
+      }
+      EXPECT_GT(stopped, 1U);
+      EXPECT_NEAR(total_energy(world) / energy, 1.0, 1e-12);
+    }
+  }
+}
+
+TEST(Tunnelling, BodiesThatMayStopNoMoreStopTogetherAtTheFirstEntry) {
+  RandomStream random(kSeed, "together");
+  for (int trial = 0; trial < 20; ++trial) {
+    const Bodies bodies = convoy(random, 6, uniform_in(random, 0.1, 30.0));
+    std::vector<BodyState> states = bodies.states;
+    std::vector<MovedBound> bounds;
+    std::vector<PlacedTree> placed;
+    for (std::size_t body = 0; body < states.size(); ++body) {
+      const BodyModel& model = bodies.models[body];
+      const double way_m = advance(model, states[body], 1.0);
+      bounds.push_back({{states[body].pose.position, model.tree->bounding_radius_m()},
+                        way_m,
+                        model.inverse_mass > 0.0});
+      placed.emplace_back(*model.tree);
+    }
+    const std::vector<PairBounds> candidates = candidate_pairs(bounds);
+    const auto stop = [&](int most_stops) {
+      std::vector<BodyState> stopping = states;
+      const Stopping result =
+          stop_at_entry({1.0, bodies.models, bodies.states, candidates, kUnlimitedLevel,
+                         WorkCosts{}, Rotation::kMidpoint, most_stops},
+                        stopping, placed);
+      return std::pair(result.stopped, stopping);
+    };
+    const auto [stopped, together] = stop(0);
+    ASSERT_EQ(stopped.size(), 1U);
+    EXPECT_EQ(stopped[0].bodies, (BodyPair{0, 1}));
+    EXPECT_TRUE(in_order(together));
+    for (std::size_t body = 1; body < states.size(); ++body) {
+      const Vector3 way = states[body].pose.position - bodies.states[body].pose.position;
+      const Vector3 taken = together[body].pose.position - bodies.states[body].pose.position;
+      EXPECT_LT((taken - stopped[0].fraction * way).norm(), 1e-14 * way.norm());
+    }
+    const auto [one_by_one, settled] = stop(kMostStops);
+    EXPECT_EQ(one_by_one.at(0).fraction, stopped[0].fraction);
+    EXPECT_TRUE(in_order(settled));
+  }
 }
 
 TEST(Tunnelling, ABodyCannotLeaveItsWallsHoweverFast) {
