@@ -13,7 +13,9 @@ namespace {
 
 /// Of slow_way_m: how deep bodies overlap when they are stopped, and what they may still go.
 constexpr double kHairShare = 0.125;
-constexpr double kRestShare = 0.5;
+constexpr double kRestShare = 0.25;
+/// Of that depth: how much deeper bodies may overlap that did at the start.
+constexpr double kDeeperShare = 0.25;
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 /// What stands for a node one level deeper: its children, or itself.
@@ -47,6 +49,9 @@ class EntrySearch {
     measure_depth({0, 0}, 0);
     if (capped()) {
       return unless_nearly_there(stretches_.front().begin, slow_m_);
+    }
+    if (overlapped_at_start_) {
+      hair_m_ *= kDeeperShare;
     }
     if (allowed_depth_m_ + hair_m_ > slow_m_) {
       return std::nullopt;
@@ -228,12 +233,12 @@ double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level) {
   return a.least_half_thickness_m(level) + b.least_half_thickness_m(level);
 }
 
-bool is_fast(const PairOnTheWay& pair) {
+bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
   const double way_m =
       way_from(0.0, stretches_of(pair.path_a, pair.path_b), pair.a.tree().bounding_radius_m(),
                pair.b.tree().bounding_radius_m());
   const double slow_m = slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level);
-  return slow_m > 0.0 && way_m > slow_m;
+  return slow_m > 0.0 && way_m > share_of_slow_way * slow_m;
 }
 
 Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }

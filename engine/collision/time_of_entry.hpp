@@ -44,8 +44,9 @@ struct PairOnTheWay {
 /// step and the next.
 double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
 
-/// Whether the bodies move further against each other within the step than a slow pair may.
-bool is_fast(const PairOnTheWay& pair);
+/// Whether the bodies move further against each other within the step than this share of what a
+/// slow pair may.
+bool is_fast(const PairOnTheWay& pair, double share_of_slow_way = 1.0);
 
 struct Entry {
   std::optional<double> time;  ///< share of the step after which both must stop, if they must
@@ -53,7 +54,7 @@ struct Entry {
 };
 
 /// When the bodies overlap, by at most an eighth of slow_way_m, so early that what is left of their
-/// way would carry them past half of it.
+/// way would carry them further by a quarter of it.
 Entry time_of_entry(const PairOnTheWay& pair);
 
 }  // namespace impetus

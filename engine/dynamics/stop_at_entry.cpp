@@ -4,32 +4,30 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "engine/dynamics/body_sets.hpp"
-#include "engine/dynamics/motion.hpp"
 
 namespace impetus {
 namespace {
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
-/// An entry of candidate number `pair`.
-struct FoundEntry {
-  double time{0.0};
-  std::size_t pair{0};
-};
+/// Of slow_way_m: bodies one of which was stopped are looked at when they move further than this,
+/// since stops can bring the same two together step after step.
+constexpr double kShareOnceStopped = 0.125;
 
-class StoppingRounds {
+class StopsInOrder {
  public:
-  StoppingRounds(const StepMade& step, std::vector<BodyState>& states,
-                 std::vector<PlacedTree>& placed)
+  StopsInOrder(const StepMade& step, std::vector<BodyState>& states,
+               std::vector<PlacedTree>& placed)
       : step_(step),
         states_(states),
         placed_(placed),
         whole_ways_(states.size()),
-        ways_(states.size()),
-        moved_anew_(states.size(), true),
-        entries_(step.candidates.size()) {
+        stops_(states.size(), 0),
+        pending_(step.candidates.size()),
+        last_(step.candidates.size()) {
     for (std::size_t body = 0; body < states.size(); ++body) {
       whole_ways_[body] = way_of(body, 1.0);
       const double reach_m = step.models[body].tree->bounding_radius_m();
@@ -39,13 +37,15 @@ class StoppingRounds {
   }
 
   Stopping run() {
-    first_ = round();
-    bool changed = stop_bodies(first_);
-    for (int done = 1; changed && done < kMostStoppingRounds; ++done) {
-      changed = stop_bodies(round());
+    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+      look_at(pair);
     }
-    if (changed) {
-      stop_together();
+    first_ = pending_;
+    while (const std::optional<std::size_t> next = earliest()) {
+      if (!stop_pair(*next)) {
+        stop_together();
+        break;
+      }
     }
     report();
     return std::move(result_);
@@ -56,10 +56,11 @@ class StoppingRounds {
     return step_.candidates[pair].pair;
   }
 
+  [[nodiscard]] bool moves(std::size_t body) const { return step_.models[body].inverse_mass > 0.0; }
+
   /// Of a body that takes `share` of the step: its state is where it stops.
   [[nodiscard]] BodyPath way_of(std::size_t body, double share) const {
-    const double whole_s = share * step_.dt_s;
-    const double waiting_s = std::min(step_.before[body].held_s, whole_s);
+    const double waiting_s = std::min(step_.before[body].held_s, share * step_.dt_s);
     BodyPath way;
     way.start = step_.before[body].pose;
     way.end = states_[body].pose;
@@ -69,55 +70,60 @@ class StoppingRounds {
   }
 
   /// Surely: by how far each of the bodies goes at most in the whole step.
-  [[nodiscard]] bool is_slow(std::size_t pair) const {
+  [[nodiscard]] bool is_slow(std::size_t pair, double share) const {
     const auto& [a, b] = bodies(pair);
-    return farthest_m_[at(a)] + farthest_m_[at(b)] <=
-           slow_way_m(*step_.models[at(a)].tree, *step_.models[at(b)].tree, step_.greatest_level);
+    return farthest_m_[at(a)] + farthest_m_[at(b)] <= share * slow_way_m(*step_.models[at(a)].tree,
+                                                                         *step_.models[at(b)].tree,
+                                                                         step_.greatest_level);
   }
 
-  /// The entries of all fast pairs whose bodies were moved anew.
-  std::vector<FoundEntry> round() {
-    std::vector<FoundEntry> found;
-    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
-      const auto& [a, b] = bodies(pair);
-      if ((!moved_anew_[at(a)] && !moved_anew_[at(b)]) || is_slow(pair)) {
-        continue;
-      }
-      const PairOnTheWay on_the_way{placed_[at(a)], placed_[at(b)], ways_[at(a)], ways_[at(b)],
-                                    step_.greatest_level};
-      if (is_fast(on_the_way)) {
-        const Entry entry = time_of_entry(on_the_way);
-        const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
-        result_.work +=
-            entry.tests * (of_spheres ? step_.costs.sphere_test : step_.costs.volume_test);
-        if (entry.time) {
-          found.push_back({*entry.time, pair});
-        }
-      }
+  /// Finds the entry of the pair on the bodies' present ways, if it is fast.
+  void look_at(std::size_t pair) {
+    const auto& [a, b] = bodies(pair);
+    pending_[pair].reset();
+    const double share = stops_[at(a)] + stops_[at(b)] > 0 ? kShareOnceStopped : 1.0;
+    const PairOnTheWay on_the_way{placed_[at(a)], placed_[at(b)], ways_[at(a)], ways_[at(b)],
+                                  step_.greatest_level};
+    if (is_slow(pair, share) || !is_fast(on_the_way, share)) {
+      return;
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const FoundEntry& x, const FoundEntry& y) { return x.time < y.time; });
-    return found;
+    const Entry entry = time_of_entry(on_the_way);
+    pending_[pair] = entry.time;
+    const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
+    result_.work += entry.tests * (of_spheres ? step_.costs.sphere_test : step_.costs.volume_test);
   }
 
-  /// Whether any body was stopped.
-  bool stop_bodies(const std::vector<FoundEntry>& found) {
-    std::fill(moved_anew_.begin(), moved_anew_.end(), false);
-    bool any = false;
-    for (const FoundEntry& entry : found) {
-      const std::size_t a = at(bodies(entry.pair).a);
-      const std::size_t b = at(bodies(entry.pair).b);
-      const auto as_found = [&](std::size_t body) {
-        return !moved_anew_[body] || ways_[body].stop >= entry.time;
-      };
-      if (as_found(a) && as_found(b)) {
-        entries_[entry.pair] = entry.time;
-        const bool a_stops = stop(a, entry.time);
-        const bool b_stops = stop(b, entry.time);
-        any = any || a_stops || b_stops;
+  /// The pair whose entry comes next; the first of equals.
+  [[nodiscard]] std::optional<std::size_t> earliest() const {
+    std::optional<std::size_t> next;
+    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+      if (pending_[pair] && (!next || *pending_[pair] < *pending_[*next])) {
+        next = pair;
       }
     }
-    return any;
+    return next;
+  }
+
+  /// Stops both bodies at the pair's entry. False when one was stopped too often.
+  bool stop_pair(std::size_t pair) {
+    const double time = *pending_[pair];
+    const std::size_t a = at(bodies(pair).a);
+    const std::size_t b = at(bodies(pair).b);
+    if (std::max(stops_[a], stops_[b]) >= step_.most_stops) {
+      return false;
+    }
+    pending_[pair].reset();
+    last_[pair] = time;
+    const bool a_stops = stop(a, time);
+    const bool b_stops = stop(b, time);
+    for (std::size_t other = 0; other < pending_.size(); ++other) {
+      const std::size_t first = at(bodies(other).a);
+      const std::size_t second = at(bodies(other).b);
+      if ((a_stops && (first == a || second == a)) || (b_stops && (first == b || second == b))) {
+        look_at(other);
+      }
+    }
+    return true;
   }
 
   bool stop(std::size_t body, double share) {
@@ -125,70 +131,58 @@ class StoppingRounds {
       return false;
     }
     states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s);
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
     ways_[body] = way_of(body, share);
-    moved_anew_[body] = true;
+    ++stops_[body];
     return true;
   }
 
-  /// Every set of bodies that could meet, of which one is not settled, stops at its first entry.
+  /// Every set of bodies that could meet, of which a pair still has an entry, stops at its first.
   void stop_together() {
     BodySets sets(states_.size());
-    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
+    for (const PairBounds& candidate : step_.candidates) {
+      if (moves(at(candidate.pair.a)) && moves(at(candidate.pair.b))) {
+        sets.join(at(candidate.pair.a), at(candidate.pair.b));
+      }
+    }
+    const auto set_of = [&](std::size_t pair) {
       const auto& [a, b] = bodies(pair);
-      if (moves(at(a)) && moves(at(b))) {
-        sets.join(at(a), at(b));
-      }
-    }
-    std::vector<bool> unsettled(states_.size(), false);
-    for (std::size_t body = 0; body < states_.size(); ++body) {
-      if (moved_anew_[body]) {
-        unsettled[sets.name_of(body)] = true;
-      }
-    }
+      return sets.name_of(at(moves(at(a)) ? a : b));
+    };
     std::vector<double> stops(states_.size(), 1.0);
-    for (const FoundEntry& entry : first_) {
-      for (const std::int32_t body : {bodies(entry.pair).a, bodies(entry.pair).b}) {
-        double& stop = stops[sets.name_of(at(body))];
-        stop = std::min(stop, entry.time);
-      }
-    }
-    for (std::size_t pair = 0; pair < entries_.size(); ++pair) {
-      const auto& [a, b] = bodies(pair);
-      if (unsettled[sets.name_of(at(moves(at(a)) ? a : b))]) {
-        entries_[pair].reset();
-      }
+    std::vector<bool> unsettled(states_.size(), false);
+    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+      const std::size_t set = set_of(pair);
+      unsettled[set] = unsettled[set] || pending_[pair].has_value();
+      stops[set] = std::min(stops[set], first_[pair].value_or(1.0));
     }
     for (std::size_t body = 0; body < states_.size(); ++body) {
-      if (moves(body) && unsettled[sets.name_of(body)]) {
-        put_on_whole_way(body, stops[sets.name_of(body)]);
+      const std::size_t set = sets.name_of(body);
+      if (moves(body) && unsettled[set]) {
+        put_on_whole_way(body, stops[set]);
       }
     }
-    for (const FoundEntry& entry : first_) {
-      const auto& [a, b] = bodies(entry.pair);
-      const std::size_t set = sets.name_of(at(moves(at(a)) ? a : b));
-      if (unsettled[set] && entry.time == stops[set]) {
-        entries_[entry.pair] = entry.time;
+    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+      const std::size_t set = set_of(pair);
+      if (unsettled[set]) {
+        last_[pair] = first_[pair] == stops[set] ? first_[pair] : std::nullopt;
       }
     }
   }
 
   void put_on_whole_way(std::size_t body, double share) {
     states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s);
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
     states_[body].pose = pose_at(whole_ways_[body], share);
     ways_[body].stop = share;
   }
 
-  [[nodiscard]] bool moves(std::size_t body) const { return step_.models[body].inverse_mass > 0.0; }
-
   /// Those pairs that stopped a body where it is now.
   void report() {
-    for (std::size_t pair = 0; pair < entries_.size(); ++pair) {
+    for (std::size_t pair = 0; pair < last_.size(); ++pair) {
       const auto& [a, b] = bodies(pair);
-      if (entries_[pair] &&
-          (ways_[at(a)].stop == *entries_[pair] || ways_[at(b)].stop == *entries_[pair])) {
-        result_.stopped.push_back({bodies(pair), *entries_[pair]});
+      if (last_[pair] && (ways_[at(a)].stop == *last_[pair] || ways_[at(b)].stop == *last_[pair])) {
+        result_.stopped.push_back({bodies(pair), *last_[pair]});
       }
     }
   }
@@ -199,9 +193,10 @@ class StoppingRounds {
   std::vector<BodyPath> whole_ways_;
   std::vector<double> farthest_m_;  ///< that any point of each body goes
   std::vector<BodyPath> ways_;
-  std::vector<bool> moved_anew_;                ///< since the last round
-  std::vector<std::optional<double>> entries_;  ///< of each candidate, the last that stopped it
-  std::vector<FoundEntry> first_;               ///< of the first round
+  std::vector<int> stops_;                      ///< how often each body was stopped
+  std::vector<std::optional<double>> pending_;  ///< entries of the candidates on their ways
+  std::vector<std::optional<double>> first_;    ///< the same before anybody was stopped
+  std::vector<std::optional<double>> last_;     ///< at which a candidate stopped a body last
   Stopping result_;
 };
 
@@ -209,7 +204,7 @@ class StoppingRounds {
 
 Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                        std::vector<PlacedTree>& placed) {
-  return StoppingRounds(step, states, placed).run();
+  return step.candidates.empty() ? Stopping{} : StopsInOrder(step, states, placed).run();
 }
 
 }  // namespace impetus

@@ -1,20 +1,19 @@
 // Bodies that are too fast to be tested where the step ends alone are tested along their ways, and
 // stop where they first touch.
 //
-//   round     entries of the fast pairs on the bodies' present ways, by rising time: both bodies
-//             stop at it, unless one of them was stopped before it in this round
-//   again     while a body was stopped: it is moved anew, by less, and its pairs are looked at
-//   again at last   bodies that no number of rounds settled stop together, at the first entry of
-//   all that
-//             they could meet
+//   entries   of the fast pairs, on the ways the bodies would take
+//   stop      both bodies of the earliest; they are moved anew, by less, and their pairs are looked
+//             at again; and so on until no pair has an entry
+//   at last   bodies that are stopped too often stop together with all that they could meet, at the
+//             first entry there was before anybody stopped
 //
-// Safe when the rounds end: every fast pair was found free of an entry on the ways both took. A
-// stop changes a way only after it, and by the turn of the shorter step; both are what the next
-// round looks at. Safe at last too: until the first entry nobody was stopped, so all took the ways
-// of the first round, on which no pair had touched by then; and no body meets one that is not its
-// candidate. What a stopped body lost of the step is lost; its momenta are not touched, and what
-// it turned by is what the integrator makes of the shorter step, so its energy is as good as after
-// any step (at last: as that of a pose between two steps).
+// Safe when no entry is left: every fast pair was found free of one on the ways both took. A stop
+// changes a way only after it, and by the turn of the shorter step; both are looked at again. Safe
+// at last too: until the first entry nobody had stopped, so all were on the ways that were looked
+// at first, on which no pair had touched by then; and no body meets one that is not its candidate.
+// What a stopped body lost of the step is lost; its momenta are not touched, and it turned by what
+// the integrator makes of the shorter step, so its energy is as good as after any step (at last: as
+// that of a pose between two steps).
 // (Mirtich 1996; Dingliana 2002, sec. 5.3.2)
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -25,12 +24,13 @@
 #include "engine/collision/time_of_entry.hpp"
 #include "engine/collision/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"
 
 namespace impetus {
 
-/// Rounds before the bodies that are left are stopped together.
-inline constexpr int kMostStoppingRounds = 16;
+/// How often a body is stopped in a step before it is stopped together with others.
+inline constexpr int kMostStops = 16;
 
 /// A step as it was made, of bodies that were not stopped: their states before it and their trees.
 struct StepMade {
@@ -40,6 +40,8 @@ struct StepMade {
   const std::vector<PairBounds>& candidates;
   int greatest_level;  ///< that any pair may be refined to
   const WorkCosts& costs;
+  Rotation rotation;
+  int most_stops{kMostStops};
 };
 
 struct Stopping {
