@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 
@@ -89,7 +88,7 @@ std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
   std::vector<MovedBound> bounds;
   bounds.reserve(models_.size());
   for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s);
+    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
@@ -117,7 +116,8 @@ void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
   Stopping stopping = stop_at_entry(
-      {dt_s, models_, before, candidates, greatest_level, settings_.costs}, states_, placed_);
+      {dt_s, models_, before, candidates, greatest_level, settings_.costs, settings_.rotation},
+      states_, placed_);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;

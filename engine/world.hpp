@@ -24,6 +24,7 @@
 #include "engine/collision/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/level_pops.hpp"
@@ -57,6 +58,7 @@ struct WorldSettings {
   /// Restitutions of pairs of materials (BodyModel::material) that differ from `restitution`.
   std::vector<PairRestitution> materials{};
   int wall_material{0};
+  Rotation rotation{Rotation::kMidpoint};
 };
 
 /// Everything that decides a step besides the state.

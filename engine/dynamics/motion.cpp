@@ -31,9 +31,25 @@ Quaternion rotated(const BodyModel& model, const BodyState& state, double dt_s) 
   return end;
 }
 
+/// The momentum as the body sees it turns against it: Π' = C(−ω dt) Π with ω = I⁻¹ (Π + Π') / 2, in
+/// the body's frame. The Cayley map makes Π' − Π a vector across ω, and twice the gain of energy is
+/// Π'·I⁻¹Π' − Π·I⁻¹Π = 2 ω·(Π' − Π) = 0.
+Quaternion rotated_keeping_energy(const BodyModel& model, const BodyState& state, double dt_s) {
+  constexpr int kIterations = 16;
+  const Quaternion& start = state.pose.orientation;
+  const Vector3 before = start.conjugate() * state.angular_momentum;
+  Vector3 after = before;
+  Vector3 spin = Vector3::Zero();
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    spin = model.inverse_inertia * Vector3(0.5 * (before + after));
+    after = cayley(-dt_s * spin) * before;
+  }
+  return (start * cayley(dt_s * spin)).normalized();
+}
+
 }  // namespace
 
-double advance(const BodyModel& model, BodyState& state, double dt_s) {
+double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation) {
   const double waiting_s = std::min(state.held_s, dt_s);
   const double moving_s = dt_s - waiting_s;
   state.held_s -= waiting_s;
@@ -43,7 +59,9 @@ double advance(const BodyModel& model, BodyState& state, double dt_s) {
   state.pose.position += step;
   // Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
   if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0) && !model.inverse_inertia.isZero(0.0)) {
-    state.pose.orientation = rotated(model, state, moving_s);
+    state.pose.orientation = rotation == Rotation::kMidpoint
+                                 ? rotated(model, state, moving_s)
+                                 : rotated_keeping_energy(model, state, moving_s);
   }
   return step.norm();
 }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "engine/dynamics/body_sets.hpp"
-#include "engine/dynamics/motion.hpp"
 
 namespace impetus {
 namespace {
@@ -125,7 +124,7 @@ class StoppingRounds {
       return false;
     }
     states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s);
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
     ways_[body] = way_of(body, share);
     moved_anew_[body] = true;
     return true;
@@ -175,7 +174,7 @@ class StoppingRounds {
 
   void put_on_whole_way(std::size_t body, double share) {
     states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s);
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
     states_[body].pose = pose_at(whole_ways_[body], share);
     ways_[body].stop = share;
   }

@@ -25,6 +25,7 @@
 #include "engine/collision/time_of_entry.hpp"
 #include "engine/collision/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"
 
 namespace impetus {
@@ -40,6 +41,7 @@ struct StepMade {
   const std::vector<PairBounds>& candidates;
   int greatest_level;  ///< that any pair may be refined to
   const WorkCosts& costs;
+  Rotation rotation;
 };
 
 struct Stopping {
