@@ -2,7 +2,6 @@
 #include "experiments/scenes/crowd.hpp"
 
 #include <algorithm>
-#include <Eigen/Geometry>
 #include <cmath>
 #include <variant>
 

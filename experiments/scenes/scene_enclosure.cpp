@@ -57,8 +57,8 @@ void add_enclosure_problems(const json& scene, std::vector<SceneProblem>& proble
   };
   const auto refuse = [&](const char* key) {
     if (enclosure.contains(key)) {
-      problems.push_back({std::string("/enclosure/") + key, "expected none for kind " + kind +
-                                                                ", got " + enclosure[key].dump()});
+      problems.push_back({std::string("/enclosure/") + key,
+                          "expected none for kind " + kind + ", got " + enclosure[key].dump()});
     }
   };
   if (kind == kFrustum) {

@@ -18,8 +18,8 @@ enum class WallNaming { kAxes, kView };
 
 WallNaming wall_naming(const std::optional<Enclosure>& enclosure);
 
-/// "wall +x", "wall -x", ..., or "wall right", "wall left", "wall above", "wall below", "wall near",
-/// "wall far"; `wall` as in BodyPair::b, is_wall(wall).
+/// "wall +x", "wall -x", ..., or "wall right", "wall left", "wall above", "wall below", "wall
+/// near", "wall far"; `wall` as in BodyPair::b, is_wall(wall).
 std::string wall_name(std::int32_t wall, WallNaming naming = WallNaming::kAxes);
 
 /// The wall called `name`, if it is one's.

@@ -78,8 +78,8 @@ void ScenePainter::paint_multisampled(const Picture& picture,
   target_.begin(area.width, area.height);
   fill(all, palette::kPictureGrey);
   glViewport(0, 0, area.width, area.height);
-  if (const ClosedCube* cube = closed_cube(picture.enclosure)) {
-    enclosure_.paint(*cube, picture.viewer);
+  if (picture.enclosure) {
+    enclosure_.paint(*picture.enclosure, picture.viewer);
   }
   meshes_.paint(picture);
   paint_rest(picture, volumes, all);

@@ -62,7 +62,7 @@ class WorkChart {
     const WorkOfStep last = run_.work().empty() ? WorkOfStep{} : run_.work().back();
     const double span_s = static_cast<double>(run_.work_span()) / run_.scene().step_hz;
     char title[80];
-    std::snprintf(title, sizeof title, "Node-pair tests per step, last %.0f s", span_s);
+    std::snprintf(title, sizeof title, "Work per step, last %.0f s", span_s);
     float left = text(title, from_.x, palette::kText) + 1.4F * font_->FontSize;
     left = entry(left, kSpent, "spent", last.spent);
     left = entry(left, kFloor, "floor", last.floor);

@@ -48,6 +48,18 @@ class ForeignKeysOff {
   bool were_on_;
 };
 
+/// The first files of schema 1 were made before bodies that cannot turn.
+void add_early_missing_column(SQLite::Database& database) {
+  const bool has_it = database
+                          .execAndGet(
+                              "SELECT count(*) FROM pragma_table_info('collision') "
+                              "WHERE name = 'imposed_no_spin'")
+                          .getInt() > 0;
+  if (!has_it) {
+    database.exec("ALTER TABLE collision ADD COLUMN imposed_no_spin INTEGER NOT NULL DEFAULT 0");
+  }
+}
+
 }  // namespace
 
 void create_tables_and_views(SQLite::Database& database) {
@@ -63,6 +75,7 @@ void migrate(SQLite::Database& database, std::int64_t version) {
     database.exec(kMigrationFrom1To2Sql);
   }
   if (version < 3) {
+    add_early_missing_column(database);
     database.exec(kMigrationFrom2To3Sql);
   }
   database.exec(kStudyViewsSql);

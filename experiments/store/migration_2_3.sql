@@ -45,3 +45,12 @@ FROM collision;
 DROP TABLE collision;
 ALTER TABLE collision_3 RENAME TO collision;
 CREATE INDEX collision_attempt ON collision (attempt_id);
+
+-- The first files of schema 1 have none.
+CREATE TABLE IF NOT EXISTS collision_truth (
+  collision_id INTEGER PRIMARY KEY REFERENCES collision (id),
+  gap_m REAL NOT NULL CHECK (gap_m >= 0),
+  gap_px REAL NOT NULL,
+  gap_arcmin REAL NOT NULL,
+  hidden_share REAL NOT NULL CHECK (hidden_share BETWEEN 0 AND 1)
+) STRICT;

@@ -119,7 +119,7 @@ TEST_F(CollisionStrip, HasARowForEachLevelAndNoTwoAlike) {
   const Pixels picture = read_png(folder_ / "a.png");
   EXPECT_EQ(picture.width, 3 * 200);
   ASSERT_EQ(picture.height, 5 * 150);
-  std::set<std::vector<std::uint8_t>> rows;
+  std::set<std::string> rows;
   const std::ptrdiff_t bytes = 3 * 600 * 150;
   for (std::ptrdiff_t level = 0; level < 5; ++level) {
     rows.emplace(picture.rgb.begin() + level * bytes, picture.rgb.begin() + (level + 1) * bytes);

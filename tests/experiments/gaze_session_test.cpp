@@ -253,7 +253,7 @@ TEST(GazeProtocol, AnUnknownKindOfRegionIsRefusedWithTheKnownOnes) {
               protocol["design"]["factors"][0]["levels"][3] = "yoked";
             }),
             "gaze.json:/design/factors/0/levels/3: expected one of \"all-good\", \"all-bad\", "
-            "\"tracked\", \"random\", got \"yoked\"");
+            "\"tracked\", \"random\", \"fixed\", got \"yoked\"");
 }
 
 TEST(GazeProtocol, ADemonstrationNeedsNoGazeAndSetsSingleValues) {

@@ -5,12 +5,14 @@
 namespace impetus {
 namespace {
 
-/// A copy of a recording that was made with schema 1, or of one made with schema 2.
-std::filesystem::path old_study(const TemporaryFolder& folder, int version = 1) {
+/// A recording of each schema before this one, and one of the first files of schema 1.
+constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
+constexpr const char* kSchema1 = "tests/recordings/gap.sqlite";
+constexpr const char* kSchema2 = "tests/recordings/gaze-contingent.sqlite";
+
+std::filesystem::path old_study(const TemporaryFolder& folder, const char* recording = kSchema1) {
   std::filesystem::path path = folder / "old.sqlite";
-  std::filesystem::copy_file(source_file(version == 1 ? "tests/recordings/gap.sqlite"
-                                                      : "tests/recordings/gaze-contingent.sqlite"),
-                             path);
+  std::filesystem::copy_file(source_file(recording), path);
   return path;
 }
 
@@ -36,9 +38,9 @@ TEST(Migration, ReadingAnOlderStudyLeavesTheFileAsItIs) {
 }
 
 TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
-  for (const int version : {1, 2}) {
+  for (const char* recording : {kEarliest, kSchema1, kSchema2}) {
     const TemporaryFolder folder;
-    StudyFile migrated = StudyFile::open_for_reading(old_study(folder, version));
+    StudyFile migrated = StudyFile::open_for_reading(old_study(folder, recording));
     StudyFile fresh = opened(folder / "new.sqlite");
     EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
   }
@@ -50,7 +52,7 @@ TEST(Migration, CollisionsKeepTheirIdsValuesAndTruths) {
       "'|') "
       "FROM collision";
   const TemporaryFolder folder;
-  const std::filesystem::path path = old_study(folder, 2);
+  const std::filesystem::path path = old_study(folder, kSchema2);
   ASSERT_EQ(value_of(path, "PRAGMA user_version"), "2");
   SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
       .exec("INSERT INTO collision_truth SELECT id, 0, 0, 0, 0 FROM collision");

@@ -259,7 +259,9 @@ TEST(SceneOptions, AProtocolsFactorMaySetThem) {
     return Study()
         .scene_with("/engine/tunnelling", "ignored")
         .with("/design/factors/0/pointer", "/engine/tunnelling")
-        .with("/design/factors/0/levels", levels);
+        .with("/design/factors/0/levels", levels)
+        .with("/design/practice",
+              json::parse(R"([{"delay_ms": "capped", "speed_deg_s": 10, "viewpoint_deg": 0}])"));
   };
   const std::string place = std::string(kProtocolName) + ":/design/factors/0/levels/1: ";
   EXPECT_EQ(study({"capped", "ignored"}).refused(), "accepted");

@@ -1,5 +1,6 @@
 // What a session keeps in its study, and that it says in one sentence when it cannot.
 // SPDX-License-Identifier: MIT
+#include "experiments/session/playback.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus {
