@@ -140,10 +140,12 @@ class World {
   /// Another schedule from the next step on. Throws std::invalid_argument when it is out of range.
   void set_schedule(Schedule schedule);
 
-  /// The same of how contacts are reduced, of fast bodies, of the response and of what work costs.
+  /// The same of how contacts are reduced, of fast bodies, of the response, of rotation and of what
+  /// work costs.
   void set_contacts(ContactModel contacts);
   void set_tunnelling(Tunnelling tunnelling) { settings_.tunnelling = tunnelling; }
   void set_response(ResponseMethod response) { settings_.response = response; }
+  void set_rotation(Rotation rotation) { settings_.rotation = rotation; }
   void set_costs(const WorkCosts& costs);
 
   /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.

@@ -111,6 +111,9 @@ WorldSettings engine_settings_of(const json& scene) {
   if (engine.value("response", std::string()) == std::string("together")) {
     settings.response = ResponseMethod::kTogether;
   }
+  if (engine.value("rotation", std::string()) == std::string("energy-kept")) {
+    settings.rotation = Rotation::kEnergyKept;
+  }
   settings.contacts = contacts_of(engine);
   settings.tunnelling = tunnelling_of(engine);
   settings.materials = restitutions_of(scene);

@@ -101,6 +101,7 @@ void PreviewRun::apply_settings() {
   world.set_contacts(contacts_of(settings_));
   world.set_tunnelling(settings_.tunnelling);
   world.set_response(settings_.response);
+  world.set_rotation(settings_.rotation);
   world.set_costs(costs_of(settings_));
   world.watch_node_contacts(watches_node_contacts_);
 }

@@ -79,6 +79,7 @@ void take_world(PreviewSettings& settings, const StagedScene& scene) {
   settings.most_per_pair = world.contacts.most_per_pair;
   settings.tunnelling = world.tunnelling;
   settings.response = world.response;
+  settings.rotation = world.rotation;
 }
 
 RegionRule region_of(const StagedScene& scene) {

@@ -46,6 +46,7 @@ struct PreviewSettings {
   int most_per_pair{4};
   Tunnelling tunnelling{Tunnelling::kStopAtEntry};
   ResponseMethod response{ResponseMethod::kInTurn};
+  Rotation rotation{Rotation::kMidpoint};
 };
 
 /// The names of the metrics, and "region".

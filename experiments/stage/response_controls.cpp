@@ -16,6 +16,8 @@ constexpr std::array<NamedValue<Tunnelling>, 3> kTunnelling{
     {{Tunnelling::kIgnored, "ignored"},
      {Tunnelling::kCapped, "capped"},
      {Tunnelling::kStopAtEntry, "stop-at-entry"}}};
+constexpr std::array<NamedValue<Rotation>, 2> kRotations{
+    {{Rotation::kMidpoint, "midpoint"}, {Rotation::kEnergyKept, "energy-kept"}}};
 constexpr std::array<NamedValue<bool>, 2> kCounts{{{false, "tests"}, {true, "all-phases"}}};
 
 bool draw_reduction(PreviewSettings& settings) {
@@ -83,6 +85,9 @@ bool draw_contact_controls(PreviewSettings& settings) {
                        "Bodies that move further in a step than they are thick. ignored: they may "
                        "pass through. capped: only levels thicker than the way. stop-at-entry: "
                        "they stop where they first touch.");
+  changed |= chosen_of("rotation", settings.rotation, kRotations,
+                       "How rotation is stepped; both keep angular momentum. midpoint: the energy "
+                       "swings a little. energy-kept: to rounding, for more work.");
   return changed;
 }
 

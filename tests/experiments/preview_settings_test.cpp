@@ -102,6 +102,7 @@ TEST(PreviewSettings, EveryOptionReachesTheWorldAndOutlivesARestart) {
   settings.most_per_pair = 2;
   settings.tunnelling = Tunnelling::kCapped;
   settings.response = ResponseMethod::kTogether;
+  settings.rotation = Rotation::kEnergyKept;
   settings.all_phases = true;
   run.change(settings);
   for (int round = 0; round < 2; ++round) {
@@ -114,6 +115,7 @@ TEST(PreviewSettings, EveryOptionReachesTheWorldAndOutlivesARestart) {
     EXPECT_EQ(world.contacts.most_per_pair, 2);
     EXPECT_EQ(world.tunnelling, Tunnelling::kCapped);
     EXPECT_EQ(world.response, ResponseMethod::kTogether);
+    EXPECT_EQ(world.rotation, Rotation::kEnergyKept);
     EXPECT_EQ(world.costs, kAllPhases);
     run.restart();
   }

@@ -70,6 +70,17 @@ TEST(SceneOptions, WhatBecomesOfFastBodiesIsAskedForByName) {
             "\"substeps\"");
 }
 
+TEST(SceneOptions, HowRotationIsSteppedIsAskedForByName) {
+  const auto asked = [](const char* name) {
+    return settings_of(built(changed(free_scene(), "/engine/rotation", name))).rotation;
+  };
+  EXPECT_EQ(settings_of(built(free_scene())).rotation, WorldSettings{}.rotation);
+  EXPECT_EQ(asked("midpoint"), Rotation::kMidpoint);
+  EXPECT_EQ(asked("energy-kept"), Rotation::kEnergyKept);
+  EXPECT_EQ(scene_refusal(changed(free_scene(), "/engine/rotation", "euler")),
+            "/engine/rotation: expected one of \"midpoint\", \"energy-kept\", got \"euler\"");
+}
+
 TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
   const auto asked = [](const char* name) {
     return settings_of(built(with_schedule("traversal", name))).schedule.traversal;
