@@ -37,7 +37,7 @@ struct RandomPairs {
   RandomPairs(const RandomPairs&) = delete;
   RandomPairs& operator=(const RandomPairs&) = delete;
 
-  ClosedCube walls{0.1};
+  Enclosure walls{ClosedCube{0.1}};
   std::vector<PlacedTree> placed;
   std::vector<RefinedPair> pairs;
 };
