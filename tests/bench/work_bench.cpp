@@ -53,7 +53,7 @@ BENCHMARK(test_of_nodes)->DenseRange(0, 5);
 /// Time per node of a tree against the walls.
 void test_of_walls(benchmark::State& state) {
   Touching pair(static_cast<std::size_t>(state.range(0)));
-  const ClosedCube walls{0.03};
+  const Enclosure walls{ClosedCube{0.03}};
   std::int64_t tests = 0;
   for (auto unused : state) {
     pair.a.move_to({});
