@@ -123,7 +123,9 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
   std::vector<Contact> contacts;
   const bool weighs = reduction_of(model).weighs();
   for (int wall = 0; wall < kWallCount; ++wall) {
-    Reducing reducing({body, wall_index(wall)}, model, inward_normal(walls, wall), watched);
+    const Vector3 normal = inward_normal(walls, wall);
+    const std::size_t of_walls_before = contacts.size();
+    Reducing reducing({body, wall_index(wall)}, model, normal, watched);
     for (const NodePair& nodes : pair.overlapping()) {
       NodeContact contact;
       contact.touch = touch_of_wall(a.tree, nodes.a, walls, wall);
@@ -135,6 +137,9 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
       }
     }
     reducing.add_reduced_to(contacts, a.tree.tree().bounding_radius_m());
+    for (std::size_t i = of_walls_before; i < contacts.size(); ++i) {
+      contacts[i].touch.normal = normal;  // whatever a mean of equals rounds to
+    }
   }
   return contacts;
 }

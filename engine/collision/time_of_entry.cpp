@@ -16,7 +16,16 @@ constexpr double kHairShare = 0.125;
 constexpr double kRestShare = 0.25;
 /// Of that depth: how much deeper bodies may overlap that did at the start.
 constexpr double kDeeperShare = 0.25;
+/// Deep in a voxel the nearest face may be one that it shares with the next: then nothing pushes
+/// out of the body. So much of its half-thickness is safe.
+constexpr double kSafeShareOfVoxel = 0.05;
 constexpr double kForever = std::numeric_limits<double>::infinity();
+
+/// How deep a finest node may be met without its being left on the wrong side (metres).
+double safe_depth_m(const VolumeTree& tree, int level) {
+  const double half_m = tree.least_half_thickness_m(level);
+  return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
+}
 
 /// What stands for a node one level deeper: its children, or itself.
 NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
@@ -230,7 +239,7 @@ class EntrySearch {
 }  // namespace
 
 double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level) {
-  return a.least_half_thickness_m(level) + b.least_half_thickness_m(level);
+  return safe_depth_m(a, level) + safe_depth_m(b, level);
 }
 
 bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {

@@ -40,8 +40,8 @@ struct PairOnTheWay {
 };
 
 /// What a pair may move without being fast (metres): the least half-thickness of a's nodes and
-/// that of b's. Bodies that move less against each other cannot get past their middles between one
-/// step and the next.
+/// that of b's, of voxels a twentieth. Bodies that move less against each other cannot get past
+/// their middles between one step and the next.
 double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
 
 /// Whether the bodies move further against each other within the step than this share of what a

@@ -13,8 +13,8 @@ struct Box {
   Quaternion orientation{Quaternion::Identity()};
 };
 
-/// A box of equal sides. Its contacts are those of the sphere that circumscribes it (Dingliana
-/// 2002, sec. 4.1.2); its overlaps are its own.
+/// A box of equal sides. Two of them touch as the spheres do that circumscribe them (Dingliana
+/// 2002, sec. 4.1.2); overlaps, and contacts with other kinds, are a box's.
 struct Cube {
   Vector3 centre{Vector3::Zero()};
   double half_edge_m{0.0};

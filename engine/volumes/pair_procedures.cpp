@@ -43,31 +43,25 @@ bool boxes_overlap(const Volume& a, const Volume& b) {
                                  : !are_separated(of_a.core, of_b.core, 0.0);
 }
 
-/// What stands for a volume in its contacts.
-Volume for_contact(const Volume& volume) {
-  return std::holds_alternative<Cube>(volume) ? Volume(bounding_sphere(volume)) : volume;
-}
-
 TouchPoint touch_of_circumscribed(const Volume& a, const Volume& b, const Vector3& fallback) {
-  return touch(for_contact(a), for_contact(b), fallback);
+  return touch(bounding_sphere(a), bounding_sphere(b), fallback);
 }
 
 constexpr PairProcedures kSpheres{spheres_overlap, touch_of_spheres};
 constexpr PairProcedures kSwept{swept_overlap, touch_of_cores};
 constexpr PairProcedures kBoxes{boxes_overlap, touch_of_cores};
-constexpr PairProcedures kSweptCube{swept_overlap, touch_of_circumscribed};
-constexpr PairProcedures kBoxCube{boxes_overlap, touch_of_circumscribed};
+constexpr PairProcedures kCubes{boxes_overlap, touch_of_circumscribed};
 constexpr PairProcedures kMirrored{};  // the row of the other kind has the pair
 
 // In the order of Volume's kinds.
 // clang-format off
 constexpr PairProcedures kTable[][std::variant_size_v<Volume>] = {
     //                     Sphere     LineSwept  RectangleSwept  Box        Cube
-    /* Sphere         */ { kSpheres,  kSwept,    kSwept,         kSwept,    kSweptCube },
-    /* LineSwept      */ { kMirrored, kSwept,    kSwept,         kSwept,    kSweptCube },
-    /* RectangleSwept */ { kMirrored, kMirrored, kSwept,         kSwept,    kSweptCube },
-    /* Box            */ { kMirrored, kMirrored, kMirrored,      kBoxes,    kBoxCube   },
-    /* Cube           */ { kMirrored, kMirrored, kMirrored,      kMirrored, kBoxCube   },
+    /* Sphere         */ { kSpheres,  kSwept,    kSwept,         kSwept,    kSwept },
+    /* LineSwept      */ { kMirrored, kSwept,    kSwept,         kSwept,    kSwept },
+    /* RectangleSwept */ { kMirrored, kMirrored, kSwept,         kSwept,    kSwept },
+    /* Box            */ { kMirrored, kMirrored, kMirrored,      kBoxes,    kBoxes },
+    /* Cube           */ { kMirrored, kMirrored, kMirrored,      kMirrored, kCubes },
 };
 // clang-format on
 static_assert(std::size(kTable) == std::variant_size_v<Volume>);
@@ -98,13 +92,16 @@ TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback) {
 }
 
 double width_along(const Volume& volume, const Vector3& direction) {
-  const CoredVolume whole = cored(for_contact(volume));
+  const CoredVolume whole = cored(volume);
   return 2.0 * (reach_along(whole.core, direction) + whole.radius_m);
 }
 
 double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact) {
-  return share_of(std::min(width_along(a, contact.normal), width_along(b, contact.normal)),
-                  contact.depth_m);
+  const bool cubes = std::holds_alternative<Cube>(a) && std::holds_alternative<Cube>(b);
+  const auto width_m = [&](const Volume& volume) {
+    return cubes ? 2.0 * bounding_sphere(volume).radius_m : width_along(volume, contact.normal);
+  };
+  return share_of(std::min(width_m(a), width_m(b)), contact.depth_m);
 }
 
 double wall_interpenetration(const Volume& volume, const TouchPoint& contact) {

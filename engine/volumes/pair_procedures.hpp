@@ -18,16 +18,16 @@ bool overlap(const Volume& a, const Volume& b);
 /// and the point divides it in the ratio of the radii; where many lines are as short, the middle
 /// one. Cores that meet have the axis of least penetration, its sense that of the line of the
 /// centres, else of `fallback`, and the point is the centroid of what they share. Boxes are their
-/// own cores. A cube's contact is that of the sphere that circumscribes it (sec. 4.1.2).
+/// own cores. The contact of two cubes is that of the spheres that circumscribe them (sec. 4.1.2).
 /// `fallback` (unit, from b to a) also gives the normal where the geometry leaves it open.
 TouchPoint touch(const Volume& a, const Volume& b, const Vector3& fallback);
 
-/// The width along `direction` (unit) of what a volume's contacts are worked out by (metres): of a
-/// cube, of the sphere that circumscribes it.
+/// A volume's width along `direction` (unit; metres).
 double width_along(const Volume& volume, const Vector3& direction);
 
 /// How deep two volumes are in each other, from 0, touching, to 1, where the smaller is wholly
-/// within the other along the normal: depth over the lesser width along it. For spheres,
+/// within the other along the normal: depth over the lesser width along it, of two cubes that of
+/// the spheres that circumscribe them. For spheres,
 /// (R_a + R_b − d) / (2 min(R_a, R_b)). (eq. 4.3, corrected)
 double interpenetration(const Volume& a, const Volume& b, const TouchPoint& contact);
 

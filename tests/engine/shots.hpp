@@ -29,10 +29,7 @@ inline std::shared_ptr<const VolumeTree> plate_tree(const std::string& kind) {
   if (tree == nullptr) {
     const TriangleMesh mesh = box_mesh({kSide_m, kSide_m, kThickness_m});
     const int branching = kind == "voxel" || kind == "octree" ? 8 : 6;
-    // A cube's contact is that of its circumscribed sphere: its normals are the plate's only when
-    // cubes are small beside what they touch.
-    const int depth = kind == "voxel" ? 5 : 3;
-    tree = std::make_shared<VolumeTree>(build_tree(mesh, {tree_kind(kind), depth, branching}));
+    tree = std::make_shared<VolumeTree>(build_tree(mesh, {tree_kind(kind), 3, branching}));
   }
   return tree;
 }

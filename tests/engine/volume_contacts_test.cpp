@@ -182,18 +182,31 @@ TEST(VolumeContact, ANestedBoxIsPartedByTheNearestFace) {
   expect_contact(inner, outer, -kY, 1.5, {0.0, -3.0, 1.0});
 }
 
-TEST(VolumeContact, ACubesContactIsThatOfItsCircumscribedSphere) {
+TEST(VolumeContact, TwoCubesTouchAsTheSpheresThatCircumscribeThem) {
   const Cube cube{{0.0, 0.0, 0.0}, 1.0, kUpright};
-  const Sphere round{{0.0, 0.0, 0.0}, std::sqrt(3.0)};
-  const LineSwept line{{0.5, 1.5, 0.0}, {1.0, 0.0, 0.0}, 0.75};
-  const Cube other{{1.5, 0.0, 0.0}, 1.0, kUpright};
-  for (const Volume& volume : {Volume(line), Volume(Sphere{{0.0, 1.5, 1.0}, 1.0})}) {
-    EXPECT_EQ(touch(cube, volume, kZ).point, touch(round, volume, kZ).point);
-    EXPECT_EQ(touch(cube, volume, kZ).normal, touch(round, volume, kZ).normal);
-  }
-  EXPECT_EQ(touch(other, cube, kZ).normal, kX);
-  EXPECT_LT((touch(other, cube, kZ).point - Vector3(0.75, 0.0, 0.0)).norm(), 1e-15);
+  const Cube other{{1.5, 0.6, 0.0}, 0.5, kUpright};
+  const Sphere round{cube.centre, std::sqrt(3.0)};
+  const Sphere small{other.centre, 0.5 * std::sqrt(3.0)};
+  expect_contact(other, cube, touch(small, round, kZ).normal, touch(small, round, kZ).depth_m,
+                 touch(small, round, kZ).point);
+  EXPECT_NEAR(interpenetration(other, cube, touch(other, cube, kZ)),
+              interpenetration(small, round, touch(small, round, kZ)), 1e-15);
   EXPECT_FALSE(overlap(cube, Cube{{2.5, 0.0, 0.0}, 1.0, kUpright})) << "the spheres overlap";
+}
+
+TEST(VolumeContact, ACubeTouchesOtherKindsAsTheBoxThatItIs) {
+  const Cube cube{{0.0, 0.0, 0.0}, 1.0, kUpright};
+  const Box box{cube.centre, {1.0, 1.0, 1.0}, kUpright};
+  // Near a corner of the face: a sphere about the cube would turn its normal by 40 degrees.
+  const Sphere ball{{0.9, 1.25, 0.9}, 0.3};
+  EXPECT_LT((touch(ball, cube, kZ).normal - kY).norm(), 1e-15);
+  const LineSwept line{{0.5, 1.5, 0.0}, {1.0, 0.0, 0.0}, 0.75};
+  const Box beside{{1.4, 0.2, 0.1}, {0.5, 0.2, 0.3}, Quaternion(0.9, 0.1, 0.2, 0.3).normalized()};
+  for (const Volume& volume : {Volume(ball), Volume(line), Volume(beside)}) {
+    EXPECT_EQ(touch(cube, volume, kZ).point, touch(box, volume, kZ).point);
+    EXPECT_EQ(touch(cube, volume, kZ).normal, touch(box, volume, kZ).normal);
+    EXPECT_EQ(touch(cube, volume, kZ).depth_m, touch(box, volume, kZ).depth_m);
+  }
 }
 
 TEST(VolumeContact, CoincidentVolumesOfEveryKindFallBackOnTheGivenDirection) {

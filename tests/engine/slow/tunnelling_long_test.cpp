@@ -11,12 +11,8 @@ constexpr std::uint64_t kSeed = 65;
 
 TEST(TunnellingLong, NoBulletOfTenThousandGetsThroughAPlate) {
   for (const std::string& kind : tree_kind_names()) {
-    if (kind == "voxel") {
-      continue;  // a cube's contact normal is a sphere's, and may lead a small bullet in, also
-                 // slowly
-    }
     RandomStream random(kSeed, "many bullets/" + kind);
-    for (int trial = 0; trial < 2'000; ++trial) {
+    for (int trial = 0; trial < 1'700; ++trial) {
       // Evenly over the orders of magnitude from .1 to 1e5.
       const double speed =
           std::ldexp(0.1 * (1.0 + random.uniform()), static_cast<int>(random.below(20)));
