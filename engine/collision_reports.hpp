@@ -9,7 +9,8 @@
 
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/dynamics/impulse.hpp"
+#include "engine/step.hpp"
 
 namespace impetus {
 

@@ -19,10 +19,6 @@ void require(bool condition, const char* message) {
   }
 }
 
-void require_no_problem(const std::string& problem) {
-  require(problem.empty(), ("world: " + problem).c_str());
-}
-
 bool is_finite(const BodyState& state) {
   return state.pose.position.allFinite() && state.pose.orientation.coeffs().allFinite() &&
          state.linear_momentum.allFinite() && state.angular_momentum.allFinite();
@@ -35,16 +31,8 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 World::World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings)
     : models_(std::move(models)), states_(std::move(states)), settings_(std::move(settings)) {
   require(models_.size() == states_.size(), "world: one state per body model is needed");
-  require(settings_.restitution >= 0.0 && settings_.restitution <= 1.0,
-          "world: restitution must lie in [0, 1]");
-  require_no_problem(problem_of(settings_.materials));
-  require(settings_.imposed_hold_s >= 0.0, "world: an imposed hold cannot be negative");
-  require(settings_.contacts.most_per_pair >= 1, "world: a pair needs one contact or more");
-  if (settings_.enclosure) {
-    require_no_problem(problem_of(*settings_.enclosure));
-  }
-  require(problem_of(settings_.schedule).empty(), problem_of(settings_.schedule).c_str());
-  require_no_problem(problem_of(settings_.costs));
+  const std::string problem = problem_of(settings_);
+  require(problem.empty(), problem.c_str());
   for (BodyModel& body : models_) {
     require(body.tree != nullptr, "world: every body needs a volume tree");
     require(body.inverse_mass >= 0.0, "world: an inverse mass cannot be negative");
@@ -56,18 +44,27 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
 }
 
 void World::set_schedule(Schedule schedule) {
-  require(problem_of(schedule).empty(), problem_of(schedule).c_str());
-  settings_.schedule = std::move(schedule);
+  WorldSettings changed = settings_;
+  changed.schedule = std::move(schedule);
+  change_settings(std::move(changed));
 }
 
 void World::set_contacts(ContactModel contacts) {
-  require(contacts.most_per_pair >= 1, "world: a pair needs one contact or more");
-  settings_.contacts = std::move(contacts);
+  WorldSettings changed = settings_;
+  changed.contacts = std::move(contacts);
+  change_settings(std::move(changed));
 }
 
 void World::set_costs(const WorkCosts& costs) {
-  require_no_problem(problem_of(costs));
-  settings_.costs = costs;
+  WorldSettings changed = settings_;
+  changed.costs = costs;
+  change_settings(std::move(changed));
+}
+
+void World::change_settings(WorldSettings changed) {
+  const std::string problem = problem_of(changed);
+  require(problem.empty(), problem.c_str());
+  settings_ = std::move(changed);
 }
 
 StepReport World::step(const StepInput& input, WorkMeter& meter) {

@@ -159,7 +159,7 @@ class StripDrawing {
         break;
       case kAtContact:
         std::snprintf(text, sizeof text,
-                      "at %.3f s: %zu contacts of nodes, %zu kept\ngap %.2f mm, %.1f′ in the "
+                      "at %.3f s: contacts of nodes %zu, kept %zu\ngap %.2f mm, %.1f′ in the "
                       "scene\nnormal %.1f° off the finest level's",
                       row.moments[name].time_s, row.node_contacts.size(), row.contacts.size(),
                       1e3 * row.gap_m, row.gap_arcmin, row.normal_off_deg);

@@ -103,7 +103,7 @@ class Panel {
       number("collisions", "%.0f", static_cast<double>(run_.collision_count()));
       number("energy", "%.1f %%", 100.0 * run_.energy_share());
       panel_tooltip("Kinetic energy, as a share of that at the onset");
-      number("a step takes", "%.3f ms", run_.step_ms());
+      number("step takes", "%.3f ms", run_.step_ms());
       number("pops", "%.0f", static_cast<double>(run_.pop_count()));
       panel_tooltip("Pairs that fell to a coarser level while they touched");
       number("stopped", "%.0f", static_cast<double>(run_.stopped_count()));

@@ -94,7 +94,6 @@ constexpr Exception kExceptions[] = {
     {TreeKind::kVoxel, "none", kNormal, kGridNormals},
     {TreeKind::kVoxel, "none", kVelocity, kGridNormals},
     {TreeKind::kVoxel, "first", kNormal, kGridNormals},
-    {TreeKind::kVoxel, "first", kVelocity, kGridNormals},
     {TreeKind::kMedial, "density", kNormal, kCornersHaveNoNormal},
     {TreeKind::kMedial, "density", kVelocity, kCornersHaveNoNormal},
     {TreeKind::kSwept, "density", kNormal, kCornersHaveNoNormal},

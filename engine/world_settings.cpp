@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "engine/world_settings.hpp"
+
+namespace impetus {
+namespace {
+
+std::string of_world(const std::string& problem) {
+  return problem.empty() ? "" : "world: " + problem;
+}
+
+}  // namespace
+
+std::string problem_of(const WorldSettings& settings) {
+  if (!(settings.restitution >= 0.0 && settings.restitution <= 1.0)) {
+    return "world: restitution must lie in [0, 1]";
+  }
+  if (!(settings.imposed_hold_s >= 0.0)) {
+    return "world: an imposed hold cannot be negative";
+  }
+  if (settings.contacts.most_per_pair < 1) {
+    return "world: a pair needs one contact or more";
+  }
+  for (const std::string& problem :
+       {of_world(problem_of(settings.materials)),
+        of_world(settings.enclosure ? problem_of(*settings.enclosure) : ""),
+        problem_of(settings.schedule), of_world(problem_of(settings.costs))}) {
+    if (!problem.empty()) {
+      return problem;
+    }
+  }
+  return "";
+}
+
+}  // namespace impetus

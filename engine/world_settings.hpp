@@ -1,0 +1,44 @@
+// What holds for every body of a world, and for every step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/collision/contact_reduction.hpp"
+#include "engine/collision/tunnelling.hpp"
+#include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/restitution.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/work_costs.hpp"
+#include "engine/volumes/enclosure.hpp"
+
+namespace impetus {
+
+/// How the impulses of contacts that affect each other are found: one after the other, or for all
+/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
+enum class ResponseMethod { kInTurn, kTogether };
+
+/// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
+struct WorldSettings {
+  double restitution{1.0};  ///< in [0, 1]
+  /// An imposed manipulation, not physics: bodies stay where they touched for this long before
+  /// their rebound shows (Dingliana 2002, sec. 6.2.1).
+  double imposed_hold_s{0.0};
+  std::optional<Enclosure> enclosure{};  ///< walls that keep the bodies inside
+  Schedule schedule{};
+  ResponseMethod response{ResponseMethod::kInTurn};
+  ContactModel contacts{};
+  Tunnelling tunnelling{Tunnelling::kStopAtEntry};
+  WorkCosts costs{};
+  /// Restitutions of pairs of materials (BodyModel::material) that differ from `restitution`.
+  std::vector<PairRestitution> materials{};
+  int wall_material{0};
+  Rotation rotation{Rotation::kMidpoint};
+};
+
+/// What is wrong with the settings, as a sentence; empty when nothing is.
+std::string problem_of(const WorldSettings& settings);
+
+}  // namespace impetus
