@@ -77,6 +77,16 @@ TEST(GoldenRecording, EveryCellOfTheGazeContingentStudyReplaysBitForBit) {
   }
 }
 
+TEST(GoldenRecording, EveryOptionOfTheEngineReplaysBitForBit) {
+  Golden golden("every-option");
+  ASSERT_EQ(golden.attempts.size(), 36U);  // six kinds of trees, six reductions
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_EQ(result.steps, 60);
+    EXPECT_EQ(words(attempt, result), "");
+  }
+}
+
 TEST(GoldenRecording, OneBitOfAnInitialVelocityIsCaughtAndNamed) {
   Golden golden;
   const StoredAttempt& attempt = golden.attempts[7];
