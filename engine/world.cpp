@@ -81,7 +81,8 @@ StepReport World::step(const StepInput& input, WorkMeter& meter) {
 }
 
 std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
-  const std::vector<BodyState> before = states_;
+  const bool stops_fast_pairs = settings_.tunnelling == Tunnelling::kStopAtEntry;
+  const std::vector<BodyState> before = stops_fast_pairs ? states_ : std::vector<BodyState>{};
   std::vector<MovedBound> bounds;
   bounds.reserve(models_.size());
   for (std::size_t body = 0; body < models_.size(); ++body) {
@@ -90,7 +91,7 @@ std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
   std::vector<PairBounds> candidates = broad_phase_.candidates(bounds);
-  if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
+  if (stops_fast_pairs) {
     stop_fast_pairs(before, dt_s, candidates, report);
   }
   for (std::size_t body = 0; body < models_.size(); ++body) {

@@ -14,25 +14,10 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/tumbling_box.hpp"
 
 namespace impetus {
 namespace {
-
-/// The .2 × .4 × .6 m box of engine-notes, of mass 1 kg: m (b² + c²) / 12.
-BodyModel box_body() {
-  BodyModel model = ball(0.4, 1.0);
-  model.inverse_inertia =
-      Vector3(12.0 / (0.16 + 0.36), 12.0 / (0.04 + 0.36), 12.0 / (0.04 + 0.16)).asDiagonal();
-  return model;
-}
-
-/// Spinning at about `spin_rad_s` about the axis of intermediate inertia: y.
-BodyState tumbling(const BodyModel& model, double spin_rad_s) {
-  BodyState state;
-  const Vector3 spin(0.01 * spin_rad_s, spin_rad_s, 0.01 * spin_rad_s);
-  state.angular_momentum = model.inverse_inertia.inverse() * spin;
-  return state;
-}
 
 double worst_energy_drift(const BodyModel& model, BodyState state, int steps, double dt_s) {
   const double start = kinetic_energy(model, state);

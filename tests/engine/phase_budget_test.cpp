@@ -137,17 +137,27 @@ TEST(PhaseBudget, APairThatSeparatesReleasesItsReserve) {
   EXPECT_EQ(refused[0].refinement.stop_reason(), StopReason::kBudgetSpent);
 }
 
-TEST(PhaseBudget, TestsOfOtherVolumesAndOfWallsCostTheirOwn) {
-  WorldSettings settings;
-  settings.costs = {1, 7, 0, 0};
-  settings.enclosure = ClosedCube{1.0};
+BodyModel box_of_one_node() {
   BodyModel box = ball(0.1, 1.0);
   box.tree = std::make_shared<VolumeTree>(
       single_node_tree(Box{Vector3::Zero(), Vector3(0.1, 0.1, 0.1), Quaternion::Identity()}));
-  const auto spent = [&](const BodyModel& first, const Vector3& place) {
-    World world({first, ball(0.1, 1.0)}, {resting_at(place), resting_at({0.15, 0.0, 0.0})},
-                settings);
-    return step_whole(world).work_spent;
+  return box;
+}
+
+/// Of a step with a ball of .1 m at x = .15 in a cube of 2 m, and `first` at `place`.
+std::int64_t work_beside_a_ball(const BodyModel& first, const Vector3& place,
+                                const WorkCosts& costs) {
+  WorldSettings settings;
+  settings.costs = costs;
+  settings.enclosure = ClosedCube{1.0};
+  World world({first, ball(0.1, 1.0)}, {resting_at(place), resting_at({0.15, 0.0, 0.0})}, settings);
+  return step_whole(world).work_spent;
+}
+
+TEST(PhaseBudget, TestsOfOtherVolumesAndOfWallsCostTheirOwn) {
+  const BodyModel box = box_of_one_node();
+  const auto spent = [](const BodyModel& first, const Vector3& place) {
+    return work_beside_a_ball(first, place, {1, 7, 0, 0});
   };
   EXPECT_EQ(spent(ball(0.1, 1.0), Vector3::Zero()), 1);
   EXPECT_EQ(spent(box, Vector3::Zero()), 7);
@@ -155,16 +165,9 @@ TEST(PhaseBudget, TestsOfOtherVolumesAndOfWallsCostTheirOwn) {
 }
 
 TEST(PhaseBudget, ModellingOfOtherVolumesCostsMoreAndThatOfWallsDoesNot) {
-  WorldSettings settings;
-  settings.costs = {1, 1, 10, 0, 500};
-  settings.enclosure = ClosedCube{1.0};
-  BodyModel box = ball(0.1, 1.0);
-  box.tree = std::make_shared<VolumeTree>(
-      single_node_tree(Box{Vector3::Zero(), Vector3(0.1, 0.1, 0.1), Quaternion::Identity()}));
-  const auto spent = [&](const BodyModel& first, const Vector3& place) {
-    World world({first, ball(0.1, 1.0)}, {resting_at(place), resting_at({0.15, 0.0, 0.0})},
-                settings);
-    return step_whole(world).work_spent;
+  const BodyModel box = box_of_one_node();
+  const auto spent = [](const BodyModel& first, const Vector3& place) {
+    return work_beside_a_ball(first, place, {1, 1, 10, 0, 500});
   };
   EXPECT_EQ(spent(ball(0.1, 1.0), Vector3::Zero()), 1 + 10);
   EXPECT_EQ(spent(box, Vector3::Zero()), 1 + 10 + 500);

@@ -7,27 +7,12 @@
 
 #include "engine/dynamics/motion.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/tumbling_box.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr std::uint64_t kSeed = 66;
-
-/// The .2 × .4 × .6 m box of 1 kg: m (b² + c²) / 12.
-BodyModel box_body() {
-  BodyModel model = ball(0.4, 1.0);
-  model.inverse_inertia =
-      Vector3(12.0 / (0.16 + 0.36), 12.0 / (0.04 + 0.36), 12.0 / (0.04 + 0.16)).asDiagonal();
-  return model;
-}
-
-/// Spinning about the axis of intermediate inertia, a hundredth off it.
-BodyState tumbling(const BodyModel& model, double spin_rad_s) {
-  BodyState state;
-  const Vector3 spin(0.01 * spin_rad_s, spin_rad_s, 0.01 * spin_rad_s);
-  state.angular_momentum = model.inverse_inertia.inverse() * spin;
-  return state;
-}
 
 double worst_drift(BodyState state, double dt_s, int steps, Rotation rotation) {
   const BodyModel model = box_body();

@@ -1,4 +1,4 @@
-// World: the step as physics, as a budgeted computation, and as a pure function.
+// World: the step as physics, and what it refuses.
 // SPDX-License-Identifier: MIT
 #include "engine/world.hpp"
 
@@ -12,28 +12,12 @@
 #include <string>
 
 #include "engine/dynamics/motion.hpp"
-#include "tests/engine/builders.hpp"
+#include "tests/engine/head_on.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr std::uint64_t kSeed = 1'637;
-
-/// Two balls on the x axis that meet after two thirds of a step and then overlap.
-World head_on(double mass_a_kg, double speed_a_m_s, double mass_b_kg, double speed_b_m_s,
-              WorldSettings settings = {}) {
-  const std::vector<BodyModel> models{ball(0.5, mass_a_kg), ball(0.5, mass_b_kg)};
-  const double gap_m = (speed_a_m_s - speed_b_m_s) * kStep_s * (2.0 / 3.0);
-  return {models,
-          {moving(models[0], Vector3::Zero(), {speed_a_m_s, 0.0, 0.0}),
-           moving(models[1], {1.0 + gap_m, 0.0, 0.0}, {speed_b_m_s, 0.0, 0.0})},
-          settings};
-}
-
-double x_speed(const World& world, std::size_t body) {
-  return velocity(world.models()[body], world.states()[body]).x();
-}
-
 TEST(World, TwoEqualBallsHeadOnExchangeTheirVelocities) {
   World world = head_on(2.0, 3.0, 2.0, -1.0);
   const StepReport report = step_whole(world);
@@ -204,81 +188,6 @@ TEST(World, StaticBodiesNeverMove) {
   }
 }
 
-TEST(World, AnImposedHoldFreezesBothBodiesForTheTimeAskedAndThenTheyGo) {
-  // 100 ms are 24 steps of 1/240 s; the hold starts at the end of the step of the contact.
-  World world = head_on(2.0, 3.0, 2.0, -1.0, {1.0, 0.1});
-  const StepReport contact = step_whole(world);
-  ASSERT_EQ(contact.collisions.size(), 1U);
-  EXPECT_EQ(contact.collisions[0].imposed_hold_s, 0.1);
-  const std::vector<BodyState> touched = world.states();
-  for (int step = 1; step <= 24; ++step) {
-    const StepReport report = step_whole(world);
-    ASSERT_EQ(report.collisions.size(), 1U) << "still touching";
-    EXPECT_FALSE(report.collisions[0].began);
-    EXPECT_EQ(report.collisions[0].imposed_hold_s, 0.0) << "one hold for one contact";
-    for (std::size_t body = 0; body < 2; ++body) {
-      // Rounding of 0.1 − 24/240 lets the last step move by 1e-17 s of travel.
-      ASSERT_LT((world.states()[body].pose.position - touched[body].pose.position).norm(), 1e-16)
-          << step;
-    }
-  }
-  step_whole(world);
-  // Exchanged velocities, one step.
-  EXPECT_NEAR(world.states()[0].pose.position.x() - touched[0].pose.position.x(), -kStep_s, 1e-15);
-  EXPECT_NEAR(world.states()[1].pose.position.x() - touched[1].pose.position.x(), 3.0 * kStep_s,
-              1e-15);
-}
-
-TEST(World, AHoldThatEndsInMidStepMovesForTheRestOfIt) {
-  // 10 ms of 240 Hz steps: held, held, then 0.4 of a step held and 0.6 free.
-  World world = head_on(2.0, 3.0, 2.0, -1.0, {1.0, 0.01});
-  step_whole(world);
-  const BodyState touched = world.states()[1];
-  for (int step = 0; step < 2; ++step) {
-    step_whole(world);
-    ASSERT_EQ(world.states()[1].pose.position, touched.pose.position);
-  }
-  const BodyState before = world.states()[1];
-  step_whole(world);
-  const BodyState after = world.states()[1];
-  EXPECT_NEAR(after.held_fraction, 0.4, 1e-14);
-  EXPECT_NEAR(after.pose.position.x() - touched.pose.position.x(), 3.0 * 0.6 * kStep_s, 1e-15);
-  EXPECT_EQ(between(before, after, 0.3).position, touched.pose.position);
-  // Half way through the free part.
-  EXPECT_NEAR(between(before, after, 0.7).position.x() - touched.pose.position.x(),
-              3.0 * 0.3 * kStep_s, 1e-15);
-}
-
-TEST(World, AContactThatLastsStartsNoSecondHold) {
-  // c runs into b while a and b are held: b is driven at a again, but that contact began before.
-  const std::vector<BodyModel> models{ball(0.5, 1.0), ball(0.5, 1.0), ball(0.5, 1.0)};
-  World world(models,
-              {moving(models[0], Vector3::Zero(), {1.0, 0.0, 0.0}), resting_at({1.001, 0.0, 0.0}),
-               moving(models[2], {2.05, 0.0, 0.0}, {-5.0, 0.0, 0.0})},
-              {1.0, 0.1});
-  std::vector<BodyPair> holds;
-  double impulse_while_held_Ns = 0.0;
-  for (int step = 0; step < 20; ++step) {
-    const double held_s = world.states()[0].held_s;
-    for (const CollisionReport& collision : step_whole(world).collisions) {
-      if (collision.imposed_hold_s > 0.0) {
-        holds.push_back(collision.bodies);
-      } else if (collision.bodies == BodyPair{0, 1}) {
-        impulse_while_held_Ns += collision.impulse_Ns;
-      }
-    }
-    EXPECT_TRUE(held_s == 0.0 || world.states()[0].held_s < held_s) << step;
-  }
-  EXPECT_EQ(holds, (std::vector<BodyPair>{{0, 1}, {1, 2}}));
-  EXPECT_GT(impulse_while_held_Ns, 1.0) << "b was never driven at a again";
-}
-
-TEST(World, AHoldOfZeroChangesNothing) {
-  World plain = head_on(2.0, 3.0, 2.0, -1.0);
-  EXPECT_EQ(step_whole(plain).collisions[0].imposed_hold_s, 0.0);
-  EXPECT_EQ(plain.states()[0].held_s, 0.0);
-}
-
 TEST(World, APairThatSeparatesAndMeetsAgainBeginsAgain) {
   // A ball bouncing between two walls.
   const std::vector<BodyModel> models{ball(0.5, 1.0), fixed_ball(5.0), fixed_ball(5.0)};
@@ -327,175 +236,6 @@ TEST(World, TheOrderOfTwoBodiesDoesNotMatter) {
     }
   }
   EXPECT_GT(met, 100);
-}
-
-/// A meter as a live deadline makes it: it grants in slices, and from some total on refuses.
-class SlicedWork final : public WorkMeter {
- public:
-  SlicedWork(std::int64_t slice, std::int64_t refuse_from)
-      : slice_(slice), refuse_from_(refuse_from) {}
-
-  std::int64_t request(std::int64_t total_tests, std::int64_t /*reserved*/) override {
-    while (granted_ < total_tests && granted_ < refuse_from_) {
-      granted_ += slice_;
-    }
-    return granted_;
-  }
-
- private:
-  std::int64_t slice_;
-  std::int64_t refuse_from_;
-  std::int64_t granted_{0};
-};
-
-TEST(World, ReplayWithTheLoggedTotalGivesTheSameHashes) {
-  RandomStream random(kSeed, "deadlines");
-  int cut_short = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    World live = random_tree_world(seed, 5);
-    World replay = live;
-    for (int step = 0; step < 300; ++step) {
-      SlicedWork deadline(1 + static_cast<std::int64_t>(random.below(50)),
-                          static_cast<std::int64_t>(random.below(400)));
-      const StepReport shown = live.step(step_of(kStep_s), deadline);
-      FixedWork logged(shown.work_granted);
-      const StepReport again = replay.step(step_of(kStep_s), logged);
-      ASSERT_EQ(again.state.hash, shown.state.hash) << "seed " << seed << ", step " << step;
-      ASSERT_EQ(again.work_spent, shown.work_spent);
-      ASSERT_EQ(again.degradations, shown.degradations);
-      for (const CollisionReport& collision : shown.collisions) {
-        cut_short += collision.stop == StopReason::kBudgetSpent ? 1 : 0;
-      }
-    }
-  }
-  EXPECT_GT(cut_short, 100) << "the deadlines never cut a refinement short";
-}
-
-TEST(World, ReplayOfAFixedBudgetGivesTheSameHashes) {
-  for (const std::int64_t budget : {0, 1, 5, 20, 100, 1'000, 1'000'000}) {
-    World live = random_tree_world(3, 5);
-    World replay = live;
-    for (int step = 0; step < 200; ++step) {
-      FixedWork meter(budget);
-      const StepReport shown = live.step(step_of(kStep_s), meter);
-      FixedWork logged(shown.work_granted);
-      ASSERT_EQ(replay.step(step_of(kStep_s), logged).state.hash, shown.state.hash)
-          << "budget " << budget << ", step " << step;
-    }
-  }
-}
-
-TEST(World, WorkNeverExceedsTheGrantExceptForTheFloor) {
-  for (const std::int64_t budget : {0, 3, 17, 60, 400}) {
-    World world = random_tree_world(4, 5);
-    for (int step = 0; step < 300; ++step) {
-      FixedWork meter(budget);
-      const StepReport report = world.step(step_of(kStep_s), meter);
-      ASSERT_LE(report.work_spent, std::max(budget, report.work_floor));
-      ASSERT_LE(report.work_granted, budget);
-      const bool over = report.work_floor > budget;
-      ASSERT_EQ((report.degradations & kFloorOverBudget) != 0, over);
-      ASSERT_TRUE(!over || report.work_spent == report.work_floor);
-    }
-  }
-}
-
-TEST(World, WorkIsTheNumberOfNodePairTests) {
-  // Roots: 1 test. Two children each, all near: 4 more; 1 + 4 = 5.
-  const std::vector<VolumeNode> nodes{{Sphere{Vector3::Zero(), 1.0}, 1, 2, {}},
-                                      {Sphere{Vector3(0.1, 0.0, 0.0), 0.9}, 0, 0, {}},
-                                      {Sphere{Vector3(-0.1, 0.0, 0.0), 0.9}, 0, 0, {}}};
-  const VolumeTree tree(nodes, {0, 1});
-  BodyModel model = ball(1.0, 1.0);
-  model.tree = std::make_shared<VolumeTree>(tree);
-  const World start({model, model}, {resting_at(Vector3::Zero()), resting_at({1.0, 0.0, 0.0})}, {});
-  const auto spent_of = [&start](std::int64_t budget) {
-    World world = start;
-    FixedWork meter(budget);
-    return world.step(step_of(kStep_s), meter);
-  };
-  EXPECT_EQ(spent_of(4).work_spent, 1) << "a block starts only when it is covered";
-  EXPECT_EQ(spent_of(4).collisions[0].level, 0);
-  EXPECT_EQ(spent_of(4).collisions[0].stop, StopReason::kBudgetSpent);
-  EXPECT_EQ(spent_of(5).work_spent, 5);
-  EXPECT_EQ(spent_of(5).collisions[0].level, 1);
-  EXPECT_EQ(spent_of(kUnlimitedTests).work_spent, 5);
-  EXPECT_EQ(spent_of(kUnlimitedTests).work_granted, 5);
-}
-
-TEST(World, ABudgetThatDoesNotCoverTheFloorIsFlagged) {
-  World world = head_on(2.0, 3.0, 2.0, -1.0);
-  FixedWork nothing(0);
-  const StepReport report = world.step(step_of(kStep_s), nothing);
-  EXPECT_EQ(report.degradations, static_cast<std::uint32_t>(kFloorOverBudget));
-  EXPECT_EQ(report.work_floor, 1);
-  EXPECT_EQ(report.work_spent, 1) << "the coarsest level is done whatever the budget";
-  EXPECT_EQ(report.collisions.size(), 1U);
-}
-
-TEST(World, MoreWorkGoesDeeperAndFewerCollisionsAreFalse) {
-  // Coarse levels bound finer ones: a pair that is apart at a coarse level is apart at a finer one.
-  int resolved_away = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    World start = random_tree_world(seed, 5);
-    for (int step = 0; step < 100; ++step) {
-      World coarse = start;
-      World fine = start;
-      FixedWork little(1);
-      const StepReport rough = coarse.step(step_of(kStep_s), little);
-      const StepReport exact = step_whole(fine);
-      ASSERT_LE(exact.collisions.size(), rough.collisions.size());
-      resolved_away += static_cast<int>(rough.collisions.size() - exact.collisions.size());
-      for (const CollisionReport& collision : exact.collisions) {
-        EXPECT_EQ(collision.stop, StopReason::kFinest);
-      }
-      start = fine;
-    }
-  }
-  EXPECT_GT(resolved_away, 50);
-}
-
-TEST(World, TwoWorldsInLockStepAndASnapshotResumedAgree) {
-  World world = random_tree_world(kSeed, 5, {0.9, 0.02});
-  World twin = random_tree_world(kSeed, 5, {0.9, 0.02});
-  World snapshot = world;
-  std::vector<std::uint64_t> hashes;
-  for (int step = 0; step < 400; ++step) {
-    FixedWork meter(150);
-    FixedWork twins_meter(150);
-    hashes.push_back(world.step(step_of(kStep_s), meter).state.hash);
-    ASSERT_EQ(twin.step(step_of(kStep_s), twins_meter).state.hash, hashes.back()) << step;
-    if (step == 170) {
-      snapshot = world;
-    }
-  }
-  for (std::size_t step = 171; step < 400; ++step) {
-    FixedWork meter(150);
-    ASSERT_EQ(snapshot.step(step_of(kStep_s), meter).state.hash, hashes[step]) << step;
-  }
-}
-
-TEST(World, AChangedStartIsNoticedInTheFirstHash) {
-  World world = random_tree_world(kSeed, 3);
-  World changed = world;
-  double& x = changed.mutable_states()[2].pose.position.x();
-  x = std::nextafter(x, 10.0);
-  const StepReport one = step_whole(world);
-  const StepReport other = step_whole(changed);
-  EXPECT_NE(one.state.hash, other.state.hash);
-  EXPECT_EQ(first_difference(one.state.bodies, other.state.bodies)->body, 2U);
-}
-
-TEST(World, TheGoldenSceneEndsInTheCommittedHash) {
-  // Equal for GCC and Clang, -O0 and -O3, any instruction set. When a change of the engine is
-  // meant to change what recordings replay to, raise kRecordingFormat and commit the new value.
-  World world = random_tree_world(2002, 5, {0.9, 0.05});
-  std::uint64_t hash = 0;
-  for (int step = 0; step < 500; ++step) {
-    FixedWork meter(200);
-    hash = world.step(step_of(kStep_s), meter).state.hash;
-  }
-  EXPECT_EQ(hash, 0xbcfd35fd3e1c4520ULL);
 }
 
 TEST(World, AStateThatIsNotFiniteIsFlagged) {
