@@ -57,7 +57,11 @@ void PairRefinement::begin(PlacedTree& a, PlacedTree& b, int greatest_level,
   at_greatest_ = at_greatest;
   of_spheres_ = a.of_spheres() && b.of_spheres();
   deepest_level_ = std::max(a.tree().level_count(), b.tree().level_count()) - 1;
-  test_roots(nodes_overlap(a, 0, b, 0));
+  if (of_spheres_) {
+    test_roots(overlaps_of_block(a.world_lanes(0, 1), 1, b.world_lanes(0, 1), 1) != 0);
+  } else {
+    test_roots(nodes_overlap(a, 0, b, 0));
+  }
 }
 
 void PairRefinement::begin(PlacedTree& a, const Enclosure& walls, int greatest_level) {
