@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
@@ -282,13 +281,13 @@ void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
   }
 }
 
-ResponseResult World::response_to(const std::vector<Contact>& contacts) {
+const ResponseResult& World::response_to(const std::vector<Contact>& contacts) {
   const std::vector<double> restitutions =
       Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.of(contacts,
                                                                                            models_);
-  return settings_.response == ResponseMethod::kInTurn
-             ? respond(contacts, restitutions, models_, states_)
-             : respond_together(contacts, restitutions, models_, states_);
+  ResponseRules rules;
+  rules.method = settings_.response;
+  return responder_.respond(contacts, restitutions, rules, models_, states_);
 }
 
 void World::respond_to(StepReport& report) {
@@ -296,7 +295,7 @@ void World::respond_to(StepReport& report) {
   for (const CollisionReport& collision : report.collisions) {
     touching_.push_back({collision.bodies, collision.contact.touch.normal});
   }
-  const ResponseResult result = response_to(contacts_to_respond_to(report));
+  const ResponseResult& result = response_to(contacts_to_respond_to(report));
   report_response(result, report);
   for (CollisionReport& collision : report.collisions) {
     if (collision.began && collision.impulse_Ns > 0.0 && settings_.imposed_hold_s > 0.0) {

@@ -18,7 +18,7 @@
 #include "engine/collision/list_refinement.hpp"
 #include "engine/collision/sweep_and_prune.hpp"
 #include "engine/dynamics/body.hpp"
-#include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/responder.hpp"
 #include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -84,7 +84,7 @@ class World {
   std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
   [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
-  ResponseResult response_to(const std::vector<Contact>& contacts);
+  const ResponseResult& response_to(const std::vector<Contact>& contacts);
   void respond_to(StepReport& report);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
@@ -94,6 +94,7 @@ class World {
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
+  Responder responder_;
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
   PriorityMemory priorities_;

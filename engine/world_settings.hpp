@@ -8,6 +8,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/tunnelling.hpp"
+#include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
 #include "engine/scheduling/priority_lists.hpp"
@@ -15,10 +16,6 @@
 #include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
-
-/// How the impulses of contacts that affect each other are found: one after the other, or for all
-/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
-enum class ResponseMethod { kInTurn, kTogether };
 
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
