@@ -67,6 +67,7 @@ class World {
 
  private:
   std::vector<PairBounds> move_and_pair(double dt_s, StepReport& report);
+  void find_falls(double dt_s);
   void stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
                        std::vector<PairBounds>& candidates, StepReport& report);
   void add_wall_candidates(const std::vector<MovedBound>& bounds,
@@ -84,8 +85,8 @@ class World {
   std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
   [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
-  const ResponseResult& response_to(const std::vector<Contact>& contacts);
-  void respond_to(StepReport& report);
+  const ResponseResult& response_to(const std::vector<Contact>& contacts, double dt_s);
+  void respond_to(double dt_s, StepReport& report);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
 
@@ -95,6 +96,7 @@ class World {
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
   Responder responder_;
+  std::vector<Fall> falls_;  ///< of the present step; none without gravity
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
   PriorityMemory priorities_;

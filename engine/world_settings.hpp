@@ -33,6 +33,12 @@ struct WorldSettings {
   std::vector<PairRestitution> materials{};
   int wall_material{0};
   Rotation rotation{Rotation::kMidpoint};
+  /// Of every body that can move (motion.hpp); where there is any, approaches slower than it gives
+  /// a body in kRestingSteps steps are given nothing back.
+  Vector3 gravity_m_s2{Vector3::Zero()};
+  /// Over the contacts of an island, in a step; what still approaches is left to the next step
+  /// (ResponseRules::most_passes).
+  int most_response_passes{kUnlimitedPasses};
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.
