@@ -6,8 +6,8 @@
 //
 // What a contact does depends on the momenta of its two bodies alone, so one that sleeps would be
 // found as it was: passes over the awake, in the order of the contacts, give the bits of passes
-// over all. A pass over n contacts of which k are awake costs n / 64 + k. SPDX-License-Identifier:
-// MIT
+// over all. A pass over n contacts of which k are awake costs n / 64 + k.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

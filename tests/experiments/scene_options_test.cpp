@@ -87,8 +87,10 @@ TEST(SceneOptions, GravityIsThreeNumbersAndNoneWhenLeftOut) {
   };
   EXPECT_EQ(settings_of(built(free_scene())).gravity_m_s2, Vector3(0.0, 0.0, 0.0));
   EXPECT_EQ(settings_of(built(with({0, -9.81, 0.5}))).gravity_m_s2, Vector3(0.0, -9.81, 0.5));
-  EXPECT_EQ(scene_refusal(with({0, -9.81})), "");
-  EXPECT_EQ(scene_refusal(with({0, -1001, 0})), "");
+  EXPECT_EQ(scene_refusal(with({0, -9.81})),
+            "/engine/gravity_m_s2: expected a list of 3 values, got [0,-9.81]");
+  EXPECT_EQ(scene_refusal(with({0, -1001, 0})),
+            "/engine/gravity_m_s2/1: expected a number ≥ -1000 and ≤ 1000, got -1001");
 }
 
 TEST(SceneOptions, PassesOfTheResponseAreUnlimitedWhenLeftOut) {
@@ -97,7 +99,8 @@ TEST(SceneOptions, PassesOfTheResponseAreUnlimitedWhenLeftOut) {
   };
   EXPECT_EQ(settings_of(built(free_scene())).most_response_passes, kUnlimitedPasses);
   EXPECT_EQ(settings_of(built(with(10))).most_response_passes, 10);
-  EXPECT_EQ(scene_refusal(with(0)), "");
+  EXPECT_EQ(scene_refusal(with(0)),
+            "/engine/response_passes: expected a whole number ≥ 1 and ≤ 1000, got 0");
 }
 
 TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
