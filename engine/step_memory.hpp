@@ -13,6 +13,8 @@
 #include "engine/collision/list_refinement.hpp"
 #include "engine/collision/sweep_and_prune.hpp"
 #include "engine/collision_reports.hpp"
+#include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/responder.hpp"
 #include "engine/level_pops.hpp"
 
 namespace impetus {
@@ -50,7 +52,10 @@ struct StepMemory {
   ListRefinement refinement;
   ContactModelling modelling;
   ModelledCollisions modelled;
+  std::vector<Fall> falls;        ///< by body; none without gravity
   std::vector<Contact> contacts;  ///< that are responded to
+  std::vector<double> restitutions;
+  Responder responder;
   std::vector<BodyPair> touching;
   std::vector<TouchingLevel> touching_levels;
   StepReport report;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
@@ -73,7 +72,7 @@ const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   prioritise(input);
   refine(input, meter);
   model();
-  respond_to_contacts();
+  respond(input.dt_s);
   note_touching(input.viewer);
   hash_state(states_, memory_.report.state);
   return memory_.report;
@@ -84,10 +83,12 @@ void World::move_and_pair(double dt_s) {
   if (stops_fast_pairs) {
     memory_.before = states_;
   }
+  find_falls(dt_s);
   std::vector<MovedBound>& bounds = memory_.bounds;
   bounds.clear();
   for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation);
+    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
+                                       memory_.falls.empty() ? Fall{} : memory_.falls[body]);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
@@ -107,15 +108,35 @@ void World::move_and_pair(double dt_s) {
   }
 }
 
+void World::find_falls(double dt_s) {
+  memory_.falls.clear();
+  if (settings_.gravity_m_s2.isZero(0.0)) {
+    return;
+  }
+  memory_.falls.resize(models_.size());
+  for (const TouchingPair& pair : touching_) {
+    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
+      if (!is_wall(body)) {
+        memory_.falls[at(body)].supported = true;
+      }
+    }
+  }
+  for (std::size_t body = 0; body < models_.size(); ++body) {
+    memory_.falls[body] = fall_of(models_[body], states_[body], memory_.falls[body].supported,
+                                  settings_.gravity_m_s2, dt_s);
+  }
+}
+
 void World::stop_fast_pairs(double dt_s) {
   int greatest_level = 0;
   for (const PriorityList& list : settings_.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
   std::vector<PairBounds>& candidates = memory_.candidates;
-  Stopping stopping = stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level,
-                                     settings_.costs, settings_.rotation},
-                                    states_, placed_);
+  Stopping stopping =
+      stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level, settings_.costs,
+                     settings_.rotation, kMostStops, memory_.falls},
+                    states_, placed_);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;
@@ -288,23 +309,24 @@ void World::count_later_phases() {
   report.work_spent += costs.of_response(static_cast<std::int64_t>(report.contacts.size()));
 }
 
-ResponseResult World::response_to(const std::vector<Contact>& contacts) {
-  const std::vector<double> restitutions =
-      Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.of(contacts,
-                                                                                           models_);
-  return settings_.response == ResponseMethod::kInTurn
-             ? respond(contacts, restitutions, models_, states_)
-             : respond_together(contacts, restitutions, models_, states_);
+const ResponseResult& World::response_to_contacts(double dt_s) {
+  contacts_to_respond_to(memory_.report, memory_.contacts);
+  Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.find(
+      memory_.contacts, models_, memory_.restitutions);
+  ResponseRules rules;
+  rules.method = settings_.response;
+  rules.most_passes = settings_.most_response_passes;
+  rules.resting_m_s = kRestingSteps * settings_.gravity_m_s2.norm() * dt_s;
+  return memory_.responder.respond(memory_.contacts, memory_.restitutions, rules, models_, states_);
 }
 
-void World::respond_to_contacts() {
+void World::respond(double dt_s) {
   StepReport& report = memory_.report;
   touching_.clear();
   for (const CollisionReport& collision : report.collisions) {
     touching_.push_back({collision.bodies, collision.contact.touch.normal});
   }
-  contacts_to_respond_to(report, memory_.contacts);
-  const ResponseResult result = response_to(memory_.contacts);
+  const ResponseResult& result = response_to_contacts(dt_s);
   report_response(result, report);
   for (CollisionReport& collision : report.collisions) {
     hold_where_imposed(collision);

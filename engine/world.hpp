@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
-#include "engine/dynamics/impulse.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/step.hpp"
@@ -66,6 +65,7 @@ class World {
 
  private:
   void move_and_pair(double dt_s);
+  void find_falls(double dt_s);
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
   void measure_motion_and_fit(PairBounds& pair) const;
@@ -78,8 +78,8 @@ class World {
   void add_contacts_of(const RefinedPair& pair);
   void count_later_phases();
   [[nodiscard]] MovingTree moving(std::size_t body);
-  ResponseResult response_to(const std::vector<Contact>& contacts);
-  void respond_to_contacts();
+  void respond(double dt_s);
+  const ResponseResult& response_to_contacts(double dt_s);
   void hold_where_imposed(CollisionReport& collision);
   void note_touching(const Viewer& viewer);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;

@@ -56,16 +56,17 @@ struct MovingTree {
 /// Makes contacts of overlapping nodes, pair after pair, in memory that it keeps.
 class ContactModelling {
  public:
-  /// Adds to `contacts` those of two bodies whose nodes overlap, reduced and capped as `model` says;
-  /// none when they are apart. `watched`, when there is one, gets the contact of every overlapping
-  /// pair of nodes added.
+  /// Adds to `contacts` those of two bodies whose nodes overlap, reduced and capped as `model`
+  /// says; none when they are apart. `watched`, when there is one, gets the contact of every
+  /// overlapping pair of nodes added.
   void add_pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
                          const MovingTree& b, const NormalFallbacks& fallbacks,
                          const ContactModel& model, std::vector<Contact>& contacts,
                          std::vector<Contact>* watched = nullptr);
 
   /// Adds the contacts of body `body` with each wall that its nodes reach, reduced and capped wall
-  /// by wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising wall.
+  /// by wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising
+  /// wall.
   void add_wall_contacts(std::int32_t body, const PairRefinement& pair, const MovingTree& a,
                          const Enclosure& walls, const ContactModel& model,
                          std::vector<Contact>& contacts, std::vector<Contact>* watched = nullptr);

@@ -45,9 +45,10 @@ struct RefinementSettings {
 /// Refines step after step in memory that it keeps.
 class ListRefinement {
  public:
-  /// Refines `pairs`, which come by list and by falling priority within each, until all are resolved
-  /// or `meter` refuses. `work_before` was done already and is part of the floor. A pair whose next
-  /// block is refused gives way to the next of its list. The result stays until the next call.
+  /// Refines `pairs`, which come by list and by falling priority within each, until all are
+  /// resolved or `meter` refuses. `work_before` was done already and is part of the floor. A pair
+  /// whose next block is refused gives way to the next of its list. The result stays until the next
+  /// call.
   const WorkDone& refine(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          WorkMeter& meter, const RefinementSettings& settings = {});
 

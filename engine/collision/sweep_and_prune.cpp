@@ -100,7 +100,8 @@ void SweepAndPrune::sweep(std::vector<std::int32_t>& order) {
     order[i] = x.body;
     for (std::size_t first = i + 1; swept_.reaches(i, first); first += kLanes) {
       for (std::uint32_t bits = swept_.meeting(i, first); bits != 0; bits &= bits - 1) {
-        const SweptInterval& y = intervals_[first + static_cast<std::size_t>(std::countr_zero(bits))];
+        const SweptInterval& y =
+            intervals_[first + static_cast<std::size_t>(std::countr_zero(bits))];
         if (x.movable || y.movable) {
           found_.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
         }
@@ -111,7 +112,7 @@ void SweepAndPrune::sweep(std::vector<std::int32_t>& order) {
 
 /// By (b, a): by a first, then by b, each in the order before.
 void SweepAndPrune::sort_found(std::size_t bodies) {
-  const auto sort_by = [&](std::int32_t BodyPair::* body, const std::vector<BodyPair>& from,
+  const auto sort_by = [&](std::int32_t BodyPair::*body, const std::vector<BodyPair>& from,
                            std::vector<BodyPair>& to) {
     places_.assign(bodies + 1, 0);
     for (const BodyPair& pair : from) {

@@ -1,6 +1,5 @@
-// Intervals of bodies along three axes, sorted along the first, each end in an array of its own: what
-// a sweep compares, a block at a time.
-// SPDX-License-Identifier: MIT
+// Intervals of bodies along three axes, sorted along the first, each end in an array of its own:
+// what a sweep compares, a block at a time. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -32,7 +31,8 @@ class SweptIntervals {
     return first < size_ && least_[first] <= greatest_[index];
   }
 
-  /// Which of the kLanes intervals from `first` on meet interval `index` along all axes: a bit each.
+  /// Which of the kLanes intervals from `first` on meet interval `index` along all axes: a bit
+  /// each.
   [[nodiscard]] std::uint32_t meeting(std::size_t index, std::size_t first,
                                       LaneWidth width = widest_lanes()) const;
 

@@ -48,8 +48,8 @@ void PriorityMemory::remember_seen(std::int64_t since) {
     }
   }
   memory_.clear();
-  std::merge(seen_.begin(), seen_.end(), others_.begin(), others_.end(), std::back_inserter(memory_),
-             by_pair);
+  std::merge(seen_.begin(), seen_.end(), others_.begin(), others_.end(),
+             std::back_inserter(memory_), by_pair);
 }
 
 PriorityMemory::Remembered PriorityMemory::remembered(const BodyPair& pair) const {

@@ -5,10 +5,10 @@
 //
 //   block of a (rows) × block of b (columns)  ->  64 bits, bit 8 i + j: do a_i and b_j overlap?
 //
-// The arithmetic is that of overlap() and touch() of two spheres and of Pose::transform(), operation
-// by operation in double precision, so every width of vector gives the same bits as no vector at all. The widest
-// that the machine has is chosen at run time.
-// SPDX-License-Identifier: MIT
+// The arithmetic is that of overlap() and touch() of two spheres and of Pose::transform(),
+// operation by operation in double precision, so every width of vector gives the same bits as no
+// vector at all. The widest that the machine has is chosen at run time. SPDX-License-Identifier:
+// MIT
 #pragma once
 
 #include <cstddef>

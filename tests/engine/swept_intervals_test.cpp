@@ -17,12 +17,15 @@ constexpr std::uint64_t kSeed = 82;
 SweptInterval random_interval(RandomStream& random, std::int32_t body) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto any = [&] { return 0.25 * static_cast<double>(random.below(12)); };
-  const auto after = [&](double least) { return least + 0.25 * static_cast<double>(random.below(5)); };
+  const auto after = [&](double least) {
+    return least + 0.25 * static_cast<double>(random.below(5));
+  };
   SweptInterval interval{any(), 0.0, {any(), any()}, {}, body, true};
   interval.greatest = after(interval.least);
   interval.across_greatest = {after(interval.across_least[0]), after(interval.across_least[1])};
   if (random.below(10) == 0) {
-    interval = {-kInfinity, kInfinity, {-kInfinity, -kInfinity}, {kInfinity, kInfinity}, body, true};
+    interval = {-kInfinity, kInfinity, {-kInfinity, -kInfinity}, {kInfinity, kInfinity},
+                body,       true};
   }
   return interval;
 }
