@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/descent_limit.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/numerics/random_stream.hpp"
+#include "tests/bench/thread_time.hpp"
+
+namespace impetus {
+
+#if defined(__x86_64__) && defined(__GNUC__)
+namespace {
+
+using Lanes = float __attribute__((vector_size(32)));
+using Mask = std::int32_t __attribute__((vector_size(32)));
+
+/// Eight spheres, a lane each.
+struct Block {
+  Lanes x;
+  Lanes y;
+  Lanes z;
+  Lanes radius;
+};
+
+/// From b's frame to a's.
+struct Transform {
+  std::array<float, 9> turn;
+  std::array<float, 3> shift;
+};
+
+constexpr int kBlocks =
+    64;  // of 8 spheres and 128 bytes each: a tree that stays in the first cache
+constexpr int kRounds = 200;
+constexpr int kRuns = 15;
+constexpr double kPairsPerBlock = 64.0;
+
+/// Adds to each lane's count, as negative numbers, what overlaps of a and the moved b.
+__attribute__((target("avx2"))) void test_block(const Block& a, const Block& b,
+                                                const Transform& move, Mask& overlaps) {
+  const auto& r = move.turn;
+  const Lanes x = r[0] * b.x + r[1] * b.y + r[2] * b.z + move.shift[0];
+  const Lanes y = r[3] * b.x + r[4] * b.y + r[5] * b.z + move.shift[1];
+  const Lanes z = r[6] * b.x + r[7] * b.y + r[8] * b.z + move.shift[2];
+  for (int lane = 0; lane < 8; ++lane) {
+    const Lanes apart_x = x - a.x[lane];
+    const Lanes apart_y = y - a.y[lane];
+    const Lanes apart_z = z - a.z[lane];
+    const Lanes reach = b.radius + a.radius[lane];
+    const Lanes squared = apart_x * apart_x + apart_y * apart_y + apart_z * apart_z;
+    overlaps += squared <= reach * reach;
+  }
+}
+
+__attribute__((target("avx2"))) std::int64_t test_all(const std::vector<Block>& blocks,
+                                                      const Transform& move) {
+  Mask overlaps{};
+  for (int round = 0; round < kRounds; ++round) {
+    const auto shift = static_cast<std::size_t>(round);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      test_block(blocks[i], blocks[(i + shift) % blocks.size()], move, overlaps);
+    }
+  }
+  std::int64_t sum = 0;
+  for (int lane = 0; lane < 8; ++lane) {
+    sum -= overlaps[lane];
+  }
+  return sum;
+}
+
+std::vector<Block> random_blocks() {
+  RandomStream random(1, "blocks");
+  std::vector<Block> blocks(kBlocks);
+  for (Block& block : blocks) {
+    for (int lane = 0; lane < 8; ++lane) {
+      block.x[lane] = static_cast<float>(random.uniform());
+      block.y[lane] = static_cast<float>(random.uniform());
+      block.z[lane] = static_cast<float>(random.uniform());
+      block.radius[lane] = static_cast<float>(0.2 * random.uniform());
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+double limit_pairs_per_s() {
+  if (__builtin_cpu_supports("avx2") == 0) {
+    return 0.0;
+  }
+  const std::vector<Block> blocks = random_blocks();
+  const Transform move{{0.8F, -0.6F, 0.0F, 0.6F, 0.8F, 0.0F, 0.0F, 0.0F, 1.0F}, {0.1F, 0.2F, 0.3F}};
+  std::vector<double> pairs_per_s;
+  volatile std::int64_t kept = 0;  // what is not used is not computed
+  for (int run = 0; run < kRuns; ++run) {
+    const std::int64_t start_ns = thread_cpu_ns();
+    kept = kept + test_all(blocks, move);
+    const double took_s = static_cast<double>(thread_cpu_ns() - start_ns) * 1e-9;
+    pairs_per_s.push_back(kPairsPerBlock * kBlocks * kRounds / took_s);
+  }
+  return spread_of(std::move(pairs_per_s)).median;
+}
+
+#else
+
+double limit_pairs_per_s() { return 0.0; }
+
+#endif
+
+}  // namespace impetus
