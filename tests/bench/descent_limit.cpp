@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
@@ -18,10 +19,10 @@ using Mask = std::int32_t __attribute__((vector_size(32)));
 
 /// Eight spheres, a lane each.
 struct Block {
-  Lanes x;
-  Lanes y;
-  Lanes z;
-  Lanes radius;
+  std::array<float, 8> x;
+  std::array<float, 8> y;
+  std::array<float, 8> z;
+  std::array<float, 8> radius;
 };
 
 /// From b's frame to a's.
@@ -36,18 +37,29 @@ constexpr int kRounds = 200;
 constexpr int kRuns = 15;
 constexpr double kPairsPerBlock = 64.0;
 
+__attribute__((target("avx2"), always_inline)) inline Lanes lanes_of(
+    const std::array<float, 8>& numbers) {
+  Lanes lanes;
+  std::memcpy(&lanes, numbers.data(), sizeof lanes);
+  return lanes;
+}
+
 /// Adds to each lane's count, as negative numbers, what overlaps of a and the moved b.
 __attribute__((target("avx2"))) void test_block(const Block& a, const Block& b,
                                                 const Transform& move, Mask& overlaps) {
   const auto& r = move.turn;
-  const Lanes x = r[0] * b.x + r[1] * b.y + r[2] * b.z + move.shift[0];
-  const Lanes y = r[3] * b.x + r[4] * b.y + r[5] * b.z + move.shift[1];
-  const Lanes z = r[6] * b.x + r[7] * b.y + r[8] * b.z + move.shift[2];
-  for (int lane = 0; lane < 8; ++lane) {
+  const Lanes own_x = lanes_of(b.x);
+  const Lanes own_y = lanes_of(b.y);
+  const Lanes own_z = lanes_of(b.z);
+  const Lanes radius = lanes_of(b.radius);
+  const Lanes x = r[0] * own_x + r[1] * own_y + r[2] * own_z + move.shift[0];
+  const Lanes y = r[3] * own_x + r[4] * own_y + r[5] * own_z + move.shift[1];
+  const Lanes z = r[6] * own_x + r[7] * own_y + r[8] * own_z + move.shift[2];
+  for (std::size_t lane = 0; lane < 8; ++lane) {
     const Lanes apart_x = x - a.x[lane];
     const Lanes apart_y = y - a.y[lane];
     const Lanes apart_z = z - a.z[lane];
-    const Lanes reach = b.radius + a.radius[lane];
+    const Lanes reach = radius + a.radius[lane];
     const Lanes squared = apart_x * apart_x + apart_y * apart_y + apart_z * apart_z;
     overlaps += squared <= reach * reach;
   }
@@ -73,7 +85,7 @@ std::vector<Block> random_blocks() {
   RandomStream random(1, "blocks");
   std::vector<Block> blocks(kBlocks);
   for (Block& block : blocks) {
-    for (int lane = 0; lane < 8; ++lane) {
+    for (std::size_t lane = 0; lane < 8; ++lane) {
       block.x[lane] = static_cast<float>(random.uniform());
       block.y[lane] = static_cast<float>(random.uniform());
       block.z[lane] = static_cast<float>(random.uniform());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/pair_poses.hpp"
 
+#include <algorithm>
+
 #include "engine/shapes/mesh_distance.hpp"
 
 namespace impetus {
@@ -40,14 +42,47 @@ bool crosses_itself_at(const TriangleMesh& mesh, const Pose& pose) {
   return !shared.isEmpty() && intersects(within(mesh, shared), {}, within(moved, shared), {});
 }
 
-std::vector<PairPose> random_pair_poses(const TriangleMesh& mesh, int count, double reach_m) {
+namespace {
+
+std::vector<PairPose> poses_in_unit_ball(int count) {
   RandomStream random(/*seed=*/6, "pair poses");
   std::vector<PairPose> poses(static_cast<std::size_t>(count));
   for (PairPose& pose : poses) {
     do {
-      pose.b.position = reach_m * random_in_unit_cube(random);
-    } while (pose.b.position.norm() > reach_m);
+      pose.b.position = random_in_unit_cube(random);
+    } while (pose.b.position.norm() > 1.0);
     pose.b.orientation = random_orientation(random);
+  }
+  return poses;
+}
+
+/// By halving, over some of the poses.
+double reach_of_share(const TriangleMesh& mesh, const std::vector<PairPose>& poses) {
+  constexpr std::size_t kSome = 400;
+  constexpr int kHalvings = 6;
+  const std::size_t count = std::min(kSome, poses.size());
+  double near_m = 0.0;
+  double far_m = 2.0;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double reach_m = 0.5 * (near_m + far_m);
+    std::size_t crossing = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Pose pose{reach_m * poses[i].b.position, poses[i].b.orientation};
+      crossing += crosses_itself_at(mesh, pose) ? 1U : 0U;
+    }
+    const bool enough = static_cast<double>(crossing) > kCrossingShare * static_cast<double>(count);
+    (enough ? near_m : far_m) = reach_m;
+  }
+  return 0.5 * (near_m + far_m);
+}
+
+}  // namespace
+
+std::vector<PairPose> random_pair_poses(const TriangleMesh& mesh, int count) {
+  std::vector<PairPose> poses = poses_in_unit_ball(count);
+  const double reach_m = reach_of_share(mesh, poses);
+  for (PairPose& pose : poses) {
+    pose.b.position *= reach_m;
     pose.surfaces_cross = crosses_itself_at(mesh, pose.b);
   }
   return poses;

@@ -8,8 +8,8 @@
 
 namespace impetus {
 
-/// Of the centres, at most: surfaces then cross at about 771 of 2,000 poses, as in the anchors.
-inline constexpr double kPairReach_m = 1.5;
+/// The share of the poses at which surfaces should cross: 771 of 2,000 in the anchors.
+inline constexpr double kCrossingShare = 771.0 / 2000.0;
 
 /// The second body; the first has the identity.
 struct PairPose {
@@ -17,8 +17,9 @@ struct PairPose {
   bool surfaces_cross{false};  ///< exactly, by the triangles
 };
 
-/// Turned at random, and centres at random in a ball of `reach_m` about the first's.
-std::vector<PairPose> random_pair_poses(const TriangleMesh& mesh, int count, double reach_m);
+/// Turned at random, and centres at random in a ball about the first's, as large as makes surfaces
+/// cross at about the share above.
+std::vector<PairPose> random_pair_poses(const TriangleMesh& mesh, int count);
 
 /// intersects() of the mesh with itself at the pose; triangles outside the box that both meshes
 /// share are left out first.

@@ -138,7 +138,7 @@ int crossing(const std::vector<PairPose>& poses) {
 }  // namespace
 
 void print_pair(const CrowdShape& shape, const BenchOptions& options) {
-  const auto poses = random_pair_poses(shape.mesh, options.count_of(kPoses), kPairReach_m);
+  const auto poses = random_pair_poses(shape.mesh, options.count_of(kPoses));
   std::printf("\ntwo bodies at %zu random poses; surfaces cross at %d\n", poses.size(),
               crossing(poses));
   const double limit = limit_pairs_per_s();
