@@ -24,12 +24,6 @@ void add_report(const StepReport& report, double step_share, CrowdOutcome& outco
   }
 }
 
-int escaped_from(double half_edge_m, const std::vector<BodyState>& states) {
-  return static_cast<int>(std::count_if(states.begin(), states.end(), [&](const BodyState& state) {
-    return half_edge_m > 0.0 && !(state.pose.position.cwiseAbs().maxCoeff() <= half_edge_m);
-  }));
-}
-
 }  // namespace
 
 World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan) {
@@ -76,6 +70,12 @@ CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const C
   outcome.energy_ratio = energy_before_J > 0.0 ? kinetic_energy_of(world) / energy_before_J : 0.0;
   outcome.escaped = escaped_from(start.half_edge_m, world.states());
   return outcome;
+}
+
+int escaped_from(double half_edge_m, const std::vector<BodyState>& states) {
+  return static_cast<int>(std::count_if(states.begin(), states.end(), [&](const BodyState& state) {
+    return half_edge_m > 0.0 && !(state.pose.position.cwiseAbs().maxCoeff() <= half_edge_m);
+  }));
 }
 
 double kinetic_energy_of(const World& world) {

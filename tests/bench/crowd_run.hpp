@@ -41,6 +41,9 @@ StepInput crowd_input(const CrowdStart& start);
 
 CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan);
 
+/// Bodies whose centre of mass is beyond a wall of the cube, or nowhere; none without walls.
+int escaped_from(double half_edge_m, const std::vector<BodyState>& states);
+
 double kinetic_energy_of(const World& world);
 
 }  // namespace impetus

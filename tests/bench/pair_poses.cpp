@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/pair_poses.hpp"
 
-#include <algorithm>
-
 #include "engine/shapes/mesh_distance.hpp"
 
 namespace impetus {
@@ -44,33 +42,35 @@ bool crosses_itself_at(const TriangleMesh& mesh, const Pose& pose) {
 
 namespace {
 
-std::vector<PairPose> poses_in_unit_ball(int count) {
+/// Of the reach, the share that centres are apart at least.
+constexpr double kNearest = 0.45;
+
+std::vector<PairPose> poses_of_unit_reach(int count) {
   RandomStream random(/*seed=*/6, "pair poses");
   std::vector<PairPose> poses(static_cast<std::size_t>(count));
   for (PairPose& pose : poses) {
     do {
       pose.b.position = random_in_unit_cube(random);
-    } while (pose.b.position.norm() > 1.0);
+    } while (pose.b.position.norm() > 1.0 || pose.b.position.norm() < kNearest);
     pose.b.orientation = random_orientation(random);
   }
   return poses;
 }
 
-/// By halving, over some of the poses.
+/// By halving.
 double reach_of_share(const TriangleMesh& mesh, const std::vector<PairPose>& poses) {
-  constexpr std::size_t kSome = 400;
-  constexpr int kHalvings = 6;
-  const std::size_t count = std::min(kSome, poses.size());
+  constexpr int kHalvings = 8;
   double near_m = 0.0;
   double far_m = 2.0;
   for (int halving = 0; halving < kHalvings; ++halving) {
     const double reach_m = 0.5 * (near_m + far_m);
     std::size_t crossing = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Pose pose{reach_m * poses[i].b.position, poses[i].b.orientation};
-      crossing += crosses_itself_at(mesh, pose) ? 1U : 0U;
+    for (const PairPose& pose : poses) {
+      const Pose here{reach_m * pose.b.position, pose.b.orientation};
+      crossing += crosses_itself_at(mesh, here) ? 1U : 0U;
     }
-    const bool enough = static_cast<double>(crossing) > kCrossingShare * static_cast<double>(count);
+    const bool enough =
+        static_cast<double>(crossing) > kCrossingShare * static_cast<double>(poses.size());
     (enough ? near_m : far_m) = reach_m;
   }
   return 0.5 * (near_m + far_m);
@@ -79,7 +79,7 @@ double reach_of_share(const TriangleMesh& mesh, const std::vector<PairPose>& pos
 }  // namespace
 
 std::vector<PairPose> random_pair_poses(const TriangleMesh& mesh, int count) {
-  std::vector<PairPose> poses = poses_in_unit_ball(count);
+  std::vector<PairPose> poses = poses_of_unit_reach(count);
   const double reach_m = reach_of_share(mesh, poses);
   for (PairPose& pose : poses) {
     pose.b.position *= reach_m;

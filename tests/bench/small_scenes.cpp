@@ -3,10 +3,9 @@
 
 #include <cstdio>
 
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/dynamics/state_hash.hpp"
-#include "tests/bench/contact_problem.hpp"
 #include "tests/bench/crowd_run.hpp"
+#include "tests/bench/response_cost.hpp"
 
 namespace impetus {
 namespace {
@@ -49,24 +48,10 @@ Spread step_us(World world, int batches) {
 }
 
 void print_method(const char* name, ResponseMethod method, const CrowdShape& shape, int problems) {
-  RandomStream random(/*seed=*/6, "contact problems");
-  const double looking_ns = clock_cost_ns();
-  std::vector<double> samples_us;
-  int approaching = 0;
-  for (int i = 0; i < problems; ++i) {
-    ContactProblem problem = random_contact_problem(shape, random);
-    const std::vector<double> restitutions(problem.contacts.size(), 0.5);
-    const std::int64_t start_ns = thread_cpu_ns();
-    const ResponseResult result =
-        method == ResponseMethod::kInTurn
-            ? respond(problem.contacts, restitutions, problem.models, problem.states)
-            : respond_together(problem.contacts, restitutions, problem.models, problem.states);
-    samples_us.push_back((static_cast<double>(thread_cpu_ns() - start_ns) - looking_ns) * 1e-3);
-    approaching += result.residual_approach_m_s > 0.0 ? 1 : 0;
-  }
-  const Spread us = spread_of(std::move(samples_us));
+  const ResponseCost cost = response_cost(shape, method, problems);
   std::printf("  %-10s %8.2f us mean, %.2f median, %.2f p99, %.2f longest; %d left approaching\n",
-              name, us.mean, us.median, us.p99, us.longest, approaching);
+              name, cost.us.mean, cost.us.median, cost.us.p99, cost.us.longest,
+              cost.left_approaching);
 }
 
 }  // namespace
