@@ -148,12 +148,11 @@ CrowdStart flying(const CrowdShape& shape, int bodies, double fill) {
 }
 
 CrowdStart imploding(const CrowdShape& shape, int bodies) {
+  constexpr double kUntilTheyMeet_s = 0.8;
   CrowdStart start = at_rest(shape, bodies, /*fill=*/0.1);
   start.half_edge_m = 0.0;
   for (BodyState& state : start.states) {
-    const double distance_m = state.pose.position.norm();
-    state.linear_momentum =
-        -shape.mass.mass_kg * kCrowdSpeed_m_s / std::max(distance_m, 0.1) * state.pose.position;
+    state.linear_momentum = -shape.mass.mass_kg / kUntilTheyMeet_s * state.pose.position;
   }
   return start;
 }

@@ -27,7 +27,8 @@ struct CrowdStart {
 /// random directions at the speed above and turning at up to as fast.
 CrowdStart flying(const CrowdShape& shape, int bodies, double fill);
 
-/// The same places, 10 % full and without walls, all aimed at the middle.
+/// Places of a cube that is 10 % full, without walls, all aimed at the middle and as fast as it takes
+/// to be there together, after 96 steps.
 CrowdStart imploding(const CrowdShape& shape, int bodies);
 
 /// The places of flying(), at rest: for gravity to pile them up on the floor of the cube.
