@@ -13,6 +13,10 @@ struct NodeRange {
   std::int32_t count;
 };
 
+SphereLanes from(const SphereLanes& lanes, std::int32_t index) {
+  return {lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
+}
+
 /// `placed` is null for walls, which have one node.
 NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
   if (placed == nullptr) {
@@ -22,60 +26,85 @@ NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
   return node.child_count > 0 ? NodeRange{node.first_child, node.child_count} : NodeRange{index, 1};
 }
 
-bool has_children(const PlacedTree* placed, std::int32_t index) {
-  return placed != nullptr && placed->tree().links(index).child_count > 0;
+/// Adds what overlaps of a block of two trees of spheres, row by row.
+void add_overlaps_of_spheres(PlacedTree& a, const NodeRange& of_a, PlacedTree& b,
+                             const NodeRange& of_b, NodePairs& found) {
+  const SphereLanes rows = a.world_lanes(of_a.first, of_a.count);
+  const SphereLanes columns = b.world_lanes(of_b.first, of_b.count);
+  if (of_a.count <= kLanes && of_b.count <= kLanes) {
+    found.add_block({of_a.first, of_b.first},
+                    overlaps_of_block(rows, of_a.count, columns, of_b.count));
+    return;
+  }
+  for (std::int32_t row = 0; row < of_a.count; ++row) {
+    for (std::int32_t column = 0; column < of_b.count; column += kLanes) {
+      const std::int32_t count = std::min(of_b.count - column, kLanes);
+      found.add_block(
+          {of_a.first + row, of_b.first + column},
+          overlaps_of_block(from(rows, row), /*rows=*/1, from(columns, column), count));
+    }
+  }
 }
 
 }  // namespace
 
-PairRefinement::PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level,
-                               StopReason at_greatest)
-    : a_(&a), b_(&b), walls_(nullptr), greatest_level_(greatest_level), at_greatest_(at_greatest) {
-  test_roots();
+void PairRefinement::begin(PlacedTree& a, PlacedTree& b, int greatest_level,
+                           StopReason at_greatest) {
+  a_ = &a;
+  b_ = &b;
+  walls_ = nullptr;
+  greatest_level_ = greatest_level;
+  at_greatest_ = at_greatest;
+  of_spheres_ = a.of_spheres() && b.of_spheres();
+  deepest_level_ = std::max(a.tree().level_count(), b.tree().level_count()) - 1;
+  test_roots(nodes_overlap(a, 0, b, 0));
 }
 
-PairRefinement::PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level)
-    : a_(&a), b_(nullptr), walls_(&walls), greatest_level_(greatest_level) {
-  test_roots();
+void PairRefinement::begin(PlacedTree& a, const Enclosure& walls, int greatest_level) {
+  a_ = &a;
+  b_ = nullptr;
+  walls_ = &walls;
+  greatest_level_ = greatest_level;
+  at_greatest_ = StopReason::kGreatestLevel;
+  of_spheres_ = false;
+  deepest_level_ = a.tree().level_count() - 1;
+  test_roots(node_reaches_wall(a, 0, walls));
 }
 
-void PairRefinement::test_roots() {
-  if (touch_each_other({0, 0})) {
-    committed_.push_back({0, 0});
+void PairRefinement::test_roots(bool touch) {
+  committed_.clear();
+  expanding_.clear();
+  level_ = 0;
+  if (touch) {
+    committed_.add({0, 0});
   }
-  skip_leaf_pairs();
-}
-
-bool PairRefinement::touch_each_other(const NodePair& pair) {
-  return b_ != nullptr ? nodes_overlap(*a_, pair.a, *b_, pair.b)
-                       : node_reaches_wall(*a_, pair.a, *walls_);
+  look_for_next_block();
 }
 
 std::int64_t PairRefinement::block_size(const NodePair& pair) const {
-  if (!has_children(a_, pair.a) && !has_children(b_, pair.b)) {
-    return 0;
-  }
-  return static_cast<std::int64_t>(one_level_deeper(a_, pair.a).count) *
-         one_level_deeper(b_, pair.b).count;
-}
-
-std::int64_t PairRefinement::next_block() const {
-  return has_finer() && level_ < greatest_level_ ? block_size(committed_[next_]) : 0;
+  const std::int32_t of_a = a_->tree().links(pair.a).child_count;
+  const std::int32_t of_b = b_ != nullptr ? b_->tree().links(pair.b).child_count : 0;
+  return of_a == 0 && of_b == 0
+             ? 0
+             : static_cast<std::int64_t>(std::max(of_a, 1)) * std::max(of_b, 1);
 }
 
 std::int64_t PairRefinement::most_found_after_next_block() const {
   // What the block finds, and the pairs of leaves behind it, which are carried over untested.
-  std::size_t end = next_ + 1;
-  while (end < committed_.size() && block_size(committed_[end]) == 0) {
-    ++end;
+  std::int64_t leaf_pairs = 0;
+  for (NodePairs::Place place = committed_.after(next_);
+       !committed_.is_end(place) && block_size(committed_.at(place)) == 0;
+       place = committed_.after(place)) {
+    ++leaf_pairs;
   }
-  return found_so_far() + next_block() + static_cast<std::int64_t>(end - next_ - 1);
+  return found_so_far() + next_block() + leaf_pairs;
 }
 
 std::int64_t PairRefinement::tests_of_next_level() const {
   std::int64_t tests = 0;
-  for (std::size_t pair = next_; pair < committed_.size(); ++pair) {
-    tests += block_size(committed_[pair]);
+  for (NodePairs::Place place = next_; !committed_.is_end(place);
+       place = committed_.after(place)) {
+    tests += block_size(committed_.at(place));
   }
   return tests;
 }
@@ -86,48 +115,60 @@ double PairRefinement::fit_error_m(int level) const {
 
 void PairRefinement::refine_one_block() {
   assert(!resolved());
-  expand(committed_[next_]);
-  ++next_;
-  skip_leaf_pairs();
-  commit_if_complete();
+  expand(committed_.at(next_));
+  next_ = committed_.after(next_);
+  pass_leaf_pairs();
+  if (committed_.is_end(next_)) {
+    commit();
+  }
 }
 
 void PairRefinement::expand(const NodePair& pair) {
   const NodeRange of_a = one_level_deeper(a_, pair.a);
   const NodeRange of_b = one_level_deeper(b_, pair.b);
+  if (of_spheres()) {
+    add_overlaps_of_spheres(*a_, of_a, *b_, of_b, expanding_);
+    return;
+  }
   for (std::int32_t i = of_a.first; i < of_a.first + of_a.count; ++i) {
     for (std::int32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {
-      if (touch_each_other({i, j})) {
-        expanding_.push_back({i, j});
+      if (b_ != nullptr ? nodes_overlap(*a_, i, *b_, j) : node_reaches_wall(*a_, i, *walls_)) {
+        expanding_.add({i, j});
       }
     }
   }
 }
 
-void PairRefinement::skip_leaf_pairs() {
-  // Leaf pairs cost nothing and stay as they are; a level of leaf pairs alone is the finest.
-  const bool finer_exists =
-      next_ > 0 || std::any_of(committed_.begin(), committed_.end(),
-                               [this](const NodePair& pair) { return block_size(pair) > 0; });
-  if (!finer_exists) {
-    next_ = committed_.size();
-    return;
-  }
-  while (next_ < committed_.size() && block_size(committed_[next_]) == 0) {
-    expanding_.push_back(committed_[next_]);
-    ++next_;
+/// Leaf pairs cost nothing and stay as they are.
+void PairRefinement::pass_leaf_pairs() {
+  next_block_ = 0;
+  for (; !committed_.is_end(next_); next_ = committed_.after(next_)) {
+    const NodePair pair = committed_.at(next_);
+    next_block_ = block_size(pair);
+    if (next_block_ > 0) {
+      return;
+    }
+    expanding_.add(pair);
   }
 }
 
-void PairRefinement::commit_if_complete() {
-  if (next_ < committed_.size()) {
-    return;
-  }
+void PairRefinement::commit() {
   committed_.swap(expanding_);
   expanding_.clear();
-  next_ = 0;
   ++level_;
-  skip_leaf_pairs();
+  look_for_next_block();
+}
+
+/// A level of leaf pairs alone is the finest.
+void PairRefinement::look_for_next_block() {
+  next_ = committed_.first();
+  next_block_ = 0;
+  const auto has_block = [this](const NodePair& pair) { return block_size(pair) > 0; };
+  if (level_ >= deepest_level_ || std::none_of(committed_.begin(), committed_.end(), has_block)) {
+    next_ = committed_.past_the_end();
+  } else if (level_ < greatest_level_) {
+    pass_leaf_pairs();
+  }
 }
 
 StopReason PairRefinement::stop_reason() const {

@@ -11,8 +11,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "engine/collision/node_pairs.hpp"
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/volumes/enclosure.hpp"
@@ -23,45 +23,49 @@ namespace impetus {
 /// list goes no deeper, or the bodies are too fast for finer nodes.
 enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel, kCapped };
 
-/// Nodes of a and b that overlap; b is 0 when a touches a wall.
-struct NodePair {
-  std::int32_t a{0};
-  std::int32_t b{0};
-
-  friend bool operator==(const NodePair&, const NodePair&) = default;
-};
-
 class PairRefinement {
  public:
+  /// Of nothing, until it begins.
+  PairRefinement() = default;
+
+  /// Begins at once.
+  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel,
+                 StopReason at_greatest = StopReason::kGreatestLevel) {
+    begin(a, b, greatest_level, at_greatest);
+  }
+  PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel) {
+    begin(a, walls, greatest_level);
+  }
+  PairRefinement(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
+
   /// Tests the two roots: level 0, one node-pair test. Both trees must outlive this.
   /// Refines no deeper than `greatest_level`; `at_greatest` says what that level was for.
-  PairRefinement(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel,
-                 StopReason at_greatest = StopReason::kGreatestLevel);
+  /// Forgets what it refined before, and keeps the memory.
+  void begin(PlacedTree& a, PlacedTree& b, int greatest_level = kUnlimitedLevel,
+             StopReason at_greatest = StopReason::kGreatestLevel);
 
   /// Nodes of `a` against the walls: one test a node. Both must outlive this.
-  PairRefinement(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel);
-  PairRefinement(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
+  void begin(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel);
+  void begin(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
 
   /// True when no work could change the answer: separated, nothing finer exists, or the greatest
   /// level is reached.
-  [[nodiscard]] bool resolved() const { return next_block() == 0; }
+  [[nodiscard]] bool resolved() const { return next_block_ == 0; }
 
   /// Tests the next block needs: the children of one node pair. Zero when resolved.
-  [[nodiscard]] std::int64_t next_block() const;
+  [[nodiscard]] std::int64_t next_block() const { return next_block_; }
 
   /// Tests one block; commits the next level when it was the last of this one.
   /// Precondition: !resolved().
   void refine_one_block();
 
   /// The node pairs that overlap at the last complete level; empty when separated.
-  [[nodiscard]] const std::vector<NodePair>& overlapping() const { return committed_; }
+  [[nodiscard]] const NodePairs& overlapping() const { return committed_; }
   [[nodiscard]] int level() const { return level_; }
   [[nodiscard]] StopReason stop_reason() const;
 
   /// Whether its tests are of two spheres.
-  [[nodiscard]] bool of_spheres() const {
-    return b_ != nullptr && a_->of_spheres() && b_->of_spheres();
-  }
+  [[nodiscard]] bool of_spheres() const { return of_spheres_; }
 
   /// Node pairs found for the next level so far.
   [[nodiscard]] std::int64_t found_so_far() const {
@@ -83,23 +87,26 @@ class PairRefinement {
   [[nodiscard]] double likeliest_collision() const;
 
  private:
-  void test_roots();
-  [[nodiscard]] bool has_finer() const { return next_ < committed_.size(); }
-  [[nodiscard]] bool touch_each_other(const NodePair& pair);
+  void test_roots(bool touch);
+  [[nodiscard]] bool has_finer() const { return !committed_.is_end(next_); }
   [[nodiscard]] std::int64_t block_size(const NodePair& pair) const;
   void expand(const NodePair& pair);
-  void skip_leaf_pairs();
-  void commit_if_complete();
+  void pass_leaf_pairs();
+  void look_for_next_block();
+  void commit();
 
-  PlacedTree* a_;
-  PlacedTree* b_;           ///< null for walls
-  const Enclosure* walls_;  ///< null for a tree
-  int greatest_level_;
+  PlacedTree* a_{nullptr};
+  PlacedTree* b_{nullptr};           ///< null for walls
+  const Enclosure* walls_{nullptr};  ///< null for a tree
+  int greatest_level_{0};
   StopReason at_greatest_{StopReason::kGreatestLevel};
+  bool of_spheres_{false};
+  int deepest_level_{0};  ///< of either tree
   int level_{0};
-  std::vector<NodePair> committed_;
-  std::vector<NodePair> expanding_;
-  std::size_t next_{0};
+  NodePairs committed_;
+  NodePairs expanding_;
+  NodePairs::Place next_;
+  std::int64_t next_block_{0};
 };
 
 }  // namespace impetus

@@ -7,11 +7,13 @@ namespace impetus {
 
 PlacedTree::PlacedTree(const VolumeTree& tree)
     : tree_(&tree),
-      own_spheres_(tree.volumes().all_spheres().empty() ? nullptr
-                                                        : tree.volumes().all_spheres().data()),
+      own_spheres_(tree.volumes().all_spheres().empty() ? nullptr : &tree.volumes().all_spheres()),
       placed_in_(static_cast<std::size_t>(tree.node_count()), 0) {
   if (of_spheres()) {
-    spheres_.resize(placed_in_.size());
+    const std::size_t writable = placed_in_.size() + kLanes - 1;
+    x_.resize(writable);
+    y_.resize(writable);
+    z_.resize(writable);
   } else {
     volumes_.resize(placed_in_.size());
   }
@@ -20,6 +22,13 @@ PlacedTree::PlacedTree(const VolumeTree& tree)
     const Sphere bound = bounding_sphere(tree.volume(node));
     reach_m_ = std::max(reach_m_, (1.0 + kRounding) * (bound.centre.norm() + bound.radius_m));
   }
+}
+
+void PlacedTree::place(std::size_t first, std::size_t count) {
+  for (std::size_t block = first; block < first + count; block += kLanes) {
+    place_block(own_spheres_->lanes(block), pose_, {&x_[block], &y_[block], &z_[block]});
+  }
+  std::fill_n(placed_in_.begin() + static_cast<std::ptrdiff_t>(first), count, step_);
 }
 
 const Volume& PlacedTree::placed_volume(std::int32_t node) {

@@ -1,6 +1,7 @@
 // A volume tree placed in the world for one step: nodes are transformed when first visited.
 //
-// Trees of spheres alone, the commonest, have a cache and a test of their own.
+// Trees of spheres alone, the commonest, are placed a block of siblings at a time, into arrays that
+// a block is tested from (sphere_lanes.hpp).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,6 +12,7 @@
 #include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/enclosure.hpp"
 #include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/sphere_lanes.hpp"
 
 namespace impetus {
 
@@ -34,17 +36,25 @@ class PlacedTree {
 
   [[nodiscard]] bool of_spheres() const { return own_spheres_ != nullptr; }
 
-  /// The node's sphere in world coordinates, transformed at most once per step.
-  /// Precondition: of_spheres().
-  const Sphere& world_sphere(std::int32_t node) {
+  /// The node's sphere in world coordinates. Precondition: of_spheres().
+  [[nodiscard]] Sphere world_sphere(std::int32_t node) const {
     assert(of_spheres());
     const auto slot = static_cast<std::size_t>(node);
+    const Sphere own = own_spheres_->at(slot);
+    return placed_in_[slot] == step_ ? Sphere{{x_[slot], y_[slot], z_[slot]}, own.radius_m}
+                                     : placed(own, pose_);
+  }
+
+  /// The spheres of `first` and the nodes after it, in world coordinates, transformed at most once
+  /// per step. `count` nodes from `first` are all the children of one node, or one of them after
+  /// all were placed, or the root. Precondition: of_spheres().
+  SphereLanes world_lanes(std::int32_t first, std::int32_t count) {
+    assert(of_spheres());
+    const auto slot = static_cast<std::size_t>(first);
     if (placed_in_[slot] != step_) {
-      const Sphere& own = own_spheres_[slot];
-      spheres_[slot] = {pose_.transform(own.centre), own.radius_m};
-      placed_in_[slot] = step_;
+      place(slot, static_cast<std::size_t>(count));
     }
-    return spheres_[slot];
+    return {&x_[slot], &y_[slot], &z_[slot], own_spheres_->lanes(slot).radius_m};
   }
 
   /// The node's volume in world coordinates, transformed at most once per step.
@@ -53,15 +63,18 @@ class PlacedTree {
   }
 
  private:
+  void place(std::size_t first, std::size_t count);
   const Volume& placed_volume(std::int32_t node);
 
   const VolumeTree* tree_;
-  const Sphere* own_spheres_;  ///< null unless all nodes are spheres
+  const SphereArrays* own_spheres_;  ///< null unless all nodes are spheres
   double reach_m_{0.0};
   Pose pose_;
   std::uint64_t step_{1};
-  std::vector<Sphere> spheres_;
-  std::vector<Volume> volumes_;  ///< empty for a tree of spheres, as spheres_ for any other
+  std::vector<double> x_;  ///< of the centres of a tree of spheres, empty for any other
+  std::vector<double> y_;
+  std::vector<double> z_;
+  std::vector<Volume> volumes_;  ///< empty for a tree of spheres
   std::vector<std::uint64_t> placed_in_;
 };
 

@@ -36,6 +36,12 @@ NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes) {
     }
     array.push_back(volume);
   };
+  if (one_kind && !volumes.empty() && std::holds_alternative<Sphere>(volumes.front())) {
+    for (const Volume& volume : volumes) {
+      all_spheres_.add(std::get<Sphere>(volume));
+    }
+    return;
+  }
   for (const Volume& volume : volumes) {
     const auto kind = static_cast<std::uint32_t>(volume.index());
     switch (kind) {
@@ -103,7 +109,7 @@ std::int32_t NodeVolumes::size() const {
   const std::size_t stored =
       are_voxels() ? cells_.size()
       : slots_.empty()
-          ? spheres_.size() + lines_.size() + rectangles_.size() + boxes_.size() + cubes_.size()
+          ? all_spheres_.size() + lines_.size() + rectangles_.size() + boxes_.size() + cubes_.size()
           : slots_.size();
   return static_cast<std::int32_t>(stored);
 }
@@ -129,8 +135,8 @@ Volume NodeVolumes::at(std::int32_t node) const {
         return cubes_[element];
     }
   }
-  if (!spheres_.empty()) {
-    return spheres_[element];
+  if (!all_spheres_.empty()) {
+    return all_spheres_.at(element);
   }
   if (!lines_.empty()) {
     return lines_[element];
@@ -144,13 +150,8 @@ Volume NodeVolumes::at(std::int32_t node) const {
   return cubes_[element];
 }
 
-const std::vector<Sphere>& NodeVolumes::all_spheres() const {
-  static const std::vector<Sphere> kNone;
-  return slots_.empty() ? spheres_ : kNone;
-}
-
 std::size_t NodeVolumes::bytes() const {
-  return bytes_of(spheres_) + bytes_of(lines_) + bytes_of(rectangles_) + bytes_of(boxes_) +
+  return all_spheres_.bytes() + bytes_of(spheres_) + bytes_of(lines_) + bytes_of(rectangles_) + bytes_of(boxes_) +
          bytes_of(cubes_) + bytes_of(slots_) + bytes_of(cells_) +
          (are_voxels() ? bytes_of(level_starts_) : 0);
 }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/volumes/sphere_lanes.hpp"
 #include "engine/volumes/volume.hpp"
 
 namespace impetus {
@@ -45,7 +46,7 @@ class NodeVolumes {
   [[nodiscard]] Volume at(std::int32_t node) const;
 
   /// Node by node when all are spheres, else empty.
-  [[nodiscard]] const std::vector<Sphere>& all_spheres() const;
+  [[nodiscard]] const SphereArrays& all_spheres() const { return all_spheres_; }
 
   [[nodiscard]] bool are_voxels() const { return !cells_.empty(); }
   [[nodiscard]] const VoxelGrid& grid() const { return grid_; }
@@ -56,7 +57,8 @@ class NodeVolumes {
  private:
   [[nodiscard]] Cube voxel(std::int32_t node) const;
 
-  std::vector<Sphere> spheres_;
+  SphereArrays all_spheres_;      ///< when there is nothing else
+  std::vector<Sphere> spheres_;   ///< among other kinds
   std::vector<LineSwept> lines_;
   std::vector<RectangleSwept> rectangles_;
   std::vector<Box> boxes_;
