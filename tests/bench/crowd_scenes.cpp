@@ -107,6 +107,10 @@ void print_implosion(const CrowdShape& shape, const BenchOptions& options) {
                 budget_ms > 0.0 ? "no overrun, longest ≤ 1.05 budget" : "");
     }
   }
+  CrowdPlan stopping{/*fine=*/true, /*restitution=*/0.5, /*budget_ms=*/4.0};
+  stopping.steps = options.steps_of(120);
+  stopping.tunnelling = Tunnelling::kStopAtEntry;
+  print_run("~500 leaves, 4 ms, stopped at entry", shape, start, stopping, "");
 }
 
 void print_thousand(const CrowdShape& shape, const BenchOptions& options) {

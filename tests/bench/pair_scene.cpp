@@ -26,15 +26,13 @@ class PairOfTrees {
  public:
   explicit PairOfTrees(const VolumeTree& tree) : a_(tree), b_(tree) {}
 
-  /// Refined as far as it goes, in the order of a step: both are moved first.
-  PairRefinement refined_at(const Pose& pose) {
-    a_.move_to({});
-    b_.move_to(pose);
-    PairRefinement refinement(a_, b_);
-    while (!refinement.resolved()) {
-      refinement.refine_one_block();
+  /// Refined as far as it goes, in the order of a step: both are moved first. Valid until the next.
+  const PairRefinement& refined_at(const Pose& pose) {
+    begin_at(pose);
+    while (!refinement_.resolved()) {
+      refinement_.refine_one_block();
     }
-    return refinement;
+    return refinement_;
   }
 
   std::vector<Contact> contacts(const PairRefinement& refinement) {
@@ -44,18 +42,23 @@ class PairOfTrees {
   }
 
   std::int64_t tests_at(const Pose& pose) {
-    a_.move_to({});
-    b_.move_to(pose);
-    PairRefinement refinement(a_, b_);
+    begin_at(pose);
     std::int64_t tests = 1;
-    while (!refinement.resolved()) {
-      tests += refinement.next_block();
-      refinement.refine_one_block();
+    while (!refinement_.resolved()) {
+      tests += refinement_.next_block();
+      refinement_.refine_one_block();
     }
     return tests;
   }
 
  private:
+  void begin_at(const Pose& pose) {
+    a_.move_to({});
+    b_.move_to(pose);
+    refinement_.begin(a_, b_);
+  }
+
+  PairRefinement refinement_;
   PlacedTree a_;
   PlacedTree b_;
 };
@@ -73,7 +76,7 @@ std::vector<PoseCost> costs_of(const VolumeTree& tree, const std::vector<PairPos
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const std::int64_t start_ns = thread_cpu_ns();
-      const PairRefinement refinement = trees.refined_at(poses[i].b);
+      const PairRefinement& refinement = trees.refined_at(poses[i].b);
       descents_us[i].push_back(since_us(start_ns));
       const std::int64_t model_ns = thread_cpu_ns();
       costs[i].overlapping = refinement.overlapping().size();

@@ -154,16 +154,17 @@ class OurPair final : public PeerPair {
   int contacts_at(const Pose& b) override {
     a_.move_to({});
     b_.move_to(b);
-    PairRefinement refinement(a_, b_);
-    while (!refinement.resolved()) {
-      refinement.refine_one_block();
+    refinement_.begin(a_, b_);
+    while (!refinement_.resolved()) {
+      refinement_.refine_one_block();
     }
-    return static_cast<int>(refinement.overlapping().size());
+    return static_cast<int>(refinement_.overlapping().size());
   }
 
  private:
   PlacedTree a_;
   PlacedTree b_;
+  PairRefinement refinement_;
 };
 
 void print_pair(const CrowdShape& shape, const BenchOptions& options) {
