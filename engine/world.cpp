@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
@@ -74,7 +73,7 @@ StepReport World::step(const StepInput& input, WorkMeter& meter) {
   const std::vector<RefinedPair> refined = refine(order, input, meter, report);
   model(refined, report);
   count_later_phases(refined, report);
-  respond_to(report);
+  respond_to(input.dt_s, report);
   note_touching(input.viewer, report);
   report.state = hash_state(states_);
   return report;
@@ -83,10 +82,12 @@ StepReport World::step(const StepInput& input, WorkMeter& meter) {
 std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
   const bool stops_fast_pairs = settings_.tunnelling == Tunnelling::kStopAtEntry;
   const std::vector<BodyState> before = stops_fast_pairs ? states_ : std::vector<BodyState>{};
+  find_falls(dt_s);
   std::vector<MovedBound> bounds;
   bounds.reserve(models_.size());
   for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation);
+    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
+                                       falls_.empty() ? Fall{} : falls_[body]);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
@@ -107,15 +108,34 @@ std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
   return candidates;
 }
 
+void World::find_falls(double dt_s) {
+  falls_.clear();
+  if (settings_.gravity_m_s2.isZero(0.0)) {
+    return;
+  }
+  falls_.resize(models_.size());
+  for (const TouchingPair& pair : touching_) {
+    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
+      if (!is_wall(body)) {
+        falls_[at(body)].supported = true;
+      }
+    }
+  }
+  for (std::size_t body = 0; body < models_.size(); ++body) {
+    falls_[body] =
+        fall_of(models_[body], states_[body], falls_[body].supported, settings_.gravity_m_s2, dt_s);
+  }
+}
+
 void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
                             std::vector<PairBounds>& candidates, StepReport& report) {
   int greatest_level = 0;
   for (const PriorityList& list : settings_.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
-  Stopping stopping = stop_at_entry(
-      {dt_s, models_, before, candidates, greatest_level, settings_.costs, settings_.rotation},
-      states_, placed_);
+  Stopping stopping = stop_at_entry({dt_s, models_, before, candidates, greatest_level,
+                                     settings_.costs, settings_.rotation, kMostStops, falls_},
+                                    states_, placed_);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;
@@ -282,21 +302,23 @@ void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
   }
 }
 
-ResponseResult World::response_to(const std::vector<Contact>& contacts) {
+const ResponseResult& World::response_to(const std::vector<Contact>& contacts, double dt_s) {
   const std::vector<double> restitutions =
       Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.of(contacts,
                                                                                            models_);
-  return settings_.response == ResponseMethod::kInTurn
-             ? respond(contacts, restitutions, models_, states_)
-             : respond_together(contacts, restitutions, models_, states_);
+  ResponseRules rules;
+  rules.method = settings_.response;
+  rules.most_passes = settings_.most_response_passes;
+  rules.resting_m_s = kRestingSteps * settings_.gravity_m_s2.norm() * dt_s;
+  return responder_.respond(contacts, restitutions, rules, models_, states_);
 }
 
-void World::respond_to(StepReport& report) {
+void World::respond_to(double dt_s, StepReport& report) {
   touching_.clear();
   for (const CollisionReport& collision : report.collisions) {
     touching_.push_back({collision.bodies, collision.contact.touch.normal});
   }
-  const ResponseResult result = response_to(contacts_to_respond_to(report));
+  const ResponseResult& result = response_to(contacts_to_respond_to(report), dt_s);
   report_response(result, report);
   for (CollisionReport& collision : report.collisions) {
     if (collision.began && collision.impulse_Ns > 0.0 && settings_.imposed_hold_s > 0.0) {

@@ -18,7 +18,7 @@
 #include "engine/collision/list_refinement.hpp"
 #include "engine/collision/sweep_and_prune.hpp"
 #include "engine/dynamics/body.hpp"
-#include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/responder.hpp"
 #include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -67,6 +67,7 @@ class World {
 
  private:
   std::vector<PairBounds> move_and_pair(double dt_s, StepReport& report);
+  void find_falls(double dt_s);
   void stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
                        std::vector<PairBounds>& candidates, StepReport& report);
   void add_wall_candidates(const std::vector<MovedBound>& bounds,
@@ -84,8 +85,8 @@ class World {
   std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
   [[nodiscard]] MovingTree moving(std::size_t body);
   void model(const std::vector<RefinedPair>& refined, StepReport& report);
-  ResponseResult response_to(const std::vector<Contact>& contacts);
-  void respond_to(StepReport& report);
+  const ResponseResult& response_to(const std::vector<Contact>& contacts, double dt_s);
+  void respond_to(double dt_s, StepReport& report);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
 
@@ -94,6 +95,8 @@ class World {
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
+  Responder responder_;
+  std::vector<Fall> falls_;  ///< of the present step; none without gravity
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
   PriorityMemory priorities_;

@@ -20,6 +20,13 @@ std::string problem_of(const WorldSettings& settings) {
   if (settings.contacts.most_per_pair < 1) {
     return "world: a pair needs one contact or more";
   }
+  if (!settings.gravity_m_s2.allFinite()) {
+    return "world: gravity must be finite";
+  }
+  if (settings.most_response_passes < 1) {
+    return "world: the response needs one pass or more, got " +
+           std::to_string(settings.most_response_passes);
+  }
   for (const std::string& problem :
        {of_world(problem_of(settings.materials)),
         of_world(settings.enclosure ? problem_of(*settings.enclosure) : ""),
