@@ -16,9 +16,9 @@ namespace {
 constexpr std::array kScenes{
     BenchScene{"pair", print_pair},         BenchScene{"cube", print_cube},
     BenchScene{"elastic", print_elastic},   BenchScene{"implosion", print_implosion},
-    BenchScene{"thousand", print_thousand}, BenchScene{"growth", print_growth},
-    BenchScene{"response", print_response}, BenchScene{"spheres", print_spheres},
-    BenchScene{"hash", print_hash},
+    BenchScene{"thousand", print_thousand}, BenchScene{"pit", print_pit},
+    BenchScene{"growth", print_growth},     BenchScene{"response", print_response},
+    BenchScene{"spheres", print_spheres},   BenchScene{"hash", print_hash},
 };
 
 }  // namespace

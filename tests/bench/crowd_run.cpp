@@ -2,6 +2,7 @@
 #include "tests/bench/crowd_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/session/deadline_work.hpp"
 
@@ -24,6 +25,14 @@ void add_report(const StepReport& report, double step_share, CrowdOutcome& outco
   }
 }
 
+double root_mean_square_speed_m_s(const World& world) {
+  double squares = 0.0;
+  for (std::size_t body = 0; body < world.states().size(); ++body) {
+    squares += velocity(world.models()[body], world.states()[body]).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(world.states().size()));
+}
+
 }  // namespace
 
 World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan) {
@@ -32,6 +41,8 @@ World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdP
   settings.tunnelling = plan.tunnelling;
   settings.schedule = plan.schedule;
   settings.costs = kAllPhases;
+  settings.gravity_m_s2 = start.gravity_m_s2;
+  settings.most_response_passes = plan.most_response_passes;
   if (start.half_edge_m > 0.0) {
     settings.enclosure = ClosedCube{start.half_edge_m};
   }
@@ -68,6 +79,7 @@ CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const C
   }
   outcome.step_ms = spread_of(std::move(steps_ms));
   outcome.energy_ratio = energy_before_J > 0.0 ? kinetic_energy_of(world) / energy_before_J : 0.0;
+  outcome.speed_m_s = root_mean_square_speed_m_s(world);
   outcome.escaped = escaped_from(start.half_edge_m, world.states());
   return outcome;
 }

@@ -16,6 +16,7 @@ struct CrowdPlan {
   int steps{600};
   Tunnelling tunnelling{Tunnelling::kIgnored};  ///< as the peers do
   Schedule schedule{};
+  int most_response_passes{kUnlimitedPasses};
 };
 
 struct CrowdOutcome {
@@ -24,6 +25,7 @@ struct CrowdOutcome {
   double contacts{0.0};        ///< responded to in a step, mean
   double tests{0.0};           ///< work spent in a step, mean, in the costs' unit
   double energy_ratio{0.0};    ///< kinetic, of the end to the start
+  double speed_m_s{0.0};       ///< of bodies at the end, root mean square
   int escaped{0};              ///< bodies whose centre of mass is beyond a wall at the end
   int overruns{0};             ///< steps with more work than granted and than the floor
   int floors_over{0};          ///< steps whose floor cost more than was granted
@@ -44,6 +46,6 @@ CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const C
 /// Bodies whose centre of mass is beyond a wall of the cube, or nowhere; none without walls.
 int escaped_from(double half_edge_m, const std::vector<BodyState>& states);
 
-double kinetic_energy_of(const World& world);
+double kinetic_energy_of(const World& world);  ///< J
 
 }  // namespace impetus

@@ -50,6 +50,17 @@ CrowdOutcome print_run(const std::string& name, const CrowdShape& shape, const C
   return outcome;
 }
 
+/// As many as other engines make by default, and some more.
+constexpr int kFewPasses = 20;
+
+std::string leaves_and_passes(bool fine, int most_passes) {
+  std::string text = fine ? "~500 leaves" : "~64 leaves";
+  if (most_passes != kUnlimitedPasses) {
+    text += ", " + std::to_string(most_passes) + " passes";
+  }
+  return text;
+}
+
 void print_title(const std::string& title, const CrowdStart& start) {
   std::printf("\n%s (ms", title.c_str());
   if (start.touching > 0) {
@@ -115,18 +126,42 @@ void print_implosion(const CrowdShape& shape, const BenchOptions& options) {
 
 void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
   const CrowdStart start = flying(shape, 1000, 1.0);
-  print_title("1,000 bodies, closed cube, 100 % full, restitution .5; a tenth of the pairs urgent",
-              start);
+  print_title(
+      "1,000 bodies, closed cube, 100 % full, restitution .5, ~500 leaves; a tenth of pairs urgent",
+      start);
   CrowdPlan plan{/*fine=*/true, /*restitution=*/0.5, /*budget_ms=*/4.0};
-  plan.steps = options.steps_of(240);
+  plan.steps = options.steps_of(120);
   plan.schedule.rule = ListRule::kPairShares;
   plan.schedule.pair_shares = {0.1};
   plan.schedule.lists = {{.share = 1.0}, {.share = 0.0}};
-  print_run("~500 leaves, budget 4 ms", shape, start, plan,
-            "held; every pair at its coarsest level, list 0 at its finest");
+  plan.most_response_passes = kFewPasses;
+  for (const int least_level : {0, 1, 2}) {
+    plan.schedule.lists = {{.share = 1.0, .least_level = least_level},
+                           {.share = 0.0, .least_level = least_level}};
+    print_run(
+        "4 ms, 20 passes, least level " + std::to_string(least_level), shape, start, plan,
+        least_level == 0 ? "held; every pair at its coarsest level, list 0 at its finest" : "");
+  }
+  plan.schedule.lists = {{.share = 1.0}, {.share = 0.0}};
+  plan.most_response_passes = kUnlimitedPasses;
+  print_run("4 ms, all passes", shape, start, plan, "");
   plan.budget_ms = 0.0;
-  plan.steps = options.steps_of(24);
-  print_run("~500 leaves, no budget", shape, start, plan, "");
+  print_run("no budget, all passes", shape, start, plan, "");
+}
+
+void print_pit(const CrowdShape& shape, const BenchOptions& options) {
+  const CrowdStart start = falling(shape, 250);
+  print_title("250 bodies piled in a pit under gravity, restitution .5; 5 s", start);
+  for (const bool fine : {false, true}) {
+    for (const int most_passes : {kUnlimitedPasses, kFewPasses}) {
+      CrowdPlan plan{fine, /*restitution=*/0.5};
+      plan.steps = options.steps_of(plan.steps);
+      plan.most_response_passes = most_passes;
+      const CrowdOutcome outcome =
+          print_run(leaves_and_passes(fine, most_passes), shape, start, plan, fine ? "16" : "4");
+      std::printf("  %-38s speed at the end %.3f m/s\n", "", outcome.speed_m_s);
+    }
+  }
 }
 
 void print_growth(const CrowdShape& shape, const BenchOptions& options) {

@@ -24,6 +24,9 @@ void print_implosion(const CrowdShape& shape, const BenchOptions& options);
 /// 1,000 bodies, 100 % full, budget of 4 ms.
 void print_thousand(const CrowdShape& shape, const BenchOptions& options);
 
+/// 250 bodies that fall into a pit and pile up there.
+void print_pit(const CrowdShape& shape, const BenchOptions& options);
+
 /// 10 to 2,000 bodies at 30 %: how the cost of a step grows.
 void print_growth(const CrowdShape& shape, const BenchOptions& options);
 

@@ -147,6 +147,12 @@ CrowdStart flying(const CrowdShape& shape, int bodies, double fill) {
   return flying_at(at_rest(shape, bodies, fill), shape, kCrowdSpeed_m_s);
 }
 
+CrowdStart falling(const CrowdShape& shape, int bodies) {
+  CrowdStart start = at_rest(shape, bodies, /*fill=*/0.3);
+  start.gravity_m_s2 = Vector3(0.0, -9.81, 0.0);
+  return start;
+}
+
 CrowdStart imploding(const CrowdShape& shape, int bodies) {
   constexpr double kUntilTheyMeet_s = 0.8;
   CrowdStart start = at_rest(shape, bodies, /*fill=*/0.1);

@@ -71,7 +71,7 @@ class BulletCrowd final : public PeerCrowd {
         triangles_(principal_.mesh),
         restitution_(static_cast<btScalar>(std::sqrt(restitution))) {
     shape_ = hulls ? hull_of(principal_.mesh) : gimpact_of(triangles_);
-    bullet_.world.setGravity({0.0F, 0.0F, 0.0F});
+    bullet_.world.setGravity(to_bullet(start.gravity_m_s2));
     for (const BodyState& state : start.states) {
       add_body(state, shape.mass.mass_kg);
     }

@@ -1,6 +1,6 @@
 // A crowd in an engine that is not ours: the same bodies, walls and steps.
 //
-// Every peer runs in its ordinary configuration, without friction, gravity, damping and sleep; what
+// Every peer runs in its ordinary configuration, without friction, damping and sleep; what
 // each is and what it was told stands at its factory.
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -60,6 +60,8 @@ class OdeCrowd final : public PeerCrowd {
   OdeCrowd(const CrowdShape& shape, const CrowdStart& start, double restitution)
       : model_(model_of(shape, shape.coarse)), triangles_(shape.mesh), restitution_(restitution) {
     dWorldSetQuickStepNumIterations(world_, 20);
+    const Vector3& gravity = start.gravity_m_s2;
+    dWorldSetGravity(world_, gravity.x(), gravity.y(), gravity.z());
     for (const BodyState& state : start.states) {
       add_body(state, shape.mass);
     }
