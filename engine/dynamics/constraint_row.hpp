@@ -1,4 +1,4 @@
-// A constraint on the mass-scaled velocities of one body or two, and many of them side by side.
+// A constraint on the mass-scaled velocities of one body or two.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -26,37 +26,35 @@ struct ConstraintRow {
 };
 
 /// a · u, by body.
-double dot(const ConstraintRow& row, const std::vector<Vector6>& u);
-double dot(const ConstraintRow& x, const ConstraintRow& y);
+inline double dot(const ConstraintRow& row, const std::vector<Vector6>& u) {
+  double sum = 0.0;
+  for (const RowPart* part : {&row.a, &row.b}) {
+    if (part->body >= 0) {
+      sum += part->direction.dot(u[static_cast<std::size_t>(part->body)]);
+    }
+  }
+  return sum;
+}
+
+inline double dot(const ConstraintRow& x, const ConstraintRow& y) {
+  double sum = 0.0;
+  for (const RowPart* of_x : {&x.a, &x.b}) {
+    for (const RowPart* of_y : {&y.a, &y.b}) {
+      if (of_x->body >= 0 && of_x->body == of_y->body) {
+        sum += of_x->direction.dot(of_y->direction);
+      }
+    }
+  }
+  return sum;
+}
 
 /// u += times a
-void add(std::vector<Vector6>& u, const ConstraintRow& row, double times);
-
-/// Rows four at a time, coordinate by coordinate: a · u − `bound` of all of them at once, with the
-/// bits that dot() gives for each. Rows of unlike bodies do not share a block.
-class RowColumns {
- public:
-  void clear();
-  void push_back(const ConstraintRow& row);
-
-  /// Of every row, in their order.
-  void find_slacks(const std::vector<Vector6>& u, std::vector<double>& slacks) const;
-
- private:
-  static constexpr std::size_t kLanes = 4;
-
-  struct Block {
-    std::int32_t a;
-    std::int32_t b;
-    std::size_t first_row;
-    std::size_t count;
-    double of_a[6][kLanes];
-    double of_b[6][kLanes];
-    double bounds[kLanes];
-  };
-
-  std::vector<Block> blocks_;
-  std::size_t rows_{0};
-};
+inline void add(std::vector<Vector6>& u, const ConstraintRow& row, double times) {
+  for (const RowPart* part : {&row.a, &row.b}) {
+    if (part->body >= 0) {
+      u[static_cast<std::size_t>(part->body)] += times * part->direction;
+    }
+  }
+}
 
 }  // namespace impetus

@@ -52,6 +52,9 @@ std::int32_t ContactBodies::place_of(std::int32_t body, const std::vector<BodyMo
     added.inverse_inertia = world_inverse_inertia(models[index], states[index]);
     bodies_.push_back(added);
     follow(place, states);
+    ContactBody& gathered = bodies_.back();
+    gathered.speed_m_s = gathered.velocity.norm();
+    gathered.spin_rad_s = gathered.spin.norm();
   }
   return place;
 }
@@ -79,10 +82,10 @@ double ContactBodies::incoming_speed(std::size_t contact) const {
   const ContactArms& at = contacts_[contact];
   double speed = 0.0;
   if (at.a != ContactArms::kNone) {
-    speed += body(at.a).velocity.norm() + body(at.a).spin.norm() * at.arm_a.norm();
+    speed += body(at.a).speed_m_s + body(at.a).spin_rad_s * at.arm_a.norm();
   }
   if (at.b != ContactArms::kNone) {
-    speed += body(at.b).velocity.norm() + body(at.b).spin.norm() * at.arm_b.norm();
+    speed += body(at.b).speed_m_s + body(at.b).spin_rad_s * at.arm_b.norm();
   }
   return speed;
 }

@@ -22,6 +22,8 @@ struct ContactBody {
   Matrix3 inverse_inertia{Matrix3::Zero()};  ///< in world
   Vector3 velocity{Vector3::Zero()};
   Vector3 spin{Vector3::Zero()};
+  double speed_m_s{0.0};   ///< when it was gathered
+  double spin_rad_s{0.0};  ///< likewise
 
   [[nodiscard]] bool moves() const { return inverse_mass > 0.0; }
 };
@@ -58,7 +60,8 @@ class ContactBodies {
   /// As separation_speed() (impulse.hpp).
   [[nodiscard]] double separation_speed(std::size_t contact) const;
 
-  /// What the bodies of a contact bring to it: their speeds and those of their spins (m/s).
+  /// What the bodies of a contact brought to it when they were gathered: their speeds and those of
+  /// their spins (m/s).
   [[nodiscard]] double incoming_speed(std::size_t contact) const;
 
   /// How much an impulse of 1 N s along the normal changes the separation speed (1/kg).

@@ -36,16 +36,6 @@ Matrix3 cholesky(const Matrix3& square) {
   return factor;
 }
 
-double speed_along(const ConstraintRow& row, const std::vector<Vector6>& u) {
-  double speed = 0.0;
-  for (const RowPart* part : {&row.a, &row.b}) {
-    if (part->body >= 0) {
-      speed += part->direction.dot(u[static_cast<std::size_t>(part->body)]);
-    }
-  }
-  return speed;
-}
-
 }  // namespace
 
 bool ImpulsesTogether::respond(const std::vector<Contact>& contacts,
@@ -75,29 +65,68 @@ void ImpulsesTogether::describe(const ContactBodies& bodies) {
   }
   local_places_.resize(bodies.body_count(), kNone);
   bodies_.clear();
+  pairs_.clear();
   rows_.clear();
-  lengths_.clear();
-  for (const std::size_t member : members_) {
-    const ContactArms& contact = bodies.contact(member);
-    ConstraintRow row;
-    row.a = part_of(contact.a, contact.arm_a, contact.normal, 1.0, bodies);
-    row.b = part_of(contact.b, contact.arm_b, contact.normal, -1.0, bodies);
-    lengths_.push_back(std::sqrt(row.a.direction.squaredNorm() + row.b.direction.squaredNorm()));
-    rows_.push_back(row);
+  for (std::size_t begin = 0; begin < members_.size();) {
+    const ContactArms& first = bodies.contact(members_[begin]);
+    std::size_t end = begin + 1;
+    while (end < members_.size() && end < begin + kRowLanes &&
+           bodies.contact(members_[end]).a == first.a &&
+           bodies.contact(members_[end]).b == first.b) {
+      ++end;
+    }
+    add_rows(members_.subspan(begin, end - begin), bodies);
+    begin = end;
   }
+  unit_rows_.make_unit(rows_, lengths_);
+  bounds_.resize(rows_.size());
 }
 
-RowPart ImpulsesTogether::part_of(std::int32_t place, const Vector3& arm, const Vector3& normal,
-                                  double sign, const ContactBodies& bodies) {
-  if (!bodies.moves(place)) {
-    return {};
+/// Of contacts of the same two bodies, one to four.
+void ImpulsesTogether::add_rows(std::span<const std::size_t> run, const ContactBodies& bodies) {
+  const ContactArms& first = bodies.contact(run.front());
+  const std::int32_t a = bodies.moves(first.a) ? local_place(first.a, bodies) : kNone;
+  const std::int32_t b = bodies.moves(first.b) ? local_place(first.b, bodies) : kNone;
+  pairs_.insert(pairs_.end(), run.size(), BodyPair{a, b});
+  LanesOf3 normals{};
+  LanesOf3 arms_a{};
+  LanesOf3 arms_b{};
+  for (std::size_t lane = 0; lane < run.size(); ++lane) {
+    const ContactArms& contact = bodies.contact(run[lane]);
+    for (int i = 0; i < 3; ++i) {
+      normals[i][lane] = contact.normal[i];
+      arms_a[i][lane] = contact.arm_a[i];
+      arms_b[i][lane] = contact.arm_b[i];
+    }
   }
-  RowPart part;
-  part.body = local_place(place, bodies);
-  const ScaledBody& scaled = bodies_[static_cast<std::size_t>(part.body)];
-  part.direction.head<3>() = sign * scaled.root_of_inverse_mass * normal;
-  part.direction.tail<3>() = sign * (scaled.factor_transposed * Vector3(arm.cross(normal)));
-  return part;
+  RowBlock& block = rows_.add_block(a, b, run.size());
+  fill(block.of_a, a, 1.0, arms_a, normals);
+  fill(block.of_b, b, -1.0, arms_b, normals);
+}
+
+/// ± (n / √m, Cᵀ (r × n)), nothing where there is no body.
+void ImpulsesTogether::fill(LanesOf6& lanes, std::int32_t local, double sign, const LanesOf3& arms,
+                            const LanesOf3& normals) const {
+  if (local == kNone) {
+    return;
+  }
+  const ScaledBody& body = bodies_[static_cast<std::size_t>(local)];
+  const double push = sign * body.root_of_inverse_mass;
+  const Matrix3& turn = body.factor_transposed;
+  for (std::size_t lane = 0; lane < kRowLanes; ++lane) {
+    const double n0 = normals[0][lane];
+    const double n1 = normals[1][lane];
+    const double n2 = normals[2][lane];
+    const double x = arms[1][lane] * n2 - arms[2][lane] * n1;
+    const double y = arms[2][lane] * n0 - arms[0][lane] * n2;
+    const double z = arms[0][lane] * n1 - arms[1][lane] * n0;
+    lanes[0][lane] = push * n0;
+    lanes[1][lane] = push * n1;
+    lanes[2][lane] = push * n2;
+    lanes[3][lane] = sign * (turn(0, 0) * x + (turn(0, 1) * y + turn(0, 2) * z));
+    lanes[4][lane] = sign * (turn(1, 0) * x + (turn(1, 1) * y + turn(1, 2) * z));
+    lanes[5][lane] = sign * (turn(2, 0) * x + (turn(2, 1) * y + turn(2, 2) * z));
+  }
 }
 
 std::int32_t ImpulsesTogether::local_place(std::int32_t place, const ContactBodies& bodies) {
@@ -130,7 +159,7 @@ bool ImpulsesTogether::run_rounds(const std::vector<double>& restitutions,
   }
   problem_.clear();
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    rows_[row].bound = 0.0;
+    bounds_[row] = 0.0;
     problem_.push_back(row);
   }
   scale_velocities(states);
@@ -141,12 +170,13 @@ void ImpulsesTogether::find_approaching(const std::vector<double>& restitutions,
                                         const ResponseRules& rules, double tolerance_m_s,
                                         const std::vector<BodyState>& states) {
   scale_velocities(states);
+  rows_.find_products(u_, speeds_);
   problem_.clear();
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
-    const double speed = speed_along(rows_[row], u_);
+  for (std::size_t row = 0; row < speeds_.size(); ++row) {
+    const double speed = speeds_[row];
     if (speed < -tolerance_m_s) {
       const double given_back = speed > -rules.resting_m_s ? 0.0 : restitutions[members_[row]];
-      rows_[row].bound = -given_back * speed;
+      bounds_[row] = -given_back * speed;
       problem_.push_back(row);
     }
   }
@@ -170,11 +200,12 @@ bool ImpulsesTogether::solve(double tolerance_m_s, std::vector<BodyState>& state
     longest = std::max(longest, lengths_[row]);
   }
   const double tolerance = longest > 0.0 ? tolerance_m_s / longest : 0.0;
-  if (solver_.solve(rows_, problem_, u_, tolerance) != Projection::kSolved) {
+  if (solver_.solve({unit_rows_, lengths_, bounds_}, problem_, u_, tolerance) !=
+      Projection::kSolved) {
     return false;
   }
-  for (std::size_t i = 0; i < problem_.size(); ++i) {
-    push(problem_[i], solver_.multipliers()[i], states);
+  for (const std::size_t row : problem_) {
+    push(row, solver_.multipliers()[row], states);
   }
   return true;
 }
@@ -188,9 +219,10 @@ void ImpulsesTogether::push(std::size_t row, double impulse_Ns, std::vector<Body
   (*impulse_Ns_)[contact] += impulse_Ns;
   const Vector3& point = (*contacts_)[contact].touch.point;
   const Vector3 impulse = impulse_Ns * (*contacts_)[contact].touch.normal;
-  for (const auto& [part, sign] : {std::pair(&rows_[row].a, 1.0), std::pair(&rows_[row].b, -1.0)}) {
-    if (part->body >= 0) {
-      BodyState& state = states[bodies_[static_cast<std::size_t>(part->body)].index];
+  for (const auto& [local, sign] :
+       {std::pair(pairs_[row].a, 1.0), std::pair(pairs_[row].b, -1.0)}) {
+    if (local != kNone) {
+      BodyState& state = states[bodies_[static_cast<std::size_t>(local)].index];
       state.linear_momentum += sign * impulse;
       state.angular_momentum += (point - state.pose.position).cross(Vector3(sign * impulse));
     }

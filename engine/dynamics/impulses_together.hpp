@@ -40,8 +40,9 @@ class ImpulsesTogether {
 
   void describe(const ContactBodies& bodies);
   std::int32_t local_place(std::int32_t place, const ContactBodies& bodies);
-  RowPart part_of(std::int32_t place, const Vector3& arm, const Vector3& normal, double sign,
-                  const ContactBodies& bodies);
+  void add_rows(std::span<const std::size_t> run, const ContactBodies& bodies);
+  void fill(LanesOf6& lanes, std::int32_t local, double sign, const LanesOf3& arms,
+            const LanesOf3& normals) const;
   bool run_rounds(const std::vector<double>& restitutions, const ResponseRules& rules,
                   double tolerance_m_s, std::vector<BodyState>& states);
   void find_approaching(const std::vector<double>& restitutions, const ResponseRules& rules,
@@ -55,8 +56,12 @@ class ImpulsesTogether {
   std::span<const std::size_t> members_;
   std::vector<ScaledBody> bodies_;
   std::vector<std::int32_t> local_places_;  ///< by place among the ContactBodies
-  std::vector<ConstraintRow> rows_;         ///< by member
+  std::vector<BodyPair> pairs_;             ///< of local places, by member: its row
+  RowColumns rows_;                         ///< by member
+  RowColumns unit_rows_;                    ///< the same, of unit length
   std::vector<double> lengths_;
+  std::vector<double> bounds_;
+  std::vector<double> speeds_;
   std::vector<Vector6> u_;
   std::vector<std::size_t> problem_;  ///< rows in question
   NearestVelocitySolver solver_;

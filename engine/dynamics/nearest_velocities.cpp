@@ -30,78 +30,75 @@ double rest_of(const std::vector<double>& forward) {
 
 }  // namespace
 
-Projection NearestVelocitySolver::solve(const std::vector<ConstraintRow>& rows,
+Projection NearestVelocitySolver::solve(const UnitRows& given,
                                         const std::vector<std::size_t>& which,
                                         std::vector<Vector6>& u, double tolerance) {
   tolerance_ = tolerance;
-  rows_.clear();
-  lengths_.clear();
-  columns_.clear();
+  rows_ = &given.rows;
+  bounds_.resize(rows_->size());
   for (const std::size_t row : which) {
-    rows_.push_back(rows[row]);
-    const double length = std::sqrt(dot(rows_.back(), rows_.back()));
-    lengths_.push_back(length);
-    if (length > 0.0) {
-      rows_.back().a.direction /= length;
-      rows_.back().b.direction /= length;
-      rows_.back().bound /= length;
-    }
-    columns_.push_back(rows_.back());
+    const double length = given.lengths[row];
+    bounds_[row] = length > 0.0 ? given.bounds[row] / length : given.bounds[row];
   }
   given_.assign(u.begin(), u.end());
   for (const double independent : kIndependent) {
     independent_ = independent;
-    if (solve_active_set(u)) {
+    if (solve_active_set(given, which, u)) {
       return Projection::kSolved;
     }
     u.assign(given_.begin(), given_.end());
   }
-  multipliers_.assign(rows_.size(), 0.0);
+  multipliers_.assign(rows_->size(), 0.0);
   return Projection::kGaveUp;
 }
 
-bool NearestVelocitySolver::solve_active_set(std::vector<Vector6>& u) {
+bool NearestVelocitySolver::solve_active_set(const UnitRows& given,
+                                             const std::vector<std::size_t>& which,
+                                             std::vector<Vector6>& u) {
   active_.clear();
+  active_rows_.clear();
   factor_.shrink(0);
-  multipliers_.assign(rows_.size(), 0.0);
-  is_out_.clear();
-  for (const double length : lengths_) {
-    is_out_.push_back(length > 0.0 ? 0 : 1);
+  multipliers_.assign(rows_->size(), 0.0);
+  is_out_.assign(rows_->size(), 1);
+  for (const std::size_t row : which) {
+    is_out_[row] = given.lengths[row] > 0.0 ? 0 : 1;
   }
-  steps_left_ = kStepsAtLeast + kStepsPerRow * rows_.size();
-  for (std::size_t row = most_violated(u); row < rows_.size(); row = most_violated(u)) {
+  steps_left_ = kStepsAtLeast + kStepsPerRow * which.size();
+  for (std::size_t row = most_violated(u); row < rows_->size(); row = most_violated(u)) {
     if (!satisfy(row, u)) {
       return false;
     }
   }
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
-    multipliers_[row] /= lengths_[row] > 0.0 ? lengths_[row] : 1.0;
+  for (const std::size_t row : which) {
+    multipliers_[row] /= given.lengths[row] > 0.0 ? given.lengths[row] : 1.0;
   }
   return true;
 }
 
 std::size_t NearestVelocitySolver::most_violated(const std::vector<Vector6>& u) {
-  columns_.find_slacks(u, slacks_);
-  std::size_t worst = rows_.size();
+  rows_->find_products(u, products_with_u_);
+  std::size_t worst = rows_->size();
   double least = -tolerance_;
-  for (std::size_t row = 0; row < slacks_.size(); ++row) {
-    if (slacks_[row] < least && is_out_[row] == 0) {
-      least = slacks_[row];
+  for (std::size_t row = 0; row < products_with_u_.size(); ++row) {
+    const double slack = products_with_u_[row] - bounds_[row];
+    if (slack < least && is_out_[row] == 0) {
+      least = slack;
       worst = row;
     }
   }
   return worst;
 }
 
-void NearestVelocitySolver::multiply_by_active(std::size_t row) {
+void NearestVelocitySolver::multiply_by_active(const ConstraintRow& row) {
   products_.clear();
-  for (const std::size_t active : active_) {
-    products_.push_back(dot(rows_[active], rows_[row]));
+  for (const ConstraintRow& active : active_rows_) {
+    products_.push_back(dot(active, row));
   }
 }
 
-/// Makes `row` active, letting go of what then pulls.
-bool NearestVelocitySolver::satisfy(std::size_t row, std::vector<Vector6>& u) {
+/// Makes a row active, letting go of what then pulls.
+bool NearestVelocitySolver::satisfy(std::size_t index, std::vector<Vector6>& u) {
+  const ConstraintRow row = rows_->row(index);
   multiply_by_active(row);
   while (steps_left_-- > 0) {
     forward_.assign(products_.begin(), products_.end());
@@ -111,20 +108,22 @@ bool NearestVelocitySolver::satisfy(std::size_t row, std::vector<Vector6>& u) {
     share_.assign(forward_.begin(), forward_.end());
     factor_.backward(share_);
     const auto [step_until_pull, pulling] = first_to_pull();
-    const double slack = dot(rows_[row], u) - rows_[row].bound;
+    const double slack = dot(row, u) - bounds_[index];
     const double full_step = independent ? std::max(0.0, -slack) / rest : kInfinity;
     const double step = std::min(step_until_pull, full_step);
     if (!(step < kInfinity)) {
       // In the span of the active rows, which satisfy it but for their rounding.
       const bool is_left = slack >= -kRounding * tolerance_;
-      is_out_[row] = is_left ? 1 : 0;
+      is_out_[index] = is_left ? 1 : 0;
       return is_left;
     }
+    multipliers_[index] += step;
     take(row, step, u);
     if (full_step <= step_until_pull) {
       factor_.append(forward_, rest);
-      active_.push_back(row);
-      is_out_[row] = 1;
+      active_.push_back(index);
+      active_rows_.push_back(row);
+      is_out_[index] = 1;
       polish(u);
       return true;
     }
@@ -148,11 +147,10 @@ std::pair<double, std::size_t> NearestVelocitySolver::first_to_pull() const {
   return first;
 }
 
-void NearestVelocitySolver::take(std::size_t row, double step, std::vector<Vector6>& u) {
-  add(u, rows_[row], step);
-  multipliers_[row] += step;
+void NearestVelocitySolver::take(const ConstraintRow& row, double step, std::vector<Vector6>& u) {
+  add(u, row, step);
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    add(u, rows_[active_[i]], -step * share_[i]);
+    add(u, active_rows_[i], -step * share_[i]);
     double& multiplier = multipliers_[active_[i]];
     multiplier = std::max(0.0, multiplier - step * share_[i]);
   }
@@ -162,8 +160,8 @@ void NearestVelocitySolver::take(std::size_t row, double step, std::vector<Vecto
 void NearestVelocitySolver::polish(std::vector<Vector6>& u) {
   for (int turn = 0; turn < kPolishings; ++turn) {
     share_.clear();
-    for (const std::size_t active : active_) {
-      share_.push_back(rows_[active].bound - dot(rows_[active], u));
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      share_.push_back(bounds_[active_[i]] - dot(active_rows_[i], u));
     }
     factor_.forward(share_);
     factor_.backward(share_);
@@ -171,7 +169,7 @@ void NearestVelocitySolver::polish(std::vector<Vector6>& u) {
       double& multiplier = multipliers_[active_[i]];
       const double more = std::max(share_[i], -multiplier);
       multiplier += more;
-      add(u, rows_[active_[i]], more);
+      add(u, active_rows_[i], more);
     }
   }
 }
@@ -181,12 +179,13 @@ void NearestVelocitySolver::let_go(std::size_t which) {
   is_out_[active_[which]] = 0;
   multipliers_[active_[which]] = 0.0;
   active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(which));
+  active_rows_.erase(active_rows_.begin() + static_cast<std::ptrdiff_t>(which));
   factor_.shrink(which);
   for (std::size_t row = which; row < active_.size(); ++row) {
     forward_.clear();
     for (std::size_t before = 0; before < row; ++before) {
       forward_.push_back(before < which ? factor_.at(row + 1, before)
-                                        : dot(rows_[active_[before]], rows_[active_[row]]));
+                                        : dot(active_rows_[before], active_rows_[row]));
     }
     factor_.forward(forward_, which);
     factor_.append(forward_, std::max(rest_of(forward_), independent_));
@@ -195,10 +194,19 @@ void NearestVelocitySolver::let_go(std::size_t which) {
 
 NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
                           double tolerance) {
-  NearestVelocitySolver solver;
+  RowColumns columns;
+  std::vector<double> bounds;
+  for (const ConstraintRow& row : rows) {
+    columns.push_back(row);
+    bounds.push_back(row.bound);
+  }
+  RowColumns unit;
+  std::vector<double> lengths;
+  unit.make_unit(columns, lengths);
   std::vector<std::size_t> all(rows.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const Projection outcome = solver.solve(rows, all, u, tolerance);
+  NearestVelocitySolver solver;
+  const Projection outcome = solver.solve({unit, lengths, bounds}, all, u, tolerance);
   return {outcome, solver.multipliers()};
 }
 

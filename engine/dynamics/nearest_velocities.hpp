@@ -14,45 +14,54 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/constraint_row.hpp"
 #include "engine/dynamics/gram_factor.hpp"
+#include "engine/dynamics/row_columns.hpp"
 
 namespace impetus {
 
 enum class Projection { kSolved, kGaveUp };
 
+/// Rows of unit length, what their lengths were (none: 0) and their bounds before they were made
+/// so.
+struct UnitRows {
+  const RowColumns& rows;
+  const std::vector<double>& lengths;
+  const std::vector<double>& bounds;
+};
+
 /// Solves one problem after the other in arrays that it keeps.
 class NearestVelocitySolver {
  public:
-  /// Moves `u`, by body, to the solution of the rows `which` of `rows`: u = u⁻ + Σ λ_i a_i. A row
-  /// may be violated by `tolerance` (in the units of `bound`, after the row is made of unit
-  /// length). Gives up after a number of steps in proportion to the rows, or where no u satisfies
-  /// them; then `u` is as it was and all multipliers are zero.
-  Projection solve(const std::vector<ConstraintRow>& rows, const std::vector<std::size_t>& which,
+  /// Moves `u`, by body, to the solution of those rows that `which` names, rising: u = u⁻ + Σ λ_i
+  /// a_i. A row may be violated by `tolerance` (in the units of `bound`, after the row is made of
+  /// unit length). Gives up after a number of steps in proportion to the rows, or where no u
+  /// satisfies them; then `u` is as it was and all multipliers are zero.
+  Projection solve(const UnitRows& given, const std::vector<std::size_t>& which,
                    std::vector<Vector6>& u, double tolerance);
 
-  /// Of the last problem, in the order of `which`, ≥ 0; a row of no length has none.
+  /// Of the last problem, by row, ≥ 0; one of no length or not in the problem has none.
   [[nodiscard]] const std::vector<double>& multipliers() const { return multipliers_; }
 
  private:
-  bool solve_active_set(std::vector<Vector6>& u);
+  bool solve_active_set(const UnitRows& given, const std::vector<std::size_t>& which,
+                        std::vector<Vector6>& u);
   [[nodiscard]] std::size_t most_violated(const std::vector<Vector6>& u);
   bool satisfy(std::size_t row, std::vector<Vector6>& u);
-  void multiply_by_active(std::size_t row);
+  void multiply_by_active(const ConstraintRow& row);
   [[nodiscard]] std::pair<double, std::size_t> first_to_pull() const;
-  void take(std::size_t row, double step, std::vector<Vector6>& u);
+  void take(const ConstraintRow& row, double step, std::vector<Vector6>& u);
   void polish(std::vector<Vector6>& u);
   void let_go(std::size_t which);
 
-  std::vector<ConstraintRow> rows_;  ///< of unit length
-  RowColumns columns_;               ///< the same
-  std::vector<double> lengths_;
+  const RowColumns* rows_{nullptr};  ///< while it solves
+  std::vector<double> bounds_;       ///< of unit rows
   std::vector<double> multipliers_;
   std::vector<std::size_t> active_;
-  std::vector<unsigned char> is_out_;  ///< active, violated by rounding alone, or of no length
+  std::vector<ConstraintRow> active_rows_;
+  std::vector<unsigned char> is_out_;  ///< active, violated by rounding alone, or no matter
   GramFactor factor_;                  ///< of the active rows
   std::vector<Vector6> given_;
-  std::vector<double> slacks_;
+  std::vector<double> products_with_u_;
   std::vector<double> products_;  ///< of the row in question with the active ones
   std::vector<double> forward_;   ///< the same, forward-substituted
   std::vector<double> share_;     ///< of each active row in it
