@@ -11,6 +11,7 @@ namespace impetus {
 namespace {
 
 constexpr double kFill = 0.3;
+constexpr int kStoppedSteps = 120;  ///< where fast bodies are followed along their way: slow
 
 void print_head() {
   std::printf("  %-38s %8s %8s %8s  %6s %8s %9s  %7s %5s  %s\n", "", "median", "p99", "longest",
@@ -81,6 +82,7 @@ void print_cube(const CrowdShape& shape, const BenchOptions& options) {
     const std::string leaves = fine ? "~500 leaves" : "~64 leaves";
     print_run(leaves, shape, start, plan, fine ? "median .8" : "median .25");
     plan.tunnelling = Tunnelling::kStopAtEntry;
+    plan.steps = options.steps_of(kStoppedSteps);
     print_run(leaves + ", stopped at entry", shape, start, plan, "");
   }
 }
@@ -99,6 +101,7 @@ void print_elastic(const CrowdShape& shape, const BenchOptions& options) {
       const std::string leaves = fine ? "~500 leaves" : "~64 leaves";
       print_run(leaves, shape, start, plan, "energy 1 ± .02, none outside");
       plan.tunnelling = Tunnelling::kStopAtEntry;
+      plan.steps = options.steps_of(kStoppedSteps);
       print_run(leaves + ", stopped at entry", shape, start, plan, "");
     }
   }
