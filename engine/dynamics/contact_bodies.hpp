@@ -57,6 +57,12 @@ class ContactBodies {
     return place != ContactArms::kNone && body(place).moves();
   }
 
+  /// Whether the contact is between the bodies that the one before it is between.
+  [[nodiscard]] bool is_like_the_last(std::size_t contact) const {
+    return contact > 0 && contacts_[contact].a == contacts_[contact - 1].a &&
+           contacts_[contact].b == contacts_[contact - 1].b;
+  }
+
   /// As separation_speed() (impulse.hpp).
   [[nodiscard]] double separation_speed(std::size_t contact) const;
 

@@ -28,8 +28,8 @@ std::size_t Islands::island_of(const ContactArms& contact, const ContactBodies& 
 void Islands::find(const ContactBodies& bodies) {
   sets_.separate(bodies.body_count());
   for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
-    const auto& [a, b] = std::pair(bodies.contact(i).a, bodies.contact(i).b);
-    if (bodies.moves(a) && bodies.moves(b)) {
+    const auto [a, b] = std::pair(bodies.contact(i).a, bodies.contact(i).b);
+    if (!bodies.is_like_the_last(i) && bodies.moves(a) && bodies.moves(b)) {
       sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     }
   }
@@ -37,7 +37,8 @@ void Islands::find(const ContactBodies& bodies) {
   island_of_contact_.clear();
   first_.assign(1, 0);
   for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
-    const std::size_t island = island_of(bodies.contact(i), bodies);
+    const std::size_t island = bodies.is_like_the_last(i) ? island_of_contact_.back()
+                                                          : island_of(bodies.contact(i), bodies);
     island_of_contact_.push_back(island);
     if (island != kNone) {
       ++first_[island + 1];

@@ -22,11 +22,25 @@ void add_products(const LanesOf6& x, const Vector6& u, double (&sums)[kRowLanes]
   }
 }
 
-void divide(LanesOf6& lanes, const double (&by)[kRowLanes]) {
-  for (auto& coordinate : lanes) {
+void divide(const LanesOf6& lanes, const double (&by)[kRowLanes], LanesOf6& result) {
+  for (std::size_t coordinate = 0; coordinate < 6; ++coordinate) {
     for (std::size_t i = 0; i < kRowLanes; ++i) {
-      coordinate[i] /= by[i];
+      result[coordinate][i] = lanes[coordinate][i] / by[i];
     }
+  }
+}
+
+/// |x|² of each lane.
+void find_squares(const RowBlock& block, double (&squares)[kRowLanes]) {
+  if (block.a >= 0) {
+    add_products(block.of_a, block.of_a, squares);
+  }
+  if (block.a >= 0 && block.a == block.b) {  // the body twice: all four products
+    add_products(block.of_a, block.of_b, squares);
+    add_products(block.of_b, block.of_a, squares);
+  }
+  if (block.b >= 0) {
+    add_products(block.of_b, block.of_b, squares);
   }
 }
 
@@ -52,8 +66,10 @@ RowBlock& RowColumns::add_block(std::int32_t a, std::int32_t b, std::size_t coun
 void RowColumns::push_back(const ConstraintRow& row) {
   RowBlock& block = add_block(row.a.body, row.b.body, 1);
   for (int i = 0; i < 6; ++i) {
-    block.of_a[i][0] = row.a.direction[i];
-    block.of_b[i][0] = row.b.direction[i];
+    for (std::size_t lane = 0; lane < kRowLanes; ++lane) {
+      block.of_a[i][lane] = row.a.direction[i];
+      block.of_b[i][lane] = row.b.direction[i];
+    }
   }
 }
 
@@ -64,8 +80,8 @@ ConstraintRow RowColumns::row(std::size_t index) const {
   row.a.body = block.a;
   row.b.body = block.b;
   for (int i = 0; i < 6; ++i) {
-    row.a.direction[i] = block.of_a[i][lane];
-    row.b.direction[i] = block.of_b[i][lane];
+    row.a.direction[i] = block.a >= 0 ? block.of_a[i][lane] : 0.0;
+    row.b.direction[i] = block.b >= 0 ? block.of_b[i][lane] : 0.0;
   }
   return row;
 }
@@ -87,27 +103,25 @@ void RowColumns::find_products(const std::vector<Vector6>& u, std::vector<double
 }
 
 void RowColumns::make_unit(const RowColumns& of, std::vector<double>& lengths) {
-  blocks_ = of.blocks_;
-  place_of_row_ = of.place_of_row_;
-  lengths.resize(size());
-  for (RowBlock& block : blocks_) {
+  clear();
+  lengths.resize(of.size());
+  for (const RowBlock& block : of.blocks_) {
     double squares[kRowLanes] = {};
-    add_products(block.of_a, block.of_a, squares);
-    if (block.a >= 0 && block.a == block.b) {  // the body twice: all four products
-      add_products(block.of_a, block.of_b, squares);
-      add_products(block.of_b, block.of_a, squares);
-    }
-    add_products(block.of_b, block.of_b, squares);
+    find_squares(block, squares);
     double by[kRowLanes];
     for (std::size_t i = 0; i < kRowLanes; ++i) {
-      const double length = std::sqrt(squares[i]);
-      by[i] = length > 0.0 ? length : 1.0;
-      squares[i] = length;
+      squares[i] = std::sqrt(squares[i]);
+      by[i] = squares[i] > 0.0 ? squares[i] : 1.0;
     }
-    divide(block.of_a, by);
-    divide(block.of_b, by);
     for (std::size_t i = 0; i < block.count; ++i) {
       lengths[block.first_row + i] = squares[i];
+    }
+    RowBlock& unit = add_block(block.a, block.b, block.count);
+    if (block.a >= 0) {
+      divide(block.of_a, by, unit.of_a);
+    }
+    if (block.b >= 0) {
+      divide(block.of_b, by, unit.of_b);
     }
   }
 }

@@ -18,14 +18,15 @@ inline constexpr std::size_t kRowLanes = 4;
 using LanesOf3 = double[3][kRowLanes];
 using LanesOf6 = double[6][kRowLanes];
 
-/// One to four rows; bodies as in RowPart.
+/// One to four rows; bodies as in RowPart. Where there is no body, its lanes mean nothing; the
+/// lanes beyond `count` hold any numbers.
 struct RowBlock {
   std::int32_t a{-1};
   std::int32_t b{-1};
   std::size_t first_row{0};
   std::size_t count{0};
-  LanesOf6 of_a{};
-  LanesOf6 of_b{};
+  LanesOf6 of_a;
+  LanesOf6 of_b;
 };
 
 class RowColumns {
