@@ -72,7 +72,7 @@ CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const C
     if (limited) {
       deadline.start_step();
     }
-    const StepReport report =
+    const StepReport& report =
         world.step(input, limited ? static_cast<WorkMeter&>(deadline) : unlimited);
     steps_ms.push_back(static_cast<double>(thread_cpu_ns() - start_ns) * 1e-6);
     add_report(report, 1.0 / plan.steps, outcome);
