@@ -2,6 +2,7 @@
 #include "engine/dynamics/impulses_together.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,29 @@ Matrix3 cholesky(const Matrix3& square) {
   return factor;
 }
 
+/// Whether more contacts than kMostTogetherWhenLimited could be active at once.
+bool is_large(std::span<const std::size_t> members, const ContactBodies& bodies) {
+  constexpr std::size_t kMostBodies = kMostTogetherWhenLimited / 6;
+  if (members.size() <= kMostTogetherWhenLimited) {
+    return false;
+  }
+  std::array<std::int32_t, kMostBodies> found{};
+  std::size_t count = 0;
+  for (const std::size_t member : members) {
+    for (const std::int32_t place : {bodies.contact(member).a, bodies.contact(member).b}) {
+      const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
+      if (!bodies.moves(place) || std::find(found.begin(), end, place) != end) {
+        continue;
+      }
+      if (count == kMostBodies) {
+        return true;
+      }
+      found[count++] = place;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 bool ImpulsesTogether::respond(const std::vector<Contact>& contacts,
@@ -43,14 +67,15 @@ bool ImpulsesTogether::respond(const std::vector<Contact>& contacts,
                                const std::vector<double>& restitutions, const ResponseRules& rules,
                                double fastest_m_s, ContactBodies& bodies,
                                std::vector<BodyState>& states, std::vector<double>& impulse_Ns) {
+  const bool limited = static_cast<std::size_t>(rules.most_passes) < 2 * members.size();
+  if (limited && is_large(members, bodies)) {
+    return false;
+  }
   contacts_ = &contacts;
   impulse_Ns_ = &impulse_Ns;
   members_ = members;
   describe(bodies);
-  const bool limited = static_cast<std::size_t>(rules.most_passes) < 2 * members.size();
-  const std::size_t could_be_active = std::min(members.size(), 6 * bodies_.size());
-  const bool solved = !(limited && could_be_active > kMostTogetherWhenLimited) &&
-                      run_rounds(restitutions, rules, kTolerance * fastest_m_s, states);
+  const bool solved = run_rounds(restitutions, rules, kTolerance * fastest_m_s, states);
   for (const ScaledBody& body : bodies_) {
     bodies.follow(body.place, states);
   }
