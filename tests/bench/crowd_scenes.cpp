@@ -11,6 +11,7 @@ namespace impetus {
 namespace {
 
 constexpr double kFill = 0.3;
+constexpr int kHopelessSteps = 12;  ///< where a step takes half a second
 constexpr int kStoppedSteps = 120;  ///< where fast bodies are followed along their way: slow
 
 void print_head() {
@@ -147,8 +148,10 @@ void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
   }
   plan.schedule.lists = {{.share = 1.0}, {.share = 0.0}};
   plan.most_response_passes = kUnlimitedPasses;
+  plan.steps = options.steps_of(kHopelessSteps);
   print_run("4 ms, all passes", shape, start, plan, "");
   plan.budget_ms = 0.0;
+  plan.steps = options.steps_of(120);
   print_run("no budget, all passes", shape, start, plan, "");
 }
 
