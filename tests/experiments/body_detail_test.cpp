@@ -54,9 +54,10 @@ TEST(LatestDetail, AgreesWithASearchThroughAllThatHappened) {
   std::vector<std::vector<CollisionReport>> happened(1);
   for (std::int64_t step = 1; step <= 300; ++step) {
     StepReport report;
-    for (unsigned count = random() % 3 == 0 ? 1 + random() % 3 : 0; count > 0; --count) {
+    for (auto count = random() % 3 == 0 ? 1 + random() % 3 : 0; count > 0; --count) {
       const auto a = static_cast<std::int32_t>(random() % kBodies);
-      const auto b = static_cast<std::int32_t>((static_cast<unsigned>(a) + 1 + random() % 5) % 6);
+      const auto b =
+          static_cast<std::int32_t>((static_cast<std::uint64_t>(a) + 1 + random() % 5) % kBodies);
       report.collisions.push_back(collision_of({a, random() % 4 == 0 ? kEnclosure : b},
                                                static_cast<int>(random() % 3),
                                                static_cast<int>(random() % 5)));
