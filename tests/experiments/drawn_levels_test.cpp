@@ -104,7 +104,7 @@ TEST(CoarserMeshes, DeviateAsFarAsASampleOfTheirSurfacesSays) {
     const double sampled_m =
         std::max(mean_deviation_by_brute_force(creature(), *level.mesh, random),
                  mean_deviation_by_brute_force(*level.mesh, creature(), random));
-    // The middles of sides stand for a triangle; the sample scatters by a few per cent.
+    // Seven points stand for a triangle; the sample scatters by a few per cent.
     EXPECT_NEAR(level.deviation_m, sampled_m, 0.2 * sampled_m) << "seed " << kSeed;
   }
 }
