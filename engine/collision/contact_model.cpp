@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "engine/collision/torque_span.hpp"
-
 namespace impetus {
 namespace {
 
@@ -117,7 +115,7 @@ void ContactModelling::add_touches_of_spheres(const PairRefinement& pair, const 
 void ContactModelling::add_reduced_to(std::vector<Contact>& contacts, int most, double size_m) {
   reduced_.clear();
   sums_->reduce_to(reduced_);
-  keep_spanning_most_torque(reduced_, most, size_m);
+  torque_span_.keep_widest(reduced_, most, size_m);
   for (const TouchPoint& touch : reduced_) {
     contacts.push_back({bodies_, touch});
   }

@@ -12,6 +12,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/pair_refinement.hpp"
+#include "engine/collision/torque_span.hpp"
 #include "engine/scheduling/priority.hpp"
 
 namespace impetus {
@@ -83,6 +84,7 @@ class ContactModelling {
   std::shared_ptr<const ContactReduction> reduction_;  ///< that sums_ are of; none: average
   std::unique_ptr<ContactSums> sums_;
   std::vector<TouchPoint> reduced_;
+  TorqueSpan torque_span_;
   BodyPair bodies_;
   std::vector<Contact>* watched_{nullptr};
 };

@@ -2,6 +2,9 @@
 #include "engine/collision/push_cone.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "engine/numerics/few.hpp"
 
 namespace impetus {
 namespace {
@@ -10,6 +13,9 @@ namespace {
 constexpr double kDependent = 1e-9;
 /// Share of the wrench's length: a generator along which less is left brings it no nearer.
 constexpr double kNoNearer = 1e-10;
+
+/// Independent generators in a space of six dimensions, and one that may depend on them.
+constexpr std::size_t kMostMembers = 7;
 
 struct Member {
   std::size_t generator;
@@ -31,12 +37,12 @@ class NearestPush {
     if (next == generators_.size()) {
       return false;
     }
-    members_.push_back({next, 0.0});
-    std::vector<double> aims;
+    members_.add({next, 0.0});
+    Aims aims;
     if (!fit(aims)) {
       return false;
     }
-    while (std::any_of(aims.begin(), aims.end(), [](double aim) { return aim <= 0.0; })) {
+    while (any_turns_negative(aims)) {
       drop_what_turns_negative(aims);
       fit(aims);
     }
@@ -49,6 +55,13 @@ class NearestPush {
   }
 
  private:
+  using Aims = std::array<double, kMostMembers>;  ///< by member
+
+  [[nodiscard]] bool any_turns_negative(const Aims& aims) const {
+    return std::any_of(aims.begin(), aims.begin() + members_.size(),
+                       [](double aim) { return aim <= 0.0; });
+  }
+
   [[nodiscard]] std::size_t steepest() const {
     std::size_t best = generators_.size();
     double most = kNoNearer * wrench_.norm();
@@ -67,10 +80,10 @@ class NearestPush {
 
   /// The coefficients, of any sign, that bring the members nearest to the wrench, by Gram and
   /// Schmidt. False when a member depends on those before it.
-  bool fit(std::vector<double>& aims) const {
+  bool fit(Aims& aims) const {
     const std::size_t count = members_.size();
-    std::vector<Wrench> axes;
-    std::vector<std::vector<double>> along(count, std::vector<double>(count, 0.0));
+    std::array<Wrench, kMostMembers> axes;
+    std::array<std::array<double, kMostMembers>, kMostMembers> along;
     for (std::size_t j = 0; j < count; ++j) {
       Wrench rest = generators_[members_[j].generator];
       const double length = rest.norm();
@@ -82,9 +95,9 @@ class NearestPush {
       if (!(along[j][j] > kDependent * length)) {
         return false;
       }
-      axes.emplace_back(rest / along[j][j]);
+      axes[j] = rest / along[j][j];
     }
-    aims.assign(count, 0.0);
+    aims.fill(0.0);
     for (std::size_t j = count; j-- > 0;) {
       double sum = axes[j].dot(wrench_);
       for (std::size_t k = j + 1; k < count; ++k) {
@@ -96,7 +109,7 @@ class NearestPush {
   }
 
   /// Moves towards `aims` until a coefficient is zero, and drops it.
-  void drop_what_turns_negative(const std::vector<double>& aims) {
+  void drop_what_turns_negative(const Aims& aims) {
     double step = 1.0;
     std::size_t first = members_.size();
     for (std::size_t i = 0; i < members_.size(); ++i) {
@@ -109,13 +122,13 @@ class NearestPush {
     for (std::size_t i = 0; i < members_.size(); ++i) {
       members_[i].coefficient += step * (aims[i] - members_[i].coefficient);
     }
-    members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(first));
+    members_.remove(first);
   }
 
   const std::vector<Wrench>& generators_;
   const Wrench& wrench_;
   Wrench left_;
-  std::vector<Member> members_;
+  Few<Member, kMostMembers> members_;
 };
 
 }  // namespace

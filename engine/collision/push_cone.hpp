@@ -14,6 +14,8 @@ using Wrench = Eigen::Matrix<double, 6, 1>;
 
 class PushCone {
  public:
+  void clear() { generators_.clear(); }
+
   /// Adds a generator, of any length but zero.
   void add(const Wrench& wrench) { generators_.push_back(wrench); }
 

@@ -11,17 +11,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "engine/collision/push_cone.hpp"
 #include "engine/volumes/sphere.hpp"
 
 namespace impetus {
 
-/// Leaves at most `most` (1 or more) of `contacts`, in their order; all of them when they are no
-/// more. Torques are measured against pushes by `size_m`, the bodies' size. Ties go to the first.
-void keep_spanning_most_torque(std::vector<TouchPoint>& contacts, int most, double size_m);
+/// Finds them in memory that it keeps.
+class TorqueSpan {
+ public:
+  /// Leaves at most `most` (1 or more) of `contacts`, in their order; all of them when they are no
+  /// more. Torques are measured against pushes by `size_m`, the bodies' size. Ties go to the first.
+  void keep_widest(std::vector<TouchPoint>& contacts, int most, double size_m);
 
-/// Those that are left.
+ private:
+  void find_wrenches(const std::vector<TouchPoint>& contacts, double size_m);
+  [[nodiscard]] std::size_t furthest() const;
+
+  std::vector<Wrench> wrenches_;
+  std::vector<std::size_t> kept_;
+  PushCone cone_;
+};
+
+/// The same, of a list of its own.
 std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
                                              double size_m);
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+
+#include "engine/numerics/few.hpp"
 
 namespace impetus {
 namespace {
@@ -26,6 +27,9 @@ struct Polygon {
     return corners[static_cast<std::size_t>(index % count)];
   }
 };
+
+/// Of two blocks.
+using Faces = Few<Polygon, 12>;
 
 /// What of `polygon` has normal · x ≤ bound.
 Polygon cut(const Polygon& polygon, const Vector3& normal, double bound) {
@@ -104,7 +108,7 @@ struct Span {
   double length_m{0.0};
 };
 
-Vector3 furthest_corner(const std::vector<Polygon>& polygons, const Vector3& from) {
+Vector3 furthest_corner(const Faces& polygons, const Vector3& from) {
   Vector3 furthest = from;
   for (const Polygon& polygon : polygons) {
     for (int index = 0; index < polygon.count; ++index) {
@@ -116,8 +120,8 @@ Vector3 furthest_corner(const std::vector<Polygon>& polygons, const Vector3& fro
   return furthest;
 }
 
-Span span_of(const std::vector<Polygon>& polygons) {
-  const Vector3 one = furthest_corner(polygons, polygons.front()[0]);
+Span span_of(const Faces& polygons) {
+  const Vector3 one = furthest_corner(polygons, polygons[0][0]);
   const Vector3 other = furthest_corner(polygons, one);
   return {0.5 * (one + other), (one - other).norm()};
 }
@@ -166,8 +170,8 @@ bool lies_on_face(const Polygon& polygon, const Vector3& outward, const Core& co
 }
 
 /// The boundary of what two blocks share: faces of one within the other.
-std::vector<Polygon> shared_faces(const Core& a, const Core& b, double tolerance_m) {
-  std::vector<Polygon> faces;
+Faces shared_faces(const Core& a, const Core& b, double tolerance_m) {
+  Faces faces;
   for (const bool of_a : {true, false}) {
     const Core& own = of_a ? a : b;
     const Core& other = of_a ? b : a;
@@ -177,7 +181,7 @@ std::vector<Polygon> shared_faces(const Core& a, const Core& b, double tolerance
         const bool counted_already =
             !of_a && lies_on_face(face, side * own.axes.col(axis), other, 2.0 * tolerance_m);
         if (face.count > 0 && !counted_already) {
-          faces.push_back(face);
+          faces.add(face);
         }
       }
     }
@@ -185,7 +189,7 @@ std::vector<Polygon> shared_faces(const Core& a, const Core& b, double tolerance
   return faces;
 }
 
-std::optional<Vector3> centroid_of_faces(const std::vector<Polygon>& faces) {
+std::optional<Vector3> centroid_of_faces(const Faces& faces) {
   if (faces.empty()) {
     return std::nullopt;
   }
@@ -226,7 +230,11 @@ std::optional<Vector3> centroid_of_shared(const Core& a, const Core& b, double t
     return centroid_of_faces(shared_faces(a, b, tolerance_m));
   }
   const Polygon shared = cut(rectangle_across(lesser, 2, 0.0), greater, tolerance_m);
-  return shared.count > 0 ? centroid_of_faces({shared}) : std::nullopt;
+  Faces one;
+  if (shared.count > 0) {
+    one.add(shared);
+  }
+  return centroid_of_faces(one);
 }
 
 }  // namespace impetus
