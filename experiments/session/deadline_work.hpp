@@ -1,11 +1,11 @@
 // A budget in time: work is granted in slices while the clock is before the step's deadline.
 //
-//   |slice|slice|slice|slice|slice          the clock is read once before each slice
-//   start                  deadline|refused for the rest of the step
+//   |  slice  |  slice  | slice |slice|slice    the clock is read once before each slice, the
+//   start                      deadline|refused   shorter the less time is left
 //
 // What is reserved for the phases that follow detection must still fit before the deadline: a
-// request is refused when the time left does not cover it, at half as much again as a unit of work
-// has taken in this step so far, and no less than kLeastNsPerUnit.
+// request is refused when the time left does not cover it, at no less than kLeastNsPerUnit, and at
+// half as much again as a unit of work has taken in this step, once enough are done to tell.
 //
 // The clock decides only how much is granted. That total, logged, replays the step with FixedWork.
 // (Dingliana 2002, sec. 3.3.1; eq. 3.9)
@@ -35,7 +35,8 @@ class DeadlineWork final : public WorkMeter {
   std::int64_t request(std::int64_t total, std::int64_t reserved) override;
 
  private:
-  [[nodiscard]] bool too_late(std::int64_t now_ns, std::int64_t done, std::int64_t reserved);
+  /// Units for which there is time before the deadline, besides those reserved.
+  double fitting_units(std::int64_t now_ns, std::int64_t done, std::int64_t reserved);
 
   const Clock* clock_;
   std::int64_t ns_per_step_;

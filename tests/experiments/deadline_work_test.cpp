@@ -75,16 +75,43 @@ TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
 }
 
 TEST(DeadlineWork, AStepThatProvedSlowReservesMoreTime) {
-  // Between the looks at 40,000 and 60,000, 200 units took 100 ns each; with half as much again,
-  // the 15,000 ns that are left are enough for fewer than 100.
+  // Between the looks at 400,000 and 600,000, 2,000 units took 100 ns each; with half as much
+  // again, the 15,000 ns that are left are enough for fewer than 100.
   for (const std::int64_t reserved : {99, 100}) {
-    const TickingClock clock(20'000);
-    DeadlineWork meter(clock, 55'000);
+    const TickingClock clock(200'000);
+    DeadlineWork meter(clock, 415'000);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
-    EXPECT_EQ(meter.request(300 + reserved, reserved), reserved == 99 ? 399 : 100);
-    EXPECT_EQ(meter.request(500, 0), reserved == 99 ? 399 : 100) << "past the deadline";
+    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 99 ? 2'199 : 100);
+    EXPECT_EQ(meter.request(2'600, 0), reserved == 99 ? 2'199 : 100) << "past the deadline";
   }
+}
+
+TEST(DeadlineWork, TooFewUnitsDoNotTellHowSlowAStepIs) {
+  // 8 units between two looks 400 ns apart: at 75 ns a unit the reserve would not fit.
+  for (const std::int64_t done : {108, 1'100}) {
+    const TickingClock clock(done == 108 ? 400 : 50'000);
+    DeadlineWork meter(clock, done == 108 ? 401'200 : 520'000);
+    meter.start_step();
+    ASSERT_EQ(meter.request(100, 0), 100);
+    constexpr std::int64_t kReserved = 10'000;
+    EXPECT_EQ(meter.request(done + kReserved, kReserved), done == 108 ? 10'108 : 100);
+  }
+}
+
+TEST(DeadlineWork, TheClockIsLookedAtOftenOnlyWhereTimeIsShort) {
+  constexpr std::int64_t kTick_ns = 100;
+  const auto looks_in = [](std::int64_t ns_per_step) {
+    const TickingClock clock(kTick_ns);
+    DeadlineWork meter(clock, ns_per_step);
+    meter.start_step();
+    for (std::int64_t total = 0; total <= 10'240; total += 8) {
+      EXPECT_EQ(meter.request(total, 0), total);
+    }
+    return clock.now_ns() / kTick_ns - 2;  // without that of the start and the one just now
+  };
+  EXPECT_EQ(looks_in(1'000'000'000), 20) << "every 512 units, the next look after 8 more";
+  EXPECT_GT(looks_in(20'000), 100) << "2,000 units would fit at first, and fewer and fewer";
 }
 
 TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {
