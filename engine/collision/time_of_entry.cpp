@@ -2,11 +2,13 @@
 #include "engine/collision/time_of_entry.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <limits>
-#include <vector>
 
 #include "engine/collision/node_gap.hpp"
-#include "engine/collision/pair_refinement.hpp"
+#include "engine/collision/node_pairs.hpp"
 
 namespace impetus {
 namespace {
@@ -33,6 +35,35 @@ NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
   return links.child_count > 0 ? links : NodeLinks{node, 1};
 }
 
+/// Of a test that is skipped: how much further apart than they must be two nodes are taken to be,
+/// as a share of all lengths that go into it. Far above what rounding can do.
+constexpr double kMargin = 1e-9;
+
+/// Spheres of two trees: `rows` of a from node `first.a` on, `columns` of b from `first.b` on.
+struct SphereBlock {
+  NodePair first;
+  SphereLanes a;
+  int rows;
+  SphereLanes b;
+  int columns;
+};
+
+Sphere sphere_of(const SphereLanes& lanes, int index) {
+  return {{lanes.x[index], lanes.y[index], lanes.z[index]}, lanes.radius_m[index]};
+}
+
+SphereLanes from(const SphereLanes& lanes, std::int32_t index) {
+  return {lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
+}
+
+std::uint64_t all_of(const SphereBlock& block) {
+  std::uint64_t bits = 0;
+  for (int row = 0; row < block.rows; ++row) {
+    bits |= ((std::uint64_t{1} << block.columns) - 1) << (kLanes * row);
+  }
+  return bits;
+}
+
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
@@ -55,7 +86,7 @@ class EntrySearch {
       return std::nullopt;
     }
     place(stretches_.front().begin);
-    measure_depth({0, 0}, 0);
+    measure_depth_of_all();
     if (capped()) {
       return unless_nearly_there(stretches_.front().begin, slow_m_);
     }
@@ -77,11 +108,12 @@ class EntrySearch {
 
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
+    fastest_m_ = stretch.fastest(pair_.a.reach_m(), pair_.b.reach_m());
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
       safe_ = stretch.end - time;
-      bound({0, 0}, 0, 0.0);
+      bound_all();
       const double next = time + safe_;
       if (capped() || !(next > time)) {
         return time;
@@ -117,11 +149,37 @@ class EntrySearch {
 
   [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
   [[nodiscard]] double reach_b() const { return pair_.b.tree().bounding_radius_m(); }
-  [[nodiscard]] bool capped() const { return tests_ >= kMostEntryTests; }
+  [[nodiscard]] bool capped() const { return tests_ >= pair_.most_tests; }
 
   [[nodiscard]] bool is_last(const NodePair& nodes, int level) const {
     return level >= pair_.greatest_level || (pair_.a.tree().links(nodes.a).child_count == 0 &&
                                              pair_.b.tree().links(nodes.b).child_count == 0);
+  }
+
+  /// Tests that were skipped because their outcome is known.
+  void count(std::int64_t tests) { tests_ = std::min(tests_ + tests, pair_.most_tests); }
+
+  /// All pairs one level below, in blocks, row by row. Precondition: of_spheres_.
+  template <typename Visit>
+  void for_each_block_below(const NodePair& nodes, const Visit& visit) const {
+    const NodeLinks of_a = one_level_deeper(pair_.a.tree(), nodes.a);
+    const NodeLinks of_b = one_level_deeper(pair_.b.tree(), nodes.b);
+    const NodePair first{of_a.first_child, of_b.first_child};
+    const SphereLanes a = pair_.a.world_lanes(of_a.first_child, of_a.child_count);
+    const SphereLanes b = pair_.b.world_lanes(of_b.first_child, of_b.child_count);
+    if (of_a.child_count <= kLanes && of_b.child_count <= kLanes) {
+      visit(SphereBlock{first, a, of_a.child_count, b, of_b.child_count});
+      return;
+    }
+    for (std::int32_t i = 0; i < of_a.child_count; ++i) {
+      for (std::int32_t j = 0; j < of_b.child_count; j += kLanes) {
+        visit(SphereBlock{{first.a + i, first.b + j},
+                          from(a, i),
+                          /*rows=*/1,
+                          from(b, j),
+                          std::min(of_b.child_count - j, kLanes)});
+      }
+    }
   }
 
   template <typename Visit>
@@ -135,38 +193,130 @@ class EntrySearch {
     }
   }
 
+  /// Visits the pairs of a block whose bits are set, in order, and counts the tests of all up to
+  /// where the search ends or has `found_enough`.
+  template <typename FoundEnough, typename Visit>
+  void for_each_set(const SphereBlock& block, std::uint64_t bits, const FoundEnough& found_enough,
+                    const Visit& visit) {
+    int counted = 0;
+    for (; bits != 0; bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const int row = bit / kLanes;
+      const int column = bit % kLanes;
+      const int place = row * block.columns + column;
+      count(place - counted);
+      if (capped() || found_enough()) {
+        return;
+      }
+      count(1);
+      counted = place + 1;
+      visit(row, column);
+    }
+    if (!found_enough()) {
+      count(block.rows * block.columns - counted);
+    }
+  }
+
   /// Finds how deep the finest nodes overlap; deeper than the bodies are thick is deep enough.
+  void measure_depth_of_all() {
+    if (of_spheres_) {
+      place_roots();
+    }
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (nodes_overlap(pair_.a, 0, pair_.b, 0)) {
+      measure_depth(NodePair{0, 0}, 0);
+    }
+  }
+
+  [[nodiscard]] bool deep_enough() const { return allowed_depth_m_ > slow_m_; }
+
+  /// Of nodes that overlap.
   void measure_depth(const NodePair& nodes, int level) {
-    if (capped() || allowed_depth_m_ > slow_m_) {
-      return;
-    }
-    ++tests_;
-    if (!nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
-      return;
-    }
     if (is_last(nodes, level)) {
       overlapped_at_start_ = true;
       allowed_depth_m_ = std::max(allowed_depth_m_, -gap_of(nodes).gap_m);
+    } else if (of_spheres_) {
+      for_each_block_below(nodes,
+                           [&](const SphereBlock& block) { measure_depth(block, level + 1); });
+    } else {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped() && !deep_enough()) {
+          count(1);
+          if (nodes_overlap(pair_.a, below.a, pair_.b, below.b)) {
+            measure_depth(below, level + 1);
+          }
+        }
+      });
+    }
+  }
+
+  void measure_depth(const SphereBlock& block, int level) {
+    if (capped() || deep_enough()) {
       return;
     }
-    for_each_pair_below(nodes, [&](const NodePair& below) { measure_depth(below, level + 1); });
+    const std::uint64_t overlapping =
+        overlaps_of_block(block.a, block.rows, block.b, block.columns);
+    for_each_set(
+        block, overlapping, [&] { return deep_enough(); },
+        [&](int row, int column) {
+          measure_depth(NodePair{block.first.a + row, block.first.b + column}, level);
+        });
+  }
+
+  /// Lowers safe_ to the time for which no finest nodes can touch.
+  void bound_all() {
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (!of_spheres_) {
+      bound({0, 0}, 0, 0.0);
+      return;
+    }
+    place_roots();
+    skips_ = all_finite();
+    bound_spheres({0, 0}, pair_.a.world_sphere(0), pair_.b.world_sphere(0), 0, 0.0);
   }
 
   /// Lowers safe_ to the time for which the finest nodes below this pair cannot touch. `at_least`
   /// is what holds of the pairs above.
   void bound(const NodePair& nodes, int level, double at_least) {
-    if (capped()) {
-      return;
-    }
-    ++tests_;
-    const bool last = is_last(nodes, level);
-    const Sphere bound_a = bound_of(pair_.a, nodes.a);
-    const Sphere bound_b = bound_of(pair_.b, nodes.b);
+    const Sphere bound_a = bounding_sphere(pair_.a.world_volume(nodes.a));
+    const Sphere bound_b = bounding_sphere(pair_.b.world_volume(nodes.b));
     const double turning_m = turning_speed_m(bound_a, bound_b);
     double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
-    if (!of_spheres_ && time < safe_) {
+    if (time < safe_) {
       time = std::max(time, time_apart(gap_of(nodes), turning_m));
     }
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped()) {
+          count(1);
+          bound(below, level + 1, time);
+        }
+      });
+    });
+  }
+
+  /// The same of spheres, a block at a time.
+  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, int level,
+                     double at_least) {
+    const double turning_m = turning_speed_m(a, b);
+    const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_block_below(nodes,
+                           [&](const SphereBlock& block) { bound_block(block, level + 1, time); });
+    });
+  }
+
+  /// `time` is what is known of the pair, `bound_below` goes on with those below it.
+  template <typename BoundBelow>
+  void bound_by(const NodePair& nodes, int level, double time, double turning_m,
+                const BoundBelow& bound_below) {
+    const bool last = is_last(nodes, level);
     if (last && time <= 0.0) {
       time = std::max(time, time_of_overlap(nodes, turning_m));
     }
@@ -177,7 +327,36 @@ class EntrySearch {
       safe_ = time;
       return;
     }
-    for_each_pair_below(nodes, [&](const NodePair& below) { bound(below, level + 1, time); });
+    bound_below();
+  }
+
+  void bound_block(const SphereBlock& block, int level, double at_least) {
+    if (capped()) {
+      return;
+    }
+    for_each_set(
+        block, at_least < safe_ ? near_in(block) : 0, [] { return false; },
+        [&](int row, int column) {
+          bound_spheres({block.first.a + row, block.first.b + column}, sphere_of(block.a, row),
+                        sphere_of(block.b, column), level, at_least);
+        });
+  }
+
+  /// The pairs of a block that could touch within safe_, whichever way the bodies move. Of all
+  /// others time_apart() is no less than safe_: they are further apart than anything goes until
+  /// then, by more than rounding.
+  [[nodiscard]] std::uint64_t near_in(const SphereBlock& block) const {
+    if (!skips_) {
+      return all_of(block);
+    }
+    const double way_m = std::max(0.0, safe_ * fastest_m_ - hair_m_);
+    const double wider_m = way_m + kMargin * (way_m + pair_.a.reach_m() + pair_.b.reach_m());
+    std::array<double, kLanes> reach_m{};
+    for (int column = 0; column < block.columns; ++column) {
+      reach_m[static_cast<std::size_t>(column)] = block.b.radius_m[column] + wider_m;
+    }
+    return overlaps_of_block(block.a, block.rows, {block.b.x, block.b.y, block.b.z, reach_m.data()},
+                             block.columns);
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -213,8 +392,16 @@ class EntrySearch {
     return speed_m;
   }
 
-  static Sphere bound_of(PlacedTree& tree, std::int32_t node) {
-    return tree.of_spheres() ? tree.world_sphere(node) : bounding_sphere(tree.world_volume(node));
+  void place_roots() {
+    pair_.a.world_lanes(0, 1);
+    pair_.b.world_lanes(0, 1);
+  }
+
+  /// What is not a number is near nothing and far from nothing.
+  [[nodiscard]] bool all_finite() const {
+    return std::isfinite(fastest_m_) && pose_a_.position.allFinite() &&
+           pose_b_.position.allFinite() && pose_a_.orientation.coeffs().allFinite() &&
+           pose_b_.orientation.coeffs().allFinite();
   }
 
   [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
@@ -226,13 +413,15 @@ class EntrySearch {
   bool of_spheres_;
   double slow_m_;
   double hair_m_;
-  std::vector<RelativeStretch> stretches_;
+  Stretches stretches_;
   const RelativeStretch* stretch_{nullptr};
   Pose pose_a_;
   Pose pose_b_;
   bool overlapped_at_start_{false};
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
+  double fastest_m_{0.0};  ///< that any points come together in the stretch (metres a step)
+  bool skips_{false};
   std::int64_t tests_{0};
 };
 

@@ -25,8 +25,8 @@
 
 namespace impetus {
 
-/// Node pairs that are looked at for one pair of bodies; then they go on by what a slow pair may,
-/// and stop there.
+/// Node pairs that are looked at for one pair of bodies, when nothing less is asked for; then they
+/// go on by what a slow pair may, and stop there.
 inline constexpr std::int64_t kMostEntryTests = 20'000;
 
 /// Two bodies, their ways, and how finely they are looked at. Both trees must outlive it, and are
@@ -37,6 +37,7 @@ struct PairOnTheWay {
   const BodyPath& path_a;
   const BodyPath& path_b;
   int greatest_level;
+  std::int64_t most_tests{kMostEntryTests};  ///< at least 1
 };
 
 /// What a pair may move without being fast (metres): the least half-thickness of a's nodes and
