@@ -109,6 +109,7 @@ class EntrySearch {
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
     fastest_m_ = stretch.fastest(pair_.a.reach_m(), pair_.b.reach_m());
+    turning_m_ = stretch.turn_a * pair_.a.reach_m() + stretch.turn_b * pair_.b.reach_m();
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
@@ -277,7 +278,7 @@ class EntrySearch {
       return;
     }
     place_roots();
-    skips_ = all_finite();
+    skips_ = bounds_hold();
     bound_spheres({0, 0}, pair_.a.world_sphere(0), pair_.b.world_sphere(0), 0, 0.0);
   }
 
@@ -337,26 +338,45 @@ class EntrySearch {
     for_each_set(
         block, at_least < safe_ ? near_in(block) : 0, [] { return false; },
         [&](int row, int column) {
-          bound_spheres({block.first.a + row, block.first.b + column}, sphere_of(block.a, row),
-                        sphere_of(block.b, column), level, at_least);
+          const Sphere a = sphere_of(block.a, row);
+          const Sphere b = sphere_of(block.b, column);
+          if (at_least < safe_ && !surely_apart(a, b)) {
+            bound_spheres({block.first.a + row, block.first.b + column}, a, b, level, at_least);
+          }
         });
+  }
+
+  /// Far above what rounding can do to any of the lengths that are compared (metres).
+  [[nodiscard]] double margin_m() const {
+    return kMargin * (safe_ * fastest_m_ + pair_.a.reach_m() + pair_.b.reach_m());
   }
 
   /// The pairs of a block that could touch within safe_, whichever way the bodies move. Of all
   /// others time_apart() is no less than safe_: they are further apart than anything goes until
-  /// then, by more than rounding.
+  /// then.
   [[nodiscard]] std::uint64_t near_in(const SphereBlock& block) const {
     if (!skips_) {
       return all_of(block);
     }
-    const double way_m = std::max(0.0, safe_ * fastest_m_ - hair_m_);
-    const double wider_m = way_m + kMargin * (way_m + pair_.a.reach_m() + pair_.b.reach_m());
+    const double wider_m = std::max(0.0, safe_ * fastest_m_ - hair_m_) + margin_m();
     std::array<double, kLanes> reach_m{};
     for (int column = 0; column < block.columns; ++column) {
       reach_m[static_cast<std::size_t>(column)] = block.b.radius_m[column] + wider_m;
     }
     return overlaps_of_block(block.a, block.rows, {block.b.x, block.b.y, block.b.z, reach_m.data()},
                              block.columns);
+  }
+
+  /// The same by the way the bodies move: whether time_apart() is surely no less than safe_. With
+  /// the offset o and its length d, (d − r_a − r_b + hair) d ≥ safe (max(0, −o·v) + turning d).
+  [[nodiscard]] bool surely_apart(const Sphere& a, const Sphere& b) const {
+    const Vector3 offset = a.centre - b.centre;
+    const double distance_m = offset.norm();
+    const double gap_m = distance_m - a.radius_m - b.radius_m;
+    const double margin = margin_m();
+    const double closing = std::max(0.0, -offset.dot(stretch_->velocity));
+    return skips_ && gap_m > margin &&
+           (gap_m + hair_m_ - margin - safe_ * turning_m_) * distance_m >= safe_ * closing;
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -397,11 +417,17 @@ class EntrySearch {
     pair_.b.world_lanes(0, 1);
   }
 
-  /// What is not a number is near nothing and far from nothing.
-  [[nodiscard]] bool all_finite() const {
-    return std::isfinite(fastest_m_) && pose_a_.position.allFinite() &&
-           pose_b_.position.allFinite() && pose_a_.orientation.coeffs().allFinite() &&
-           pose_b_.orientation.coeffs().allFinite();
+  /// Whether what points of the bodies reach and how fast they go is bounded as it should be: not
+  /// of what is not a number, of orientations that stretch, or so far off that rounding counts.
+  [[nodiscard]] bool bounds_hold() const {
+    constexpr double kFar = 1e5;
+    constexpr double kStretch = 1e-11;
+    const auto holds = [&](const Pose& pose, double reach_m) {
+      return pose.position.allFinite() && pose.position.cwiseAbs().maxCoeff() <= kFar * reach_m &&
+             std::abs(pose.orientation.squaredNorm() - 1.0) <= kStretch;
+    };
+    return std::isfinite(fastest_m_) && holds(pose_a_, pair_.a.reach_m()) &&
+           holds(pose_b_, pair_.b.reach_m());
   }
 
   [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
@@ -421,6 +447,7 @@ class EntrySearch {
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
   double fastest_m_{0.0};  ///< that any points come together in the stretch (metres a step)
+  double turning_m_{0.0};  ///< of it, by the turning
   bool skips_{false};
   std::int64_t tests_{0};
 };
