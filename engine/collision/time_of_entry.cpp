@@ -109,7 +109,7 @@ class EntrySearch {
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
     fastest_m_ = stretch.fastest(pair_.a.reach_m(), pair_.b.reach_m());
-    turning_m_ = stretch.turn_a * pair_.a.reach_m() + stretch.turn_b * pair_.b.reach_m();
+    speed_m_ = stretch.velocity.norm();
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
@@ -200,13 +200,13 @@ class EntrySearch {
   void for_each_set(const SphereBlock& block, std::uint64_t bits, const FoundEnough& found_enough,
                     const Visit& visit) {
     int counted = 0;
-    for (; bits != 0; bits &= bits - 1) {
+    for (; bits != 0 && !found_enough(); bits &= bits - 1) {
       const int bit = std::countr_zero(bits);
       const int row = bit / kLanes;
       const int column = bit % kLanes;
       const int place = row * block.columns + column;
       count(place - counted);
-      if (capped() || found_enough()) {
+      if (capped()) {
         return;
       }
       count(1);
@@ -279,7 +279,9 @@ class EntrySearch {
     }
     place_roots();
     skips_ = bounds_hold();
-    bound_spheres({0, 0}, pair_.a.world_sphere(0), pair_.b.world_sphere(0), 0, 0.0);
+    const Sphere a = pair_.a.world_sphere(0);
+    const Sphere b = pair_.b.world_sphere(0);
+    bound_spheres({0, 0}, a, b, turning_speed_m(a, b), 0, 0.0);
   }
 
   /// Lowers safe_ to the time for which the finest nodes below this pair cannot touch. `at_least`
@@ -303,9 +305,8 @@ class EntrySearch {
   }
 
   /// The same of spheres, a block at a time.
-  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, int level,
-                     double at_least) {
-    const double turning_m = turning_speed_m(a, b);
+  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, double turning_m,
+                     int level, double at_least) {
     const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
     bound_by(nodes, level, time, turning_m, [&] {
       for_each_block_below(nodes,
@@ -335,16 +336,28 @@ class EntrySearch {
     if (capped()) {
       return;
     }
+    if (at_least >= safe_) {
+      count(block.rows * block.columns);
+      return;
+    }
+    const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
+    const LaneValues turning_b = turning_of(block.b, block.columns, pose_b_, stretch_->turn_b);
+    const std::uint64_t near = skips_ ? near_in(block, turning_a, turning_b) : all_of(block);
     for_each_set(
-        block, at_least < safe_ ? near_in(block) : 0, [] { return false; },
+        block, near, [] { return false; },
         [&](int row, int column) {
           const Sphere a = sphere_of(block.a, row);
           const Sphere b = sphere_of(block.b, column);
-          if (at_least < safe_ && !surely_apart(a, b)) {
-            bound_spheres({block.first.a + row, block.first.b + column}, a, b, level, at_least);
+          const double turning_m = turning_a[lane(row)] + turning_b[lane(column)];
+          if (at_least < safe_ && !surely_apart(a, b, turning_m)) {
+            bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
+                          at_least);
           }
         });
   }
+
+  using LaneValues = std::array<double, kLanes>;
+  static std::size_t lane(int index) { return static_cast<std::size_t>(index); }
 
   /// Far above what rounding can do to any of the lengths that are compared (metres).
   [[nodiscard]] double margin_m() const {
@@ -354,29 +367,41 @@ class EntrySearch {
   /// The pairs of a block that could touch within safe_, whichever way the bodies move. Of all
   /// others time_apart() is no less than safe_: they are further apart than anything goes until
   /// then.
-  [[nodiscard]] std::uint64_t near_in(const SphereBlock& block) const {
-    if (!skips_) {
-      return all_of(block);
+  [[nodiscard]] std::uint64_t near_in(const SphereBlock& block, const LaneValues& turning_a,
+                                      const LaneValues& turning_b) const {
+    const double wider_m = std::max(0.0, safe_ * speed_m_ - hair_m_) + margin_m();
+    LaneValues reach_a{};
+    LaneValues reach_b{};
+    for (int row = 0; row < block.rows; ++row) {
+      reach_a[lane(row)] = block.a.radius_m[row] + safe_ * turning_a[lane(row)];
     }
-    const double wider_m = std::max(0.0, safe_ * fastest_m_ - hair_m_) + margin_m();
-    std::array<double, kLanes> reach_m{};
     for (int column = 0; column < block.columns; ++column) {
-      reach_m[static_cast<std::size_t>(column)] = block.b.radius_m[column] + wider_m;
+      reach_b[lane(column)] =
+          block.b.radius_m[column] + (safe_ * turning_b[lane(column)] + wider_m);
     }
-    return overlaps_of_block(block.a, block.rows, {block.b.x, block.b.y, block.b.z, reach_m.data()},
-                             block.columns);
+    return overlaps_of_block({block.a.x, block.a.y, block.a.z, reach_a.data()}, block.rows,
+                             {block.b.x, block.b.y, block.b.z, reach_b.data()}, block.columns);
   }
 
   /// The same by the way the bodies move: whether time_apart() is surely no less than safe_. With
   /// the offset o and its length d, (d − r_a − r_b + hair) d ≥ safe (max(0, −o·v) + turning d).
-  [[nodiscard]] bool surely_apart(const Sphere& a, const Sphere& b) const {
+  [[nodiscard]] bool surely_apart(const Sphere& a, const Sphere& b, double turning_m) const {
     const Vector3 offset = a.centre - b.centre;
     const double distance_m = offset.norm();
     const double gap_m = distance_m - a.radius_m - b.radius_m;
     const double margin = margin_m();
     const double closing = std::max(0.0, -offset.dot(stretch_->velocity));
     return skips_ && gap_m > margin &&
-           (gap_m + hair_m_ - margin - safe_ * turning_m_) * distance_m >= safe_ * closing;
+           (gap_m + hair_m_ - margin - safe_ * turning_m) * distance_m >= safe_ * closing;
+  }
+
+  /// How fast points of each sphere can move by their body's turning.
+  static LaneValues turning_of(const SphereLanes& lanes, int count, const Pose& pose, double turn) {
+    LaneValues speeds_m{};
+    for (int index = 0; turn > 0.0 && index < count; ++index) {
+      speeds_m[lane(index)] = turning_speed_m(sphere_of(lanes, index), pose, turn);
+    }
+    return speeds_m;
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -404,12 +429,16 @@ class EntrySearch {
   [[nodiscard]] double turning_speed_m(const Sphere& a, const Sphere& b) const {
     double speed_m = 0.0;
     if (stretch_->turn_a > 0.0) {
-      speed_m += stretch_->turn_a * ((a.centre - pose_a_.position).norm() + a.radius_m);
+      speed_m += turning_speed_m(a, pose_a_, stretch_->turn_a);
     }
     if (stretch_->turn_b > 0.0) {
-      speed_m += stretch_->turn_b * ((b.centre - pose_b_.position).norm() + b.radius_m);
+      speed_m += turning_speed_m(b, pose_b_, stretch_->turn_b);
     }
     return speed_m;
+  }
+
+  static double turning_speed_m(const Sphere& sphere, const Pose& pose, double turn) {
+    return turn * ((sphere.centre - pose.position).norm() + sphere.radius_m);
   }
 
   void place_roots() {
@@ -447,7 +476,7 @@ class EntrySearch {
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
   double fastest_m_{0.0};  ///< that any points come together in the stretch (metres a step)
-  double turning_m_{0.0};  ///< of it, by the turning
+  double speed_m_{0.0};    ///< the same without the turning
   bool skips_{false};
   std::int64_t tests_{0};
 };
