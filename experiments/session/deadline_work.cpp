@@ -15,11 +15,13 @@ constexpr double kMostUnits = 512.0;
 /// Of the units that still fit before the deadline.
 constexpr double kShareOfSlice = 0.125;
 
-/// Fewer units than these say little about what a unit takes: the looks at the clock count in.
+/// How slow a step is, is told by as many of its first units, which are of coarse nodes and as cold
+/// as what follows detection; fewer say little, since the looks at the clock count in.
 constexpr std::int64_t kTellingUnits = 1'000;
 
-/// Modelling and response touch memory that detection did not: how much slower they may be.
-constexpr double kSafety = 1.5;
+/// What those take, the looks included, where later phases take kLeastNsPerUnit: 30 to 55 ns in
+/// crowds, less among few bodies.
+constexpr double kUsualNsPerUnit = 40.0;
 
 }  // namespace
 
@@ -29,6 +31,7 @@ void DeadlineWork::start_step() {
   slice_end_ = 0;
   refused_ = false;
   first_done_ = -1;
+  ns_per_unit_ = 0.0;
 }
 
 std::int64_t DeadlineWork::request(std::int64_t total, std::int64_t reserved) {
@@ -49,13 +52,14 @@ double DeadlineWork::fitting_units(std::int64_t now_ns, std::int64_t done, std::
     first_done_ = done;
     first_ns_ = now_ns;
   }
-  double ns_per_unit = kLeastNsPerUnit;
-  if (done - first_done_ >= kTellingUnits) {
+  if (ns_per_unit_ == 0.0 && done - first_done_ >= kTellingUnits) {
     const double measured_ns =
         static_cast<double>(now_ns - first_ns_) / static_cast<double>(done - first_done_);
-    ns_per_unit = std::max(ns_per_unit, kSafety * measured_ns);
+    ns_per_unit_ = kLeastNsPerUnit * std::max(1.0, measured_ns / kUsualNsPerUnit);
   }
-  return static_cast<double>(deadline_ns_ - now_ns) / ns_per_unit - static_cast<double>(reserved);
+  const double later_ns_per_unit = std::max(kLeastNsPerUnit, ns_per_unit_);
+  return static_cast<double>(deadline_ns_ - now_ns) / later_ns_per_unit -
+         static_cast<double>(reserved);
 }
 
 }  // namespace impetus

@@ -75,27 +75,27 @@ TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
 }
 
 TEST(DeadlineWork, AStepThatProvedSlowReservesMoreTime) {
-  // Between the looks at 400,000 and 600,000, 2,000 units took 100 ns each; with half as much
-  // again, the 15,000 ns that are left are enough for fewer than 100.
-  for (const std::int64_t reserved : {99, 100}) {
+  // Between the looks at 400,000 and 600,000, 2,000 units took 100 ns each, not 40: the 15,000 ns
+  // that are left are enough for fewer than 600 of 25 ns.
+  for (const std::int64_t reserved : {599, 600}) {
     const TickingClock clock(200'000);
     DeadlineWork meter(clock, 415'000);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
-    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 99 ? 2'199 : 100);
-    EXPECT_EQ(meter.request(2'600, 0), reserved == 99 ? 2'199 : 100) << "past the deadline";
+    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 599 ? 2'699 : 100);
+    EXPECT_EQ(meter.request(3'300, 0), reserved == 599 ? 2'699 : 100) << "past the deadline";
   }
 }
 
 TEST(DeadlineWork, TooFewUnitsDoNotTellHowSlowAStepIs) {
-  // 8 units between two looks 400 ns apart: at 75 ns a unit the reserve would not fit.
-  for (const std::int64_t done : {108, 1'100}) {
-    const TickingClock clock(done == 108 ? 400 : 50'000);
-    DeadlineWork meter(clock, done == 108 ? 401'200 : 520'000);
+  // 50 ns a unit both times, and 110,000 ns left for 10,000 units: enough for 10 ns each alone.
+  constexpr std::int64_t kReserved = 10'000;
+  for (const std::int64_t done : {8, 1'000}) {
+    const TickingClock clock(50 * done);
+    DeadlineWork meter(clock, 110'000 + 2 * 50 * done);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
-    constexpr std::int64_t kReserved = 10'000;
-    EXPECT_EQ(meter.request(done + kReserved, kReserved), done == 108 ? 10'108 : 100);
+    EXPECT_EQ(meter.request(100 + done + kReserved, kReserved), done == 8 ? 10'108 : 100);
   }
 }
 
