@@ -8,7 +8,6 @@
 
 #include "engine/collision_reports.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
-#include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
 namespace {
@@ -113,17 +112,21 @@ void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
   for (const PriorityList& list : settings_.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
-  Stopping stopping = stop_at_entry(
-      {dt_s, models_, before, candidates, greatest_level, settings_.costs, settings_.rotation},
-      states_, placed_);
+  const Stopping& stopping =
+      stop_at_entry({dt_s, models_, before, candidates, greatest_level, settings_.costs,
+                     settings_.rotation, kMostStops, settings_.most_entry_tests},
+                    states_, placed_, entries_);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;
   }
   report.work_floor = stopping.work;
-  report.stopped = std::move(stopping.stopped);
+  report.stopped = stopping.stopped;
   if (!report.stopped.empty()) {
     report.degradations |= kStoppedShort;
+  }
+  if (stopping.ran_out) {
+    report.degradations |= kEntryTestsSpent;
   }
 }
 
@@ -149,8 +152,16 @@ void World::measure_motion_and_fit(PairBounds& pair) const {
   }
 }
 
+bool World::is_capped_by_speed(BodyPair bodies) const {
+  if (is_wall(bodies.b)) {
+    return false;
+  }
+  return settings_.tunnelling == Tunnelling::kCapped ||
+         (settings_.tunnelling == Tunnelling::kStopAtEntry && entries_.result.lacked_tests(bodies));
+}
+
 int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const {
-  if (settings_.tunnelling != Tunnelling::kCapped || is_wall(bodies.b)) {
+  if (!is_capped_by_speed(bodies)) {
     return greatest_level;
   }
   const auto turning_m_s = [&](std::int32_t body) {

@@ -19,6 +19,7 @@
 #include "engine/collision/sweep_and_prune.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/stop_at_entry.hpp"
 #include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -72,6 +73,7 @@ class World {
   void add_wall_candidates(const std::vector<MovedBound>& bounds,
                            std::vector<PairBounds>& candidates) const;
   void measure_motion_and_fit(PairBounds& pair) const;
+  [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
   std::vector<ScheduledPair> prioritise(const std::vector<PairBounds>& candidates,
                                         const StepInput& input);
@@ -98,6 +100,7 @@ class World {
   std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
   PriorityMemory priorities_;
   LevelMemory levels_;
+  EntryMemory entries_;
 };
 
 }  // namespace impetus

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "engine/dynamics/restitution.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_costs.hpp"
+#include "engine/scheduling/work_meter.hpp"
 #include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
@@ -36,6 +38,10 @@ struct WorldSettings {
   std::vector<PairRestitution> materials{};
   int wall_material{0};
   Rotation rotation{Rotation::kMidpoint};
+  /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: these tests
+  /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
+  /// are refined as if capped.
+  std::int64_t most_entry_tests{kUnlimitedTests};
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.
