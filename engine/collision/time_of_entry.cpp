@@ -2,13 +2,12 @@
 #include "engine/collision/time_of_entry.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 
+#include "engine/collision/near_spheres.hpp"
 #include "engine/collision/node_gap.hpp"
-#include "engine/collision/node_pairs.hpp"
+#include "engine/collision/sphere_block.hpp"
 
 namespace impetus {
 namespace {
@@ -27,41 +26,6 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 double safe_depth_m(const VolumeTree& tree, int level) {
   const double half_m = tree.least_half_thickness_m(level);
   return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
-}
-
-/// What stands for a node one level deeper: its children, or itself.
-NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
-  const NodeLinks& links = tree.links(node);
-  return links.child_count > 0 ? links : NodeLinks{node, 1};
-}
-
-/// Of a test that is skipped: how much further apart than they must be two nodes are taken to be,
-/// as a share of all lengths that go into it. Far above what rounding can do.
-constexpr double kMargin = 1e-9;
-
-/// Spheres of two trees: `rows` of a from node `first.a` on, `columns` of b from `first.b` on.
-struct SphereBlock {
-  NodePair first;
-  SphereLanes a;
-  int rows;
-  SphereLanes b;
-  int columns;
-};
-
-Sphere sphere_of(const SphereLanes& lanes, int index) {
-  return {{lanes.x[index], lanes.y[index], lanes.z[index]}, lanes.radius_m[index]};
-}
-
-SphereLanes from(const SphereLanes& lanes, std::int32_t index) {
-  return {lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
-}
-
-std::uint64_t all_of(const SphereBlock& block) {
-  std::uint64_t bits = 0;
-  for (int row = 0; row < block.rows; ++row) {
-    bits |= ((std::uint64_t{1} << block.columns) - 1) << (kLanes * row);
-  }
-  return bits;
 }
 
 class EntrySearch {
@@ -108,8 +72,7 @@ class EntrySearch {
 
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
-    fastest_m_ = stretch.fastest(pair_.a.reach_m(), pair_.b.reach_m());
-    speed_m_ = stretch.velocity.norm();
+    near_.enter(stretch, pair_.a.reach_m(), pair_.b.reach_m());
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
@@ -159,29 +122,6 @@ class EntrySearch {
 
   /// Tests that were skipped because their outcome is known.
   void count(std::int64_t tests) { tests_ = std::min(tests_ + tests, pair_.most_tests); }
-
-  /// All pairs one level below, in blocks, row by row. Precondition: of_spheres_.
-  template <typename Visit>
-  void for_each_block_below(const NodePair& nodes, const Visit& visit) const {
-    const NodeLinks of_a = one_level_deeper(pair_.a.tree(), nodes.a);
-    const NodeLinks of_b = one_level_deeper(pair_.b.tree(), nodes.b);
-    const NodePair first{of_a.first_child, of_b.first_child};
-    const SphereLanes a = pair_.a.world_lanes(of_a.first_child, of_a.child_count);
-    const SphereLanes b = pair_.b.world_lanes(of_b.first_child, of_b.child_count);
-    if (of_a.child_count <= kLanes && of_b.child_count <= kLanes) {
-      visit(SphereBlock{first, a, of_a.child_count, b, of_b.child_count});
-      return;
-    }
-    for (std::int32_t i = 0; i < of_a.child_count; ++i) {
-      for (std::int32_t j = 0; j < of_b.child_count; j += kLanes) {
-        visit(SphereBlock{{first.a + i, first.b + j},
-                          from(a, i),
-                          /*rows=*/1,
-                          from(b, j),
-                          std::min(of_b.child_count - j, kLanes)});
-      }
-    }
-  }
 
   template <typename Visit>
   void for_each_pair_below(const NodePair& nodes, const Visit& visit) const {
@@ -240,7 +180,7 @@ class EntrySearch {
       overlapped_at_start_ = true;
       allowed_depth_m_ = std::max(allowed_depth_m_, -gap_of(nodes).gap_m);
     } else if (of_spheres_) {
-      for_each_block_below(nodes,
+      for_each_block_below(pair_.a, pair_.b, nodes,
                            [&](const SphereBlock& block) { measure_depth(block, level + 1); });
     } else {
       for_each_pair_below(nodes, [&](const NodePair& below) {
@@ -278,7 +218,7 @@ class EntrySearch {
       return;
     }
     place_roots();
-    skips_ = bounds_hold();
+    near_.place(pose_a_, pose_b_);
     const Sphere a = pair_.a.world_sphere(0);
     const Sphere b = pair_.b.world_sphere(0);
     bound_spheres({0, 0}, a, b, turning_speed_m(a, b), 0, 0.0);
@@ -309,7 +249,7 @@ class EntrySearch {
                      int level, double at_least) {
     const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
     bound_by(nodes, level, time, turning_m, [&] {
-      for_each_block_below(nodes,
+      for_each_block_below(pair_.a, pair_.b, nodes,
                            [&](const SphereBlock& block) { bound_block(block, level + 1, time); });
     });
   }
@@ -342,57 +282,18 @@ class EntrySearch {
     }
     const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
     const LaneValues turning_b = turning_of(block.b, block.columns, pose_b_, stretch_->turn_b);
-    const std::uint64_t near = skips_ ? near_in(block, turning_a, turning_b) : all_of(block);
+    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning_a, turning_b);
     for_each_set(
         block, near, [] { return false; },
         [&](int row, int column) {
           const Sphere a = sphere_of(block.a, row);
           const Sphere b = sphere_of(block.b, column);
           const double turning_m = turning_a[lane(row)] + turning_b[lane(column)];
-          if (at_least < safe_ && !surely_apart(a, b, turning_m)) {
+          if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
             bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
                           at_least);
           }
         });
-  }
-
-  using LaneValues = std::array<double, kLanes>;
-  static std::size_t lane(int index) { return static_cast<std::size_t>(index); }
-
-  /// Far above what rounding can do to any of the lengths that are compared (metres).
-  [[nodiscard]] double margin_m() const {
-    return kMargin * (safe_ * fastest_m_ + pair_.a.reach_m() + pair_.b.reach_m());
-  }
-
-  /// The pairs of a block that could touch within safe_, whichever way the bodies move. Of all
-  /// others time_apart() is no less than safe_: they are further apart than anything goes until
-  /// then.
-  [[nodiscard]] std::uint64_t near_in(const SphereBlock& block, const LaneValues& turning_a,
-                                      const LaneValues& turning_b) const {
-    const double wider_m = std::max(0.0, safe_ * speed_m_ - hair_m_) + margin_m();
-    LaneValues reach_a{};
-    LaneValues reach_b{};
-    for (int row = 0; row < block.rows; ++row) {
-      reach_a[lane(row)] = block.a.radius_m[row] + safe_ * turning_a[lane(row)];
-    }
-    for (int column = 0; column < block.columns; ++column) {
-      reach_b[lane(column)] =
-          block.b.radius_m[column] + (safe_ * turning_b[lane(column)] + wider_m);
-    }
-    return overlaps_of_block({block.a.x, block.a.y, block.a.z, reach_a.data()}, block.rows,
-                             {block.b.x, block.b.y, block.b.z, reach_b.data()}, block.columns);
-  }
-
-  /// The same by the way the bodies move: whether time_apart() is surely no less than safe_. With
-  /// the offset o and its length d, (d − r_a − r_b + hair) d ≥ safe (max(0, −o·v) + turning d).
-  [[nodiscard]] bool surely_apart(const Sphere& a, const Sphere& b, double turning_m) const {
-    const Vector3 offset = a.centre - b.centre;
-    const double distance_m = offset.norm();
-    const double gap_m = distance_m - a.radius_m - b.radius_m;
-    const double margin = margin_m();
-    const double closing = std::max(0.0, -offset.dot(stretch_->velocity));
-    return skips_ && gap_m > margin &&
-           (gap_m + hair_m_ - margin - safe_ * turning_m) * distance_m >= safe_ * closing;
   }
 
   /// How fast points of each sphere can move by their body's turning.
@@ -446,19 +347,6 @@ class EntrySearch {
     pair_.b.world_lanes(0, 1);
   }
 
-  /// Whether what points of the bodies reach and how fast they go is bounded as it should be: not
-  /// of what is not a number, of orientations that stretch, or so far off that rounding counts.
-  [[nodiscard]] bool bounds_hold() const {
-    constexpr double kFar = 1e5;
-    constexpr double kStretch = 1e-11;
-    const auto holds = [&](const Pose& pose, double reach_m) {
-      return pose.position.allFinite() && pose.position.cwiseAbs().maxCoeff() <= kFar * reach_m &&
-             std::abs(pose.orientation.squaredNorm() - 1.0) <= kStretch;
-    };
-    return std::isfinite(fastest_m_) && holds(pose_a_, pair_.a.reach_m()) &&
-           holds(pose_b_, pair_.b.reach_m());
-  }
-
   [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
     return of_spheres_ ? gap_of_bounds(pair_.a.world_sphere(nodes.a), pair_.b.world_sphere(nodes.b))
                        : gap_of_nodes(pair_.a.world_volume(nodes.a), pair_.b.world_volume(nodes.b));
@@ -475,9 +363,7 @@ class EntrySearch {
   bool overlapped_at_start_{false};
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
-  double fastest_m_{0.0};  ///< that any points come together in the stretch (metres a step)
-  double speed_m_{0.0};    ///< the same without the turning
-  bool skips_{false};
+  NearSpheres near_;
   std::int64_t tests_{0};
 };
 

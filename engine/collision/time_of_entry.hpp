@@ -11,6 +11,10 @@
 // refinement counts them: a pair whose parents are apart does not touch. The bound of a pair of
 // trees is found by branch and bound over their node pairs.
 //
+// Trees of spheres are searched a block of siblings at a time: those that could touch in time are
+// looked at closely, in their order (near_spheres.hpp). Tests that are skipped are counted, so a
+// search costs what it is worth, in whatever way it is done.
+//
 // Bodies that already overlap at the start may go on as long as they do not overlap by more; those
 // that overlap by more than they are thick are left to the response.
 // (Mirtich 1996; Zhang et al. 2006, for the directed speeds; Dingliana 2002, sec. 5.3.2)
