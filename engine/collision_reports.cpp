@@ -8,10 +8,8 @@
 namespace impetus {
 namespace {
 
-bool comes_first(const ModelledCollision& x, const ModelledCollision& y) {
-  const BodyPair& of_x = x.report.bodies;
-  const BodyPair& of_y = y.report.bodies;
-  return std::pair(of_x.a, of_x.b) < std::pair(of_y.a, of_y.b);
+bool comes_first(const CollisionReport& x, const CollisionReport& y) {
+  return std::pair(x.bodies.a, x.bodies.b) < std::pair(y.bodies.a, y.bodies.b);
 }
 
 bool is_shallower(const Contact& x, const Contact& y) { return x.touch.depth_m < y.touch.depth_m; }
@@ -24,43 +22,63 @@ std::pair<std::size_t, std::size_t> range_of(const CollisionReport& collision) {
 
 }  // namespace
 
-void add_by_bodies(const CollisionReport& like, const std::vector<Contact>& contacts,
-                   std::vector<ModelledCollision>& modelled) {
-  const BodyPair* bodies = nullptr;
-  for (const Contact& contact : contacts) {
-    if (bodies == nullptr || !(*bodies == contact.bodies)) {
-      modelled.push_back({like, {}});
-      modelled.back().report.bodies = contact.bodies;
-      bodies = &contact.bodies;
+void restart(StepReport& report) {
+  StepReport fresh;
+  const auto keep = [](auto& memory, auto& empty) {
+    memory.clear();
+    empty.swap(memory);
+  };
+  keep(report.collisions, fresh.collisions);
+  keep(report.list_work, fresh.list_work);
+  keep(report.state.bodies, fresh.state.bodies);
+  keep(report.contacts, fresh.contacts);
+  keep(report.pops, fresh.pops);
+  keep(report.stopped, fresh.stopped);
+  keep(report.node_contacts, fresh.node_contacts);
+  report = std::move(fresh);
+}
+
+void ModelledCollisions::clear() {
+  collisions_.clear();
+  contacts_.clear();
+  taken_ = 0;
+}
+
+void ModelledCollisions::add_contacts_as(const CollisionReport& like) {
+  for (; taken_ < contacts_.size(); ++taken_) {
+    const BodyPair& bodies = contacts_[taken_].bodies;
+    if (taken_ == 0 || !(bodies == contacts_[taken_ - 1].bodies)) {
+      collisions_.push_back(like);
+      collisions_.back().bodies = bodies;
+      collisions_.back().first_contact = static_cast<std::int32_t>(taken_);
+      collisions_.back().contact_count = 0;
     }
-    modelled.back().contacts.push_back(contact);
+    ++collisions_.back().contact_count;
   }
 }
 
-void report_in_order(std::vector<ModelledCollision> modelled, StepReport& report) {
-  std::stable_sort(modelled.begin(), modelled.end(), comes_first);
-  for (ModelledCollision& each : modelled) {
-    each.report.contact =
-        *std::max_element(each.contacts.begin(), each.contacts.end(), is_shallower);
-    each.report.first_contact = static_cast<std::int32_t>(report.contacts.size());
-    each.report.contact_count = static_cast<std::int32_t>(each.contacts.size());
-    report.collisions.push_back(each.report);
-    for (const Contact& contact : each.contacts) {
-      report.contacts.push_back({contact.touch});
+void ModelledCollisions::report_in_order(StepReport& report) {
+  std::sort(collisions_.begin(), collisions_.end(), comes_first);
+  for (CollisionReport& each : collisions_) {
+    const auto first = contacts_.begin() + each.first_contact;
+    const auto end = first + each.contact_count;
+    each.contact = *std::max_element(first, end, is_shallower);
+    each.first_contact = static_cast<std::int32_t>(report.contacts.size());
+    report.collisions.push_back(each);
+    for (auto contact = first; contact != end; ++contact) {
+      report.contacts.push_back({contact->touch});
     }
   }
 }
 
-std::vector<Contact> contacts_to_respond_to(const StepReport& report) {
-  std::vector<Contact> contacts;
-  contacts.reserve(report.contacts.size());
+void contacts_to_respond_to(const StepReport& report, std::vector<Contact>& contacts) {
+  contacts.clear();
   for (const CollisionReport& collision : report.collisions) {
     const auto [first, end] = range_of(collision);
     for (std::size_t i = first; i < end; ++i) {
       contacts.push_back({collision.bodies, report.contacts[i].touch});
     }
   }
-  return contacts;
 }
 
 void report_response(const ResponseResult& result, StepReport& report) {

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/dynamics/impulse.hpp"
@@ -14,21 +15,33 @@
 
 namespace impetus {
 
-struct ModelledCollision {
-  CollisionReport report;
-  std::vector<Contact> contacts;  ///< one or more, all of its bodies
+/// Forgets what `report` said, and keeps its memory.
+void restart(StepReport& report);
+
+/// The collisions as they are modelled, whoever is refined first.
+class ModelledCollisions {
+ public:
+  void clear();
+
+  /// The contacts of one refined pair are added here, at the end ...
+  [[nodiscard]] std::vector<Contact>& contacts() { return contacts_; }
+
+  /// ... and then become collisions, one for each run of the same bodies, in all else like `like`.
+  void add_contacts_as(const CollisionReport& like);
+
+  /// Reports the collisions by their bodies, and their contacts behind them; `contact` of each is
+  /// its deepest, of equals the first.
+  void report_in_order(StepReport& report);
+
+ private:
+  std::vector<CollisionReport> collisions_;
+  std::vector<Contact> contacts_;
+  std::size_t taken_{0};  ///< contacts that are of a collision
 };
 
-/// Adds a collision for each run of `contacts` of the same bodies, in all else like `like`.
-void add_by_bodies(const CollisionReport& like, const std::vector<Contact>& contacts,
-                   std::vector<ModelledCollision>& modelled);
-
-/// Reports the collisions by their bodies, whoever was refined first, and their contacts behind
-/// them; `contact` of each is its deepest, of equals the first.
-void report_in_order(std::vector<ModelledCollision> modelled, StepReport& report);
-
-/// The contacts that the response gets, in the order of StepReport::contacts.
-std::vector<Contact> contacts_to_respond_to(const StepReport& report);
+/// The contacts that the response gets, in the order of StepReport::contacts, instead of what
+/// `contacts` held.
+void contacts_to_respond_to(const StepReport& report, std::vector<Contact>& contacts);
 
 /// Adds what the response to those contacts did: to each, and in all to each collision.
 void report_response(const ResponseResult& result, StepReport& report);

@@ -23,10 +23,9 @@ bool comes_before(const TouchingLevel& x, const TouchingLevel& y) {
 
 }  // namespace
 
-std::vector<LevelPop> LevelMemory::note(std::vector<TouchingLevel> touching,
-                                        const std::vector<BodyModel>& models,
-                                        const Viewer& viewer) {
-  std::vector<LevelPop> pops;
+void LevelMemory::note(const std::vector<TouchingLevel>& touching,
+                       const std::vector<BodyModel>& models, const Viewer& viewer,
+                       std::vector<LevelPop>& pops) {
   for (const TouchingLevel& now : touching) {
     const auto then = std::lower_bound(before_.begin(), before_.end(), now, comes_before);
     if (then == before_.end() || !(then->bodies == now.bodies) || now.level >= then->level) {
@@ -37,8 +36,7 @@ std::vector<LevelPop> LevelMemory::note(std::vector<TouchingLevel> touching,
     pops.push_back({now.bodies, then->level, now.level,
                     spanned_by_length_deg(std::max(0.0, grown_m), now.place, viewer)});
   }
-  before_ = std::move(touching);
-  return pops;
+  before_ = touching;
 }
 
 }  // namespace impetus

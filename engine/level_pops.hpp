@@ -29,11 +29,11 @@ struct TouchingLevel {
 
 class LevelMemory {
  public:
-  /// The pops from the pairs noted before to those of this step, in the order of `touching`, which
-  /// is sorted by bodies. Their size is how much more both trees' fit errors are at the level they
-  /// fell to, seen where they touch.
-  std::vector<LevelPop> note(std::vector<TouchingLevel> touching,
-                             const std::vector<BodyModel>& models, const Viewer& viewer);
+  /// Adds the pops from the pairs noted before to those of this step, in the order of `touching`,
+  /// which is sorted by bodies. Their size is how much more both trees' fit errors are at the level
+  /// they fell to, seen where they touch.
+  void note(const std::vector<TouchingLevel>& touching, const std::vector<BodyModel>& models,
+            const Viewer& viewer, std::vector<LevelPop>& pops);
 
  private:
   std::vector<TouchingLevel> before_;

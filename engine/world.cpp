@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 
 namespace impetus {
 namespace {
@@ -66,60 +65,82 @@ void World::change_settings(WorldSettings changed) {
   settings_ = std::move(changed);
 }
 
-StepReport World::step(const StepInput& input, WorkMeter& meter) {
-  StepReport report;
-  const std::vector<PairBounds> candidates = move_and_pair(input.dt_s, report);
-  const std::vector<ScheduledPair> order = prioritise(candidates, input);
-  const std::vector<RefinedPair> refined = refine(order, input, meter, report);
-  model(refined, report);
-  count_later_phases(refined, report);
-  respond_to(report);
-  note_touching(input.viewer, report);
-  report.state = hash_state(states_);
-  return report;
+const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
+  restart(memory_.report);
+  move_and_pair(input.dt_s);
+  prioritise(input);
+  refine(input, meter);
+  model();
+  respond(input.dt_s);
+  note_touching(input.viewer);
+  hash_state(states_, memory_.report.state);
+  return memory_.report;
 }
 
-std::vector<PairBounds> World::move_and_pair(double dt_s, StepReport& report) {
+void World::move_and_pair(double dt_s) {
   const bool stops_fast_pairs = settings_.tunnelling == Tunnelling::kStopAtEntry;
-  const std::vector<BodyState> before = stops_fast_pairs ? states_ : std::vector<BodyState>{};
-  std::vector<MovedBound> bounds;
-  bounds.reserve(models_.size());
+  if (stops_fast_pairs) {
+    memory_.before = states_;
+  }
+  find_falls(dt_s);
+  std::vector<MovedBound>& bounds = memory_.bounds;
+  bounds.clear();
   for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation);
+    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
+                                       memory_.falls.empty() ? Fall{} : memory_.falls[body]);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
     bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
   }
-  std::vector<PairBounds> candidates = broad_phase_.candidates(bounds);
+  broad_phase_.find(bounds, memory_.candidates);
   if (stops_fast_pairs) {
-    stop_fast_pairs(before, dt_s, candidates, report);
+    stop_fast_pairs(dt_s);
   }
   for (std::size_t body = 0; body < models_.size(); ++body) {
     placed_[body].move_to(states_[body].pose);
     bounds[body].bound.centre = states_[body].pose.position;
   }
   if (settings_.enclosure) {
-    add_wall_candidates(bounds, candidates);
+    add_wall_candidates();
   }
-  for (PairBounds& pair : candidates) {
+  for (PairBounds& pair : memory_.candidates) {
     measure_motion_and_fit(pair);
   }
-  return candidates;
 }
 
-void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
-                            std::vector<PairBounds>& candidates, StepReport& report) {
+void World::find_falls(double dt_s) {
+  memory_.falls.clear();
+  if (settings_.gravity_m_s2.isZero(0.0)) {
+    return;
+  }
+  memory_.falls.resize(models_.size());
+  for (const TouchingPair& pair : touching_) {
+    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
+      if (!is_wall(body)) {
+        memory_.falls[at(body)].supported = true;
+      }
+    }
+  }
+  for (std::size_t body = 0; body < models_.size(); ++body) {
+    memory_.falls[body] = fall_of(models_[body], states_[body], memory_.falls[body].supported,
+                                  settings_.gravity_m_s2, dt_s);
+  }
+}
+
+void World::stop_fast_pairs(double dt_s) {
   int greatest_level = 0;
   for (const PriorityList& list : settings_.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
+  std::vector<PairBounds>& candidates = memory_.candidates;
   const Stopping& stopping =
-      stop_at_entry({dt_s, models_, before, candidates, greatest_level, settings_.costs,
-                     settings_.rotation, kMostStops, settings_.most_entry_tests},
-                    states_, placed_, entries_);
+      stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level, settings_.costs,
+                     settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
+                    states_, placed_, memory_.entries);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;
   }
+  StepReport& report = memory_.report;
   report.work_floor = stopping.work;
   report.stopped = stopping.stopped;
   if (!report.stopped.empty()) {
@@ -130,12 +151,11 @@ void World::stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
   }
 }
 
-void World::add_wall_candidates(const std::vector<MovedBound>& bounds,
-                                std::vector<PairBounds>& candidates) const {
-  for (std::size_t body = 0; body < bounds.size(); ++body) {
-    const Sphere& bound = bounds[body].bound;
-    if (bounds[body].movable && reaches_wall(*settings_.enclosure, bound)) {
-      candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
+void World::add_wall_candidates() {
+  for (std::size_t body = 0; body < memory_.bounds.size(); ++body) {
+    const auto& [bound, travelled_m, movable] = memory_.bounds[body];
+    if (movable && reaches_wall(*settings_.enclosure, bound)) {
+      memory_.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
     }
   }
 }
@@ -157,7 +177,8 @@ bool World::is_capped_by_speed(BodyPair bodies) const {
     return false;
   }
   return settings_.tunnelling == Tunnelling::kCapped ||
-         (settings_.tunnelling == Tunnelling::kStopAtEntry && entries_.result.lacked_tests(bodies));
+         (settings_.tunnelling == Tunnelling::kStopAtEntry &&
+          memory_.entries.result.lacked_tests(bodies));
 }
 
 int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const {
@@ -177,50 +198,52 @@ int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_leve
                       greatest_level);
 }
 
-std::vector<ScheduledPair> World::prioritise(const std::vector<PairBounds>& candidates,
-                                             const StepInput& input) {
-  std::vector<MeasuredPair> pairs =
-      measured(candidates, settings_.schedule, input.viewer, input.fixation, input.region);
+void World::prioritise(const StepInput& input) {
+  std::vector<MeasuredPair>& pairs = memory_.order;
+  measure(memory_.candidates, settings_.schedule, input.viewer, input.fixation, input.region,
+          pairs);
   priorities_.raise(pairs, settings_.schedule.persistence_steps);
-  return in_order(std::move(pairs));
+  put_in_order(pairs);
 }
 
-std::vector<RefinedPair> World::refine(const std::vector<ScheduledPair>& order,
-                                       const StepInput& input, WorkMeter& meter,
-                                       StepReport& report) {
-  std::vector<RefinedPair> refined;
-  refined.reserve(order.size());
-  for (const ScheduledPair& pair : order) {
-    refined.push_back(begin_refining(pair, input));
+void World::refine(const StepInput& input, WorkMeter& meter) {
+  memory_.refined.clear();
+  for (const MeasuredPair& pair : memory_.order) {
+    begin_refining(pair.scheduled, input);
   }
+  StepReport& report = memory_.report;
   const Schedule& schedule = settings_.schedule;
-  WorkDone work =
-      refine_by_lists(refined, schedule.lists, meter,
-                      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
+  const WorkDone& work = memory_.refinement.refine(
+      memory_.refined.all(), schedule.lists, meter,
+      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
   report.work_granted = work.granted;
   report.work_spent = work.spent;
   report.work_floor = work.floor;
   report.work_reserved = work.reserved;
   report.work_peak = work.peak;
-  report.list_work = std::move(work.by_list);
+  report.list_work = work.by_list;
   if (report.work_granted < report.work_floor) {
     report.degradations |= kFloorOverBudget;
   }
-  return refined;
 }
 
-RefinedPair World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
+void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
   const auto& [bodies, list] = pair;
   const int greatest = settings_.schedule.lists[at(list)].greatest_level;
   const int capped = level_capped_by_speed(bodies, input.dt_s, greatest);
   const StopReason at_greatest =
       capped < greatest ? StopReason::kCapped : StopReason::kGreatestLevel;
-  PlacedTree& a = placed_[at(bodies.a)];
   const bool walls = is_wall(bodies.b);
-  RefinedPair begun{bodies, list,
-                    walls ? PairRefinement(a, *settings_.enclosure, greatest)
-                          : PairRefinement(a, placed_[at(bodies.b)], capped, at_greatest)};
+  RefinedPair& begun = memory_.refined.add();
+  begun.bodies = bodies;
+  begun.list = list;
   begun.walls = walls ? walls_in_reach(at(bodies.a)) : 1;
+  PlacedTree& a = placed_[at(bodies.a)];
+  if (walls) {
+    begun.refinement.begin(a, *settings_.enclosure, greatest);
+  } else {
+    begun.refinement.begin(a, placed_[at(bodies.b)], capped, at_greatest);
+  }
   if (settings_.schedule.traversal == Traversal::kBestFirst) {
     const auto bound = [this](std::int32_t body) {
       return Sphere{states_[at(body)].pose.position, models_[at(body)].tree->bounding_radius_m()};
@@ -228,7 +251,6 @@ RefinedPair World::begin_refining(const ScheduledPair& pair, const StepInput& in
     const PairBounds bounds{bodies, bound(bodies.a), bound(walls ? bodies.a : bodies.b)};
     begun.eye_distance_m = (collision_place(bounds) - input.viewer.eye).norm();
   }
-  return begun;
 }
 
 int World::walls_in_reach(std::size_t body) const {
@@ -240,15 +262,6 @@ int World::walls_in_reach(std::size_t body) const {
   return count;
 }
 
-void World::count_later_phases(const std::vector<RefinedPair>& refined, StepReport& report) const {
-  const PhaseCosts costs(settings_.costs, settings_.contacts);
-  for (const RefinedPair& pair : refined) {
-    const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
-    report.work_spent += costs.of_modelling(pair, nodes);
-  }
-  report.work_spent += costs.of_response(static_cast<std::int64_t>(report.contacts.size()));
-}
-
 MovingTree World::moving(std::size_t body) {
   const BodyModel& model = models_[body];
   const BodyState& state = states_[body];
@@ -256,16 +269,36 @@ MovingTree World::moving(std::size_t body) {
           {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
 }
 
-std::vector<Contact> World::contacts_of(const RefinedPair& pair, std::vector<Contact>* watched) {
+void World::model() {
+  StepReport& report = memory_.report;
+  ModelledCollisions& modelled = memory_.modelled;
+  modelled.clear();
+  for (const RefinedPair& pair : memory_.refined.all()) {
+    if (!pair.refinement.overlapping().empty()) {
+      add_contacts_of(pair);
+      CollisionReport collision;
+      collision.list = pair.list;
+      collision.level = pair.refinement.level();
+      collision.stop = pair.refinement.stop_reason();
+      modelled.add_contacts_as(collision);
+    }
+  }
+  modelled.report_in_order(report);
+  for (CollisionReport& collision : report.collisions) {
+    collision.began = touched_before(collision.bodies) == nullptr;
+  }
+  count_later_phases();
+}
+
+void World::add_contacts_of(const RefinedPair& pair) {
   const BodyPair bodies = pair.bodies;
   const PairRefinement& refinement = pair.refinement;
-  if (refinement.overlapping().empty()) {
-    return {};
-  }
+  std::vector<Contact>* watched = watches_node_contacts_ ? &memory_.report.node_contacts : nullptr;
   const MovingTree a = moving(at(bodies.a));
   if (is_wall(bodies.b)) {
-    return wall_contacts(bodies.a, refinement, a, *settings_.enclosure, settings_.contacts,
-                         watched);
+    memory_.modelling.add_wall_contacts(bodies.a, refinement, a, *settings_.enclosure,
+                                        settings_.contacts, memory_.modelled.contacts(), watched);
+    return;
   }
   const MovingTree b = moving(at(bodies.b));
   NormalFallbacks fallbacks{a.motion.centre_of_mass - b.motion.centre_of_mass,
@@ -273,51 +306,41 @@ std::vector<Contact> World::contacts_of(const RefinedPair& pair, std::vector<Con
   if (const TouchingPair* before = touched_before(bodies)) {
     fallbacks.last_normal = before->normal;
   }
-  return pair_contacts(bodies, refinement, a, b, fallbacks, settings_.contacts, watched);
+  memory_.modelling.add_pair_contacts(bodies, refinement, a, b, fallbacks, settings_.contacts,
+                                      memory_.modelled.contacts(), watched);
 }
 
-void World::model(const std::vector<RefinedPair>& refined, StepReport& report) {
-  std::vector<ModelledCollision> modelled;
-  for (const RefinedPair& pair : refined) {
-    const std::vector<Contact> contacts =
-        contacts_of(pair, watches_node_contacts_ ? &report.node_contacts : nullptr);
-    CollisionReport collision;
-    collision.list = pair.list;
-    collision.level = pair.refinement.level();
-    collision.stop = pair.refinement.stop_reason();
-    add_by_bodies(collision, contacts, modelled);
+void World::count_later_phases() {
+  const PhaseCosts costs(settings_.costs, settings_.contacts);
+  StepReport& report = memory_.report;
+  for (const RefinedPair& pair : memory_.refined.all()) {
+    const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
+    report.work_spent += costs.of_modelling(pair, nodes);
   }
-  report_in_order(std::move(modelled), report);
-  for (CollisionReport& collision : report.collisions) {
-    collision.began = touched_before(collision.bodies) == nullptr;
-  }
+  report.work_spent += costs.of_response(static_cast<std::int64_t>(report.contacts.size()));
 }
 
-ResponseResult World::response_to(const std::vector<Contact>& contacts) {
-  const std::vector<double> restitutions =
-      Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.of(contacts,
-                                                                                           models_);
-  return settings_.response == ResponseMethod::kInTurn
-             ? respond(contacts, restitutions, models_, states_)
-             : respond_together(contacts, restitutions, models_, states_);
+const ResponseResult& World::response_to_contacts(double dt_s) {
+  contacts_to_respond_to(memory_.report, memory_.contacts);
+  Restitutions{settings_.restitution, settings_.materials, settings_.wall_material}.find(
+      memory_.contacts, models_, memory_.restitutions);
+  ResponseRules rules;
+  rules.method = settings_.response;
+  rules.most_passes = settings_.most_response_passes;
+  rules.resting_m_s = kRestingSteps * settings_.gravity_m_s2.norm() * dt_s;
+  return memory_.responder.respond(memory_.contacts, memory_.restitutions, rules, models_, states_);
 }
 
-void World::respond_to(StepReport& report) {
+void World::respond(double dt_s) {
+  StepReport& report = memory_.report;
   touching_.clear();
   for (const CollisionReport& collision : report.collisions) {
     touching_.push_back({collision.bodies, collision.contact.touch.normal});
   }
-  const ResponseResult result = response_to(contacts_to_respond_to(report));
+  const ResponseResult& result = response_to_contacts(dt_s);
   report_response(result, report);
   for (CollisionReport& collision : report.collisions) {
-    if (collision.began && collision.impulse_Ns > 0.0 && settings_.imposed_hold_s > 0.0) {
-      collision.imposed_hold_s = settings_.imposed_hold_s;
-      for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
-        if (!is_wall(body)) {
-          states_[at(body)].held_s = settings_.imposed_hold_s;
-        }
-      }
-    }
+    hold_where_imposed(collision);
   }
   if (result.residual_approach_m_s > 0.0) {
     report.degradations |= kApproachRemains;
@@ -327,22 +350,38 @@ void World::respond_to(StepReport& report) {
   }
 }
 
-void World::note_touching(const Viewer& viewer, StepReport& report) {
-  std::vector<BodyPair> touching;
-  std::vector<TouchingLevel> levels;
-  for (const CollisionReport& collision : report.collisions) {
+void World::hold_where_imposed(CollisionReport& collision) {
+  if (!collision.began || !(collision.impulse_Ns > 0.0) || !(settings_.imposed_hold_s > 0.0)) {
+    return;
+  }
+  collision.imposed_hold_s = settings_.imposed_hold_s;
+  for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
+    if (!is_wall(body)) {
+      states_[at(body)].held_s = settings_.imposed_hold_s;
+    }
+  }
+}
+
+void World::note_touching(const Viewer& viewer) {
+  std::vector<BodyPair>& touching = memory_.touching;
+  std::vector<TouchingLevel>& levels = memory_.touching_levels;
+  touching.clear();
+  levels.clear();
+  for (const CollisionReport& collision : memory_.report.collisions) {
     touching.push_back(collision.bodies);
     levels.push_back({collision.bodies, collision.level, collision.contact.touch.point});
   }
-  priorities_.note_touching(std::move(touching));
-  report.pops = levels_.note(std::move(levels), models_, viewer);
+  priorities_.note_touching(touching);
+  levels_.note(levels, models_, viewer, memory_.report.pops);
 }
 
 const TouchingPair* World::touched_before(BodyPair bodies) const {
-  const auto found =
-      std::find_if(touching_.begin(), touching_.end(),
-                   [bodies](const TouchingPair& pair) { return pair.bodies == bodies; });
-  return found == touching_.end() ? nullptr : &*found;
+  const auto found = std::lower_bound(touching_.begin(), touching_.end(), bodies,
+                                      [](const TouchingPair& pair, const BodyPair& wanted) {
+                                        return std::pair(pair.bodies.a, pair.bodies.b) <
+                                               std::pair(wanted.a, wanted.b);
+                                      });
+  return found != touching_.end() && found->bodies == bodies ? &*found : nullptr;
 }
 
 }  // namespace impetus

@@ -15,15 +15,11 @@
 
 #include <vector>
 
-#include "engine/collision/list_refinement.hpp"
-#include "engine/collision/sweep_and_prune.hpp"
 #include "engine/dynamics/body.hpp"
-#include "engine/dynamics/impulse.hpp"
-#include "engine/dynamics/stop_at_entry.hpp"
-#include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/step.hpp"
+#include "engine/step_memory.hpp"
 #include "engine/world_settings.hpp"
 
 namespace impetus {
@@ -43,7 +39,8 @@ class World {
   /// an unequal number, a body without a tree, or settings out of range.
   World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings);
 
-  StepReport step(const StepInput& input, WorkMeter& meter);
+  /// What it returns stays until the next step, and as long as the world does.
+  const StepReport& step(const StepInput& input, WorkMeter& meter);
 
   [[nodiscard]] const std::vector<BodyModel>& models() const { return models_; }
   [[nodiscard]] const std::vector<BodyState>& states() const { return states_; }
@@ -67,27 +64,25 @@ class World {
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 
  private:
-  std::vector<PairBounds> move_and_pair(double dt_s, StepReport& report);
-  void stop_fast_pairs(const std::vector<BodyState>& before, double dt_s,
-                       std::vector<PairBounds>& candidates, StepReport& report);
-  void add_wall_candidates(const std::vector<MovedBound>& bounds,
-                           std::vector<PairBounds>& candidates) const;
+  void move_and_pair(double dt_s);
+  void find_falls(double dt_s);
+  void stop_fast_pairs(double dt_s);
+  void add_wall_candidates();
   void measure_motion_and_fit(PairBounds& pair) const;
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
-  std::vector<ScheduledPair> prioritise(const std::vector<PairBounds>& candidates,
-                                        const StepInput& input);
-  std::vector<RefinedPair> refine(const std::vector<ScheduledPair>& order, const StepInput& input,
-                                  WorkMeter& meter, StepReport& report);
-  RefinedPair begin_refining(const ScheduledPair& pair, const StepInput& input);
+  void prioritise(const StepInput& input);
+  void refine(const StepInput& input, WorkMeter& meter);
+  void begin_refining(const ScheduledPair& pair, const StepInput& input);
   [[nodiscard]] int walls_in_reach(std::size_t body) const;
-  void count_later_phases(const std::vector<RefinedPair>& refined, StepReport& report) const;
-  void note_touching(const Viewer& viewer, StepReport& report);
-  std::vector<Contact> contacts_of(const RefinedPair& pair, std::vector<Contact>* watched);
+  void model();
+  void add_contacts_of(const RefinedPair& pair);
+  void count_later_phases();
   [[nodiscard]] MovingTree moving(std::size_t body);
-  void model(const std::vector<RefinedPair>& refined, StepReport& report);
-  ResponseResult response_to(const std::vector<Contact>& contacts);
-  void respond_to(StepReport& report);
+  void respond(double dt_s);
+  const ResponseResult& response_to_contacts(double dt_s);
+  void hold_where_imposed(CollisionReport& collision);
+  void note_touching(const Viewer& viewer);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
 
@@ -97,10 +92,10 @@ class World {
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
-  std::vector<TouchingPair> touching_;  ///< pairs in contact after the last step
+  std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies
   PriorityMemory priorities_;
   LevelMemory levels_;
-  EntryMemory entries_;
+  StepMemory memory_;
 };
 
 }  // namespace impetus

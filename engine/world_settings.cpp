@@ -24,6 +24,13 @@ std::string problem_of(const WorldSettings& settings) {
     return "world: expected 0 or more tests of entry a step, got " +
            std::to_string(settings.most_entry_tests);
   }
+  if (!settings.gravity_m_s2.allFinite()) {
+    return "world: gravity must be finite";
+  }
+  if (settings.most_response_passes < 1) {
+    return "world: the response needs one pass or more, got " +
+           std::to_string(settings.most_response_passes);
+  }
   for (const std::string& problem :
        {of_world(problem_of(settings.materials)),
         of_world(settings.enclosure ? problem_of(*settings.enclosure) : ""),

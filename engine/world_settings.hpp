@@ -9,6 +9,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/tunnelling.hpp"
+#include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
 #include "engine/scheduling/priority_lists.hpp"
@@ -17,10 +18,6 @@
 #include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
-
-/// How the impulses of contacts that affect each other are found: one after the other, or for all
-/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
-enum class ResponseMethod { kInTurn, kTogether };
 
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
@@ -38,6 +35,12 @@ struct WorldSettings {
   std::vector<PairRestitution> materials{};
   int wall_material{0};
   Rotation rotation{Rotation::kMidpoint};
+  /// Of every body that can move (motion.hpp); where there is any, approaches slower than it gives
+  /// a body in kRestingSteps steps are given nothing back.
+  Vector3 gravity_m_s2{Vector3::Zero()};
+  /// Over the contacts of an island, in a step; what still approaches is left to the next step
+  /// (ResponseRules::most_passes).
+  int most_response_passes{kUnlimitedPasses};
   /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: these tests
   /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
   /// are refined as if capped.

@@ -9,36 +9,6 @@
 namespace impetus {
 namespace {
 
-/// Reduces the contacts of one pair, or of a body and a wall.
-class Reducing {
- public:
-  Reducing(BodyPair bodies, const ContactModel& model, const Vector3& fallback,
-           std::vector<Contact>* watched)
-      : bodies_(bodies),
-        most_(model.most_per_pair),
-        sums_(reduction_of(model).begin(fallback)),
-        watched_(watched) {}
-
-  void add(const NodeContact& contact) {
-    sums_->add(contact);
-    if (watched_ != nullptr) {
-      watched_->push_back({bodies_, contact.touch});
-    }
-  }
-
-  void add_reduced_to(std::vector<Contact>& contacts, double size_m) const {
-    for (const TouchPoint& touch : spanning_most_torque(sums_->reduced(), most_, size_m)) {
-      contacts.push_back({bodies_, touch});
-    }
-  }
-
- private:
-  BodyPair bodies_;
-  int most_;
-  std::unique_ptr<ContactSums> sums_;
-  std::vector<Contact>* watched_;
-};
-
 Vector3 outward_in_world(const PlacedTree& tree, const NodeSurface& surface) {
   return tree.pose().orientation * surface.density_normal.cast<double>();
 }
@@ -94,38 +64,101 @@ Vector3 NormalFallbacks::first_usable() const {
   return Vector3::UnitX();
 }
 
-std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
-                                   const MovingTree& b, const NormalFallbacks& fallbacks,
-                                   const ContactModel& model, std::vector<Contact>* watched) {
-  std::vector<Contact> contacts;
+void ContactModelling::begin(BodyPair bodies, const ContactModel& model, const Vector3& fallback,
+                             std::vector<Contact>* watched) {
+  if (!sums_ || reduction_ != model.reduction) {
+    reduction_ = model.reduction;
+    sums_ = reduction_of(model).make_sums();
+  }
+  sums_->begin(fallback);
+  bodies_ = bodies;
+  watched_ = watched;
+}
+
+void ContactModelling::add(const NodeContact& contact) {
+  sums_->add(contact);
+  if (watched_ != nullptr) {
+    watched_->push_back({bodies_, contact.touch});
+  }
+}
+
+void ContactModelling::add_touches(std::span<const TouchPoint> touches) {
+  sums_->add_touches(touches);
+  if (watched_ != nullptr) {
+    for (const TouchPoint& touch : touches) {
+      watched_->push_back({bodies_, touch});
+    }
+  }
+}
+
+void ContactModelling::add_touches_of_spheres(const PairRefinement& pair, const MovingTree& a,
+                                              const MovingTree& b, const Vector3& fallback) {
+  SpherePairs spheres{};
+  TouchPoint touches[kLanes];
+  int lanes = 0;
+  const SphereLanes of_a = a.tree.world_lanes_of_visited();
+  const SphereLanes of_b = b.tree.world_lanes_of_visited();
+  const auto add_lanes = [&] {
+    touches_of_pairs(spheres, fallback, touches);
+    add_touches({touches, static_cast<std::size_t>(lanes)});
+    lanes = 0;
+  };
+  pair.overlapping().for_each([&](std::int32_t node_a, std::int32_t node_b) {
+    spheres.put(lanes, of_a, node_a, of_b, node_b);
+    if (++lanes == kLanes) {
+      add_lanes();
+    }
+  });
+  if (lanes > 0) {
+    add_lanes();
+  }
+}
+
+void ContactModelling::add_reduced_to(std::vector<Contact>& contacts, int most, double size_m) {
+  reduced_.clear();
+  sums_->reduce_to(reduced_);
+  keep_spanning_most_torque(reduced_, most, size_m);
+  for (const TouchPoint& touch : reduced_) {
+    contacts.push_back({bodies_, touch});
+  }
+}
+
+void ContactModelling::add_pair_contacts(BodyPair bodies, const PairRefinement& pair,
+                                         const MovingTree& a, const MovingTree& b,
+                                         const NormalFallbacks& fallbacks,
+                                         const ContactModel& model, std::vector<Contact>& contacts,
+                                         std::vector<Contact>* watched) {
   if (pair.overlapping().empty()) {
-    return contacts;
+    return;
   }
   const Vector3 fallback = fallbacks.first_usable();
   const bool weighs = reduction_of(model).weighs();
-  Reducing reducing(bodies, model, fallback, watched);
-  for (const NodePair& nodes : pair.overlapping()) {
-    NodeContact contact;
-    contact.touch = touch_of_nodes(a.tree, nodes.a, b.tree, nodes.b, fallback);
-    if (weighs) {
-      weigh(contact, nodes, a, b);
+  begin(bodies, model, fallback, watched);
+  if (pair.of_spheres() && !weighs) {
+    add_touches_of_spheres(pair, a, b, fallback);
+  } else {
+    for (const NodePair& nodes : pair.overlapping()) {
+      NodeContact contact;
+      contact.touch = touch_of_nodes(a.tree, nodes.a, b.tree, nodes.b, fallback);
+      if (weighs) {
+        weigh(contact, nodes, a, b);
+      }
+      add(contact);
     }
-    reducing.add(contact);
   }
-  reducing.add_reduced_to(
-      contacts, std::min(a.tree.tree().bounding_radius_m(), b.tree.tree().bounding_radius_m()));
-  return contacts;
+  add_reduced_to(contacts, model.most_per_pair,
+                 std::min(a.tree.tree().bounding_radius_m(), b.tree.tree().bounding_radius_m()));
 }
 
-std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
-                                   const MovingTree& a, const Enclosure& walls,
-                                   const ContactModel& model, std::vector<Contact>* watched) {
-  std::vector<Contact> contacts;
+void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement& pair,
+                                         const MovingTree& a, const Enclosure& walls,
+                                         const ContactModel& model, std::vector<Contact>& contacts,
+                                         std::vector<Contact>* watched) {
   const bool weighs = reduction_of(model).weighs();
   for (int wall = 0; wall < kWallCount; ++wall) {
     const Vector3 normal = inward_normal(walls, wall);
     const std::size_t of_walls_before = contacts.size();
-    Reducing reducing({body, wall_index(wall)}, model, normal, watched);
+    begin({body, wall_index(wall)}, model, normal, watched);
     for (const NodePair& nodes : pair.overlapping()) {
       NodeContact contact;
       contact.touch = touch_of_wall(a.tree, nodes.a, walls, wall);
@@ -133,14 +166,29 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
         if (weighs) {
           weigh_at_wall(contact, nodes.a, a);
         }
-        reducing.add(contact);
+        add(contact);
       }
     }
-    reducing.add_reduced_to(contacts, a.tree.tree().bounding_radius_m());
+    add_reduced_to(contacts, model.most_per_pair, a.tree.tree().bounding_radius_m());
     for (std::size_t i = of_walls_before; i < contacts.size(); ++i) {
       contacts[i].touch.normal = normal;  // whatever a mean of equals rounds to
     }
   }
+}
+
+std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
+                                   const MovingTree& b, const NormalFallbacks& fallbacks,
+                                   const ContactModel& model, std::vector<Contact>* watched) {
+  std::vector<Contact> contacts;
+  ContactModelling().add_pair_contacts(bodies, pair, a, b, fallbacks, model, contacts, watched);
+  return contacts;
+}
+
+std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
+                                   const MovingTree& a, const Enclosure& walls,
+                                   const ContactModel& model, std::vector<Contact>* watched) {
+  std::vector<Contact> contacts;
+  ContactModelling().add_wall_contacts(body, pair, a, walls, model, contacts, watched);
   return contacts;
 }
 

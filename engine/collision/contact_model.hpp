@@ -6,6 +6,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/collision/contact_reduction.hpp"
@@ -49,6 +51,40 @@ struct BodyMotion {
 struct MovingTree {
   PlacedTree& tree;
   BodyMotion motion{};
+};
+
+/// Makes contacts of overlapping nodes, pair after pair, in memory that it keeps.
+class ContactModelling {
+ public:
+  /// Adds to `contacts` those of two bodies whose nodes overlap, reduced and capped as `model`
+  /// says; none when they are apart. `watched`, when there is one, gets the contact of every
+  /// overlapping pair of nodes added.
+  void add_pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
+                         const MovingTree& b, const NormalFallbacks& fallbacks,
+                         const ContactModel& model, std::vector<Contact>& contacts,
+                         std::vector<Contact>* watched = nullptr);
+
+  /// Adds the contacts of body `body` with each wall that its nodes reach, reduced and capped wall
+  /// by wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising
+  /// wall.
+  void add_wall_contacts(std::int32_t body, const PairRefinement& pair, const MovingTree& a,
+                         const Enclosure& walls, const ContactModel& model,
+                         std::vector<Contact>& contacts, std::vector<Contact>* watched = nullptr);
+
+ private:
+  void begin(BodyPair bodies, const ContactModel& model, const Vector3& fallback,
+             std::vector<Contact>* watched);
+  void add(const NodeContact& contact);
+  void add_touches(std::span<const TouchPoint> touches);
+  void add_touches_of_spheres(const PairRefinement& pair, const MovingTree& a, const MovingTree& b,
+                              const Vector3& fallback);
+  void add_reduced_to(std::vector<Contact>& contacts, int most, double size_m);
+
+  std::shared_ptr<const ContactReduction> reduction_;  ///< that sums_ are of; none: average
+  std::unique_ptr<ContactSums> sums_;
+  std::vector<TouchPoint> reduced_;
+  BodyPair bodies_;
+  std::vector<Contact>* watched_{nullptr};
 };
 
 /// The contacts of two bodies whose nodes overlap, reduced and capped as `model` says; none when

@@ -88,24 +88,21 @@ void ContactPatches::add(const NodeContact& contact, double weight) {
   }
 }
 
-std::vector<TouchPoint> ContactPatches::contacts() const {
-  std::vector<Patch> whole;
+void ContactPatches::add_contacts_to(std::vector<TouchPoint>& contacts) const {
+  whole_.clear();
   for (const Patch& patch : patches_) {
-    const auto before = std::find_if(whole.begin(), whole.end(), [&](const Patch& other) {
+    const auto before = std::find_if(whole_.begin(), whole_.end(), [&](const Patch& other) {
       return patch.faces_as(other) && patch.is_near(other);
     });
-    if (before == whole.end()) {
-      whole.push_back(patch);
+    if (before == whole_.end()) {
+      whole_.push_back(patch);
     } else {
       before->join(patch);
     }
   }
-  std::vector<TouchPoint> contacts;
-  contacts.reserve(whole.size());
-  for (const Patch& patch : whole) {
+  for (const Patch& patch : whole_) {
     contacts.push_back(patch.contact());
   }
-  return contacts;
 }
 
 }  // namespace impetus

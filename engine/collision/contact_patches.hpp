@@ -29,9 +29,11 @@ class ContactPatches {
   /// Adds a contact of weight P ≥ 0.
   void add(const NodeContact& contact, double weight);
 
-  /// One contact for each patch, in the order in which they began: normal ΣPn made unit, point
+  void clear() { patches_.clear(); }
+
+  /// Adds one contact for each patch, in the order in which they began: normal ΣPn made unit, point
   /// ΣPp / ΣP, greatest depth. Weights that are all zero count as equal.
-  [[nodiscard]] std::vector<TouchPoint> contacts() const;
+  void add_contacts_to(std::vector<TouchPoint>& contacts) const;
 
  private:
   struct Patch {
@@ -59,6 +61,7 @@ class ContactPatches {
   Patch* patch_for(const Patch& contact);
 
   std::vector<Patch> patches_;
+  mutable std::vector<Patch> whole_;  ///< memory for patches that are one again
 };
 
 }  // namespace impetus

@@ -7,7 +7,7 @@
 //   density   as groups, with normals from the density gradients
 //   weighted  as groups, weighted by interpenetration and occupancy
 //
-//   nodes --one by one--> ContactSums --reduced()--> few --those that span the torque--> response
+//   nodes --one by one--> ContactSums --reduce_to()--> few --those that span the torque--> response
 //
 // A reduction is a class of sums in a file of its own and a line of the table in the source.
 // (Dingliana 2002, sec. 4.2)
@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -34,29 +35,41 @@ class ContactSums {
 
   virtual ~ContactSums() = default;
 
+  /// Forgets what was added. `fallback` (unit, from b to a) is the normal of contacts whose own
+  /// cancel.
+  virtual void begin(const Vector3& fallback) = 0;
+
   virtual void add(const NodeContact& contact) = 0;
 
-  /// The contacts that are left: one or more when any was added, each normal unit and from b to a.
-  [[nodiscard]] virtual std::vector<TouchPoint> reduced() const = 0;
+  /// Adds contacts of which where they touch is all that the reduction looks at.
+  virtual void add_touches(std::span<const TouchPoint> touches) {
+    for (const TouchPoint& touch : touches) {
+      NodeContact contact;
+      contact.touch = touch;
+      add(contact);
+    }
+  }
+
+  /// Adds to `contacts` those that are left: one or more when any was added, each normal unit and
+  /// from b to a.
+  virtual void reduce_to(std::vector<TouchPoint>& contacts) const = 0;
 };
 
 class ContactReduction {
  public:
   virtual ~ContactReduction() = default;
 
-  /// Sums to which nothing was added. `fallback` (unit, from b to a) is the normal of contacts
-  /// whose own cancel.
-  [[nodiscard]] virtual std::unique_ptr<ContactSums> begin(const Vector3& fallback) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<ContactSums> make_sums() const = 0;
   [[nodiscard]] virtual std::int64_t most() const = 0;  ///< see ContactSums::kMost
   [[nodiscard]] virtual bool weighs() const = 0;        ///< see ContactSums::kWeighs
 };
 
-/// The reduction by a class of sums, which is made from the fallback normal.
+/// The reduction by a class of sums.
 template <class Sums>
 class ReductionBy final : public ContactReduction {
  public:
-  [[nodiscard]] std::unique_ptr<ContactSums> begin(const Vector3& fallback) const override {
-    return std::make_unique<Sums>(fallback);
+  [[nodiscard]] std::unique_ptr<ContactSums> make_sums() const override {
+    return std::make_unique<Sums>();
   }
   [[nodiscard]] std::int64_t most() const override { return Sums::kMost; }
   [[nodiscard]] bool weighs() const override { return Sums::kWeighs; }

@@ -25,14 +25,16 @@ inline Vector3 density_contact_normal(const NodeContact& contact) {
 
 class DensityContacts final : public ContactSums {
  public:
-  explicit DensityContacts(const Vector3& /*fallback*/) {}
+  void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
 
   void add(const NodeContact& contact) override {
     NodeContact faced = contact;
     faced.touch.normal = density_contact_normal(contact);
     patches_.add(faced, /*weight=*/1.0);
   }
-  [[nodiscard]] std::vector<TouchPoint> reduced() const override { return patches_.contacts(); }
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
+    patches_.add_contacts_to(contacts);
+  }
 
  private:
   ContactPatches patches_;

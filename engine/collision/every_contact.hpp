@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/collision/contact_reduction.hpp"
@@ -12,10 +13,14 @@ class EveryContact final : public ContactSums {
  public:
   static constexpr bool kWeighs = false;
 
-  explicit EveryContact(const Vector3& /*fallback*/) {}
-
+  void begin(const Vector3& /*fallback*/) override { contacts_.clear(); }
   void add(const NodeContact& contact) override { contacts_.push_back(contact.touch); }
-  [[nodiscard]] std::vector<TouchPoint> reduced() const override { return contacts_; }
+  void add_touches(std::span<const TouchPoint> touches) override {
+    contacts_.insert(contacts_.end(), touches.begin(), touches.end());
+  }
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
+    contacts.insert(contacts.end(), contacts_.begin(), contacts_.end());
+  }
 
  private:
   std::vector<TouchPoint> contacts_;

@@ -19,7 +19,7 @@ class FirstContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
 
-  explicit FirstContact(const Vector3& /*fallback*/) {}
+  void begin(const Vector3& /*fallback*/) override { first_.clear(); }
 
   void add(const NodeContact& contact) override {
     if (first_.empty() || was_before(contact, first_.front())) {
@@ -27,12 +27,10 @@ class FirstContact final : public ContactSums {
     }
   }
 
-  [[nodiscard]] std::vector<TouchPoint> reduced() const override {
-    std::vector<TouchPoint> contacts;
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
     for (const NodeContact& first : first_) {
       contacts.push_back(first.touch);
     }
-    return contacts;
   }
 
  private:

@@ -12,10 +12,12 @@ namespace impetus {
 
 class GroupedContacts final : public ContactSums {
  public:
-  explicit GroupedContacts(const Vector3& /*fallback*/) {}
+  void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
 
   void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
-  [[nodiscard]] std::vector<TouchPoint> reduced() const override { return patches_.contacts(); }
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
+    patches_.add_contacts_to(contacts);
+  }
 
  private:
   ContactPatches patches_;

@@ -12,7 +12,7 @@ namespace impetus {
 namespace {
 
 /// Brings every pair to its list's least level.
-void do_floor(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
+void do_floor(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
               WorkLedger& ledger) {
   for (std::size_t index = 0; index < pairs.size(); ++index) {
     RefinedPair& pair = pairs[index];
@@ -29,11 +29,23 @@ void do_floor(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& 
 /// The rounds after the floor.
 class Rounds {
  public:
-  Rounds(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
-         const RefinementSettings& settings, const PhaseCosts& costs, WorkLedger& ledger)
-      : pairs_(pairs), settings_(settings), costs_(costs), ledger_(ledger), shares_(lists) {
+  Rounds(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+         const RefinementSettings& settings, const PhaseCosts& costs, WorkLedger& ledger,
+         std::array<WaitingPairs, kMostLists>& waiting)
+      : pairs_(pairs),
+        settings_(settings),
+        costs_(costs),
+        ledger_(ledger),
+        shares_(lists),
+        waiting_(waiting) {
+    for (WaitingPairs& of_list : waiting_) {
+      of_list.clear();
+    }
+    // With one list it decides nothing that pairs which need no work wait for it.
     for (std::size_t index = 0; index < pairs.size(); ++index) {
-      enqueue(index);
+      if (lists.size() > 1 || !pairs[index].refinement.resolved()) {
+        enqueue(index);
+      }
     }
   }
 
@@ -84,34 +96,37 @@ class Rounds {
     --waiting_count_;
   }
 
-  std::vector<RefinedPair>& pairs_;
+  std::span<RefinedPair> pairs_;
   const RefinementSettings& settings_;
   const PhaseCosts& costs_;
   WorkLedger& ledger_;
   ListShares shares_;
-  std::array<WaitingPairs, kMostLists> waiting_{};
+  std::array<WaitingPairs, kMostLists>& waiting_;
   std::array<bool, kMostLists> waits_{};
   std::size_t waiting_count_{0};
 };
 
 }  // namespace
 
-WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings) {
+const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
+                                       const std::vector<PriorityList>& lists, WorkMeter& meter,
+                                       const RefinementSettings& settings) {
   const PhaseCosts costs(settings.costs, settings.contacts);
-  WorkLedger ledger(costs, pairs.size(), settings.work_before);
-  do_floor(pairs, lists, ledger);
-  WorkDone done;
-  done.floor = ledger.total();
-  done.peak = done.floor;
-  done.granted = meter.request(ledger.total(), ledger.reserved());
-  if (lists.size() > 1) {
-    done.by_list.assign(lists.size(), 0);
-  }
-  Rounds(pairs, lists, settings, costs, ledger).run(meter, done);
-  done.spent = ledger.spent();
-  done.reserved = ledger.reserved();
-  return done;
+  ledger_.begin(costs, pairs.size(), settings.work_before);
+  do_floor(pairs, lists, ledger_);
+  done_.floor = ledger_.total();
+  done_.peak = done_.floor;
+  done_.granted = meter.request(ledger_.total(), ledger_.reserved());
+  done_.by_list.assign(lists.size() > 1 ? lists.size() : 0, 0);
+  Rounds(pairs, lists, settings, costs, ledger_, waiting_).run(meter, done_);
+  done_.spent = ledger_.spent();
+  done_.reserved = ledger_.reserved();
+  return done_;
+}
+
+WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+                         WorkMeter& meter, const RefinementSettings& settings) {
+  return ListRefinement().refine(pairs, lists, meter, settings);
 }
 
 }  // namespace impetus

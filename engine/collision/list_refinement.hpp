@@ -12,9 +12,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "engine/collision/waiting_pairs.hpp"
 #include "engine/collision/work_ledger.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -39,10 +42,24 @@ struct RefinementSettings {
   std::int64_t work_before{0};  ///< done already in this step, part of the floor
 };
 
-/// Refines `pairs`, which come by list and by falling priority within each, until all are resolved
-/// or `meter` refuses. `work_before` was done already and is part of the floor. A pair whose next
-/// block is refused gives way to the next of its list.
-WorkDone refine_by_lists(std::vector<RefinedPair>& pairs, const std::vector<PriorityList>& lists,
+/// Refines step after step in memory that it keeps.
+class ListRefinement {
+ public:
+  /// Refines `pairs`, which come by list and by falling priority within each, until all are
+  /// resolved or `meter` refuses. `work_before` was done already and is part of the floor. A pair
+  /// whose next block is refused gives way to the next of its list. The result stays until the next
+  /// call.
+  const WorkDone& refine(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+                         WorkMeter& meter, const RefinementSettings& settings = {});
+
+ private:
+  WorkLedger ledger_;
+  std::array<WaitingPairs, kMostLists> waiting_;
+  WorkDone done_;
+};
+
+/// The same once.
+WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          WorkMeter& meter, const RefinementSettings& settings = {});
 
 }  // namespace impetus

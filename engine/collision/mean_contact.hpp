@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/collision/contact_reduction.hpp"
@@ -18,26 +19,33 @@ class MeanContact final : public ContactSums {
   static constexpr std::int64_t kMost = 1;
   static constexpr bool kWeighs = false;
 
-  explicit MeanContact(const Vector3& fallback) : fallback_(fallback) {}
-
-  void add(const NodeContact& contact) override {
-    points_ += contact.touch.point;
-    normals_ += contact.touch.normal;
-    depth_m_ = std::max(depth_m_, contact.touch.depth_m);
-    ++count_;
+  void begin(const Vector3& fallback) override {
+    *this = MeanContact();
+    fallback_ = fallback;
   }
 
-  [[nodiscard]] std::vector<TouchPoint> reduced() const override {
+  void add(const NodeContact& contact) override { add_touches({&contact.touch, 1}); }
+
+  void add_touches(std::span<const TouchPoint> touches) override {
+    for (const TouchPoint& touch : touches) {
+      points_ += touch.point;
+      normals_ += touch.normal;
+      depth_m_ = std::max(depth_m_, touch.depth_m);
+    }
+    count_ += static_cast<std::int64_t>(touches.size());
+  }
+
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
     if (count_ == 0) {
-      return {};
+      return;
     }
     const double length = normals_.norm();
-    return {{points_ / static_cast<double>(count_),
-             length > 0.0 ? Vector3(normals_ / length) : fallback_, depth_m_}};
+    contacts.push_back({points_ / static_cast<double>(count_),
+                        length > 0.0 ? Vector3(normals_ / length) : fallback_, depth_m_});
   }
 
  private:
-  Vector3 fallback_;
+  Vector3 fallback_{Vector3::UnitX()};
   Vector3 points_{Vector3::Zero()};
   Vector3 normals_{Vector3::Zero()};
   double depth_m_{0.0};

@@ -39,9 +39,8 @@ void add_overlaps_of_spheres(PlacedTree& a, const NodeRange& of_a, PlacedTree& b
   for (std::int32_t row = 0; row < of_a.count; ++row) {
     for (std::int32_t column = 0; column < of_b.count; column += kLanes) {
       const std::int32_t count = std::min(of_b.count - column, kLanes);
-      found.add_block(
-          {of_a.first + row, of_b.first + column},
-          overlaps_of_block(from(rows, row), /*rows=*/1, from(columns, column), count));
+      found.add_block({of_a.first + row, of_b.first + column},
+                      overlaps_of_block(from(rows, row), /*rows=*/1, from(columns, column), count));
     }
   }
 }
@@ -57,7 +56,11 @@ void PairRefinement::begin(PlacedTree& a, PlacedTree& b, int greatest_level,
   at_greatest_ = at_greatest;
   of_spheres_ = a.of_spheres() && b.of_spheres();
   deepest_level_ = std::max(a.tree().level_count(), b.tree().level_count()) - 1;
-  test_roots(nodes_overlap(a, 0, b, 0));
+  if (of_spheres_) {
+    test_roots(overlaps_of_block(a.world_lanes(0, 1), 1, b.world_lanes(0, 1), 1) != 0);
+  } else {
+    test_roots(nodes_overlap(a, 0, b, 0));
+  }
 }
 
 void PairRefinement::begin(PlacedTree& a, const Enclosure& walls, int greatest_level) {
@@ -84,9 +87,8 @@ void PairRefinement::test_roots(bool touch) {
 std::int64_t PairRefinement::block_size(const NodePair& pair) const {
   const std::int32_t of_a = a_->tree().links(pair.a).child_count;
   const std::int32_t of_b = b_ != nullptr ? b_->tree().links(pair.b).child_count : 0;
-  return of_a == 0 && of_b == 0
-             ? 0
-             : static_cast<std::int64_t>(std::max(of_a, 1)) * std::max(of_b, 1);
+  return of_a == 0 && of_b == 0 ? 0
+                                : static_cast<std::int64_t>(std::max(of_a, 1)) * std::max(of_b, 1);
 }
 
 std::int64_t PairRefinement::most_found_after_next_block() const {
@@ -102,8 +104,7 @@ std::int64_t PairRefinement::most_found_after_next_block() const {
 
 std::int64_t PairRefinement::tests_of_next_level() const {
   std::int64_t tests = 0;
-  for (NodePairs::Place place = next_; !committed_.is_end(place);
-       place = committed_.after(place)) {
+  for (NodePairs::Place place = next_; !committed_.is_end(place); place = committed_.after(place)) {
     tests += block_size(committed_.at(place));
   }
   return tests;

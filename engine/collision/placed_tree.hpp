@@ -57,6 +57,12 @@ class PlacedTree {
     return {&x_[slot], &y_[slot], &z_[slot], own_spheres_->lanes(slot).radius_m};
   }
 
+  /// From node 0 on: the spheres of nodes that a descent has visited since the tree was moved,
+  /// whose world_lanes() were asked for; others mean nothing. Precondition: of_spheres().
+  [[nodiscard]] SphereLanes world_lanes_of_visited() const {
+    return {x_.data(), y_.data(), z_.data(), own_spheres_->lanes(0).radius_m};
+  }
+
   /// The node's volume in world coordinates, transformed at most once per step.
   Volume world_volume(std::int32_t node) {
     return of_spheres() ? Volume(world_sphere(node)) : placed_volume(node);

@@ -2,6 +2,7 @@
 #include "engine/collision/sweep_and_prune.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -76,7 +77,7 @@ void SweepAndPrune::cover(const std::vector<MovedBound>& bodies, int axis) {
 }
 
 void SweepAndPrune::sort() {
-  const auto goes_before = [](const Interval& x, const Interval& y) {
+  const auto goes_before = [](const SweptInterval& x, const SweptInterval& y) {
     return x.least != y.least ? x.least < y.least : x.body < y.body;
   };
   std::size_t moves_left = 8 * intervals_.size();
@@ -91,36 +92,56 @@ void SweepAndPrune::sort() {
   }
 }
 
-std::vector<PairBounds> SweepAndPrune::candidates(const std::vector<MovedBound>& bodies) {
-  const int axis = widest_axis(bodies);
-  cover(bodies, axis);
-  sort();
-  std::vector<BodyPair> found;
-  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+void SweepAndPrune::sweep(std::vector<std::int32_t>& order) {
+  found_.clear();
+  swept_.take(intervals_);
   for (std::size_t i = 0; i < intervals_.size(); ++i) {
-    const Interval& x = intervals_[i];
+    const SweptInterval& x = intervals_[i];
     order[i] = x.body;
-    for (std::size_t j = i + 1; j < intervals_.size() && intervals_[j].least <= x.greatest; ++j) {
-      const Interval& y = intervals_[j];
-      if (y.across_least[0] <= x.across_greatest[0] && x.across_least[0] <= y.across_greatest[0] &&
-          y.across_least[1] <= x.across_greatest[1] && x.across_least[1] <= y.across_greatest[1] &&
-          (x.movable || y.movable)) {
-        found.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
+    for (std::size_t first = i + 1; swept_.reaches(i, first); first += kLanes) {
+      for (std::uint32_t bits = swept_.meeting(i, first); bits != 0; bits &= bits - 1) {
+        const SweptInterval& y =
+            intervals_[first + static_cast<std::size_t>(std::countr_zero(bits))];
+        if (x.movable || y.movable) {
+          found_.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
+        }
       }
     }
   }
-  std::sort(found.begin(), found.end(), [](const BodyPair& p, const BodyPair& q) {
-    return p.b != q.b ? p.b < q.b : p.a < q.a;
-  });
-  std::vector<PairBounds> pairs;
-  for (const BodyPair& pair : found) {
+}
+
+/// By (b, a): by a first, then by b, each in the order before.
+void SweepAndPrune::sort_found(std::size_t bodies) {
+  const auto sort_by = [&](std::int32_t BodyPair::*body, const std::vector<BodyPair>& from,
+                           std::vector<BodyPair>& to) {
+    places_.assign(bodies + 1, 0);
+    for (const BodyPair& pair : from) {
+      ++places_[static_cast<std::size_t>(pair.*body) + 1];
+    }
+    std::partial_sum(places_.begin(), places_.end(), places_.begin());
+    to.resize(from.size());
+    for (const BodyPair& pair : from) {
+      to[places_[static_cast<std::size_t>(pair.*body)]++] = pair;
+    }
+  };
+  sort_by(&BodyPair::a, found_, half_sorted_);
+  sort_by(&BodyPair::b, half_sorted_, found_);
+}
+
+void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs) {
+  const int axis = widest_axis(bodies);
+  cover(bodies, axis);
+  sort();
+  sweep(orders_[static_cast<std::size_t>(axis)]);
+  sort_found(bodies.size());
+  pairs.clear();
+  for (const BodyPair& pair : found_) {
     const MovedBound& a = bodies[static_cast<std::size_t>(pair.a)];
     const MovedBound& b = bodies[static_cast<std::size_t>(pair.b)];
     if (could_meet(a, b)) {
       pairs.push_back({pair, a.bound, b.bound});
     }
   }
-  return pairs;
 }
 
 }  // namespace impetus

@@ -20,30 +20,34 @@
 #include <vector>
 
 #include "engine/collision/broad_phase.hpp"
+#include "engine/collision/swept_intervals.hpp"
 
 namespace impetus {
 
 class SweepAndPrune {
  public:
-  /// What candidate_pairs(bodies) returns, in the same order.
-  std::vector<PairBounds> candidates(const std::vector<MovedBound>& bodies);
+  /// Finds what candidate_pairs(bodies) returns, in the same order; forgets what `pairs` held.
+  void find(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs);
+
+  /// The same, as a list of its own.
+  std::vector<PairBounds> candidates(const std::vector<MovedBound>& bodies) {
+    std::vector<PairBounds> pairs;
+    find(bodies, pairs);
+    return pairs;
+  }
 
  private:
-  /// What a body covers along the axes, while it is swept.
-  struct Interval {
-    double least;
-    double greatest;
-    std::array<double, 2> across_least;
-    std::array<double, 2> across_greatest;
-    std::int32_t body;
-    bool movable;
-  };
-
   void cover(const std::vector<MovedBound>& bodies, int axis);
   void sort();
+  void sweep(std::vector<std::int32_t>& order);
+  void sort_found(std::size_t bodies);
 
   std::array<std::vector<std::int32_t>, 3> orders_;  ///< bodies along each axis, last time
-  std::vector<Interval> intervals_;
+  std::vector<SweptInterval> intervals_;
+  SweptIntervals swept_;
+  std::vector<BodyPair> found_;
+  std::vector<BodyPair> half_sorted_;
+  std::vector<std::size_t> places_;
 };
 
 }  // namespace impetus

@@ -45,12 +45,11 @@ std::size_t furthest_from(const PushCone& cone, const std::vector<Wrench>& wrenc
 
 }  // namespace
 
-std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
-                                             double size_m) {
+void keep_spanning_most_torque(std::vector<TouchPoint>& contacts, int most, double size_m) {
   assert(most >= 1 && size_m > 0.0);
   const auto limit = static_cast<std::size_t>(most);
   if (contacts.size() <= limit) {
-    return contacts;
+    return;
   }
   const std::vector<Wrench> wrenches = wrenches_of(contacts, size_m);
   const auto deepest = std::max_element(
@@ -64,11 +63,16 @@ std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, i
     cone.add(wrenches[next]);
   }
   std::sort(kept.begin(), kept.end());
-  std::vector<TouchPoint> few;
-  for (const std::size_t index : kept) {
-    few.push_back(contacts[index]);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    contacts[i] = contacts[kept[i]];  // kept[i] >= i
   }
-  return few;
+  contacts.resize(kept.size());
+}
+
+std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
+                                             double size_m) {
+  keep_spanning_most_torque(contacts, most, size_m);
+  return contacts;
 }
 
 }  // namespace impetus

@@ -17,8 +17,11 @@
 
 namespace impetus {
 
-/// At most `most` (1 or more) of `contacts`, in their order; all of them when they are no more.
-/// Torques are measured against pushes by `size_m`, the bodies' size. Ties go to the first.
+/// Leaves at most `most` (1 or more) of `contacts`, in their order; all of them when they are no
+/// more. Torques are measured against pushes by `size_m`, the bodies' size. Ties go to the first.
+void keep_spanning_most_torque(std::vector<TouchPoint>& contacts, int most, double size_m);
+
+/// Those that are left.
 std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
                                              double size_m);
 

@@ -25,6 +25,7 @@ double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& c
 
 class WaitingPairs {
  public:
+  void clear() { heap_.clear(); }
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
   /// `index` is the pair's place by priority.

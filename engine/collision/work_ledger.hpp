@@ -61,9 +61,13 @@ class PhaseCosts {
 
 class WorkLedger {
  public:
-  /// `already_spent` is part of the floor.
-  WorkLedger(const PhaseCosts& costs, std::size_t pairs, std::int64_t already_spent)
-      : costs_(costs), spent_(already_spent), reserves_(pairs, 0) {}
+  /// Forgets all before. `already_spent` is part of the floor.
+  void begin(const PhaseCosts& costs, std::size_t pairs, std::int64_t already_spent) {
+    costs_ = costs;
+    spent_ = already_spent;
+    reserved_ = 0;
+    reserves_.assign(pairs, 0);
+  }
 
   /// What the ledger would stand at once the pair's next block is done, at most.
   struct Demand {
@@ -80,8 +84,8 @@ class WorkLedger {
   [[nodiscard]] std::int64_t total() const { return spent_ + reserved_; }
 
  private:
-  PhaseCosts costs_;
-  std::int64_t spent_;
+  PhaseCosts costs_{{}, {}};
+  std::int64_t spent_{0};
   std::int64_t reserved_{0};
   std::vector<std::int64_t> reserves_;  ///< by pair
 };

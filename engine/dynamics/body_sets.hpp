@@ -12,7 +12,11 @@ namespace impetus {
 /// Each body is a set of its own at first. A set is named by its least body.
 class BodySets {
  public:
-  explicit BodySets(std::size_t bodies) : above_(bodies) {
+  explicit BodySets(std::size_t bodies) { separate(bodies); }
+
+  /// As new, of so many bodies.
+  void separate(std::size_t bodies) {
+    above_.resize(bodies);
     std::iota(above_.begin(), above_.end(), std::size_t{0});
   }
 

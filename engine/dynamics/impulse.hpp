@@ -10,12 +10,30 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
 
 namespace impetus {
+
+/// How the impulses of contacts that affect each other are found: one after the other, or for all
+/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
+enum class ResponseMethod { kInTurn, kTogether };
+
+inline constexpr int kUnlimitedPasses = std::numeric_limits<int>::max();
+
+/// As it stands: until nothing approaches, at most two passes for each contact.
+struct ResponseRules {
+  ResponseMethod method{ResponseMethod::kInTurn};
+  /// Where this many passes over the contacts of an island, 1 or more, are fewer than two for each
+  /// contact, they are all there is: no pass without restitution follows, and what still approaches
+  /// is left to the next step. What the response costs is then at most this often its contacts.
+  int most_passes{kUnlimitedPasses};
+  /// Of an approach slower than this (m/s) nothing is given back.
+  double resting_m_s{0.0};
+};
 
 /// Velocity of a's point at the contact relative to b's, along the normal (m/s): negative when
 /// they approach. Arms run from the centres of mass. (eq. 3.2 and 3.3, corrected)
@@ -31,20 +49,6 @@ struct ResponseResult {
   double fastest_m_s{0.0};            ///< largest speed that any contact's bodies brought to it
   double residual_approach_m_s{0.0};  ///< largest approach that the passes left; 0 if negligible
 };
-
-/// What the contacts bring before any response: no impulse yet, no residual.
-ResponseResult incoming(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
-                        const std::vector<BodyState>& states);
-
-/// Notes in `result` the approach that `states` still have.
-void measure_residual(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
-                      const std::vector<BodyState>& states, ResponseResult& result);
-
-/// Passes over `members` of the contacts, one contact after the other, until none approaches; at
-/// most two for each, then one without restitution. Adds to `impulse_Ns`.
-void respond_in_turn(const std::vector<Contact>& contacts, const std::vector<std::size_t>& members,
-                     const std::vector<double>& restitutions, const std::vector<BodyModel>& models,
-                     std::vector<BodyState>& states, std::vector<double>& impulse_Ns);
 
 /// Applies impulses to `states` until no contact approaches or the passes (two per contact) are
 /// used up; what is left is reported. A restitution in [0, 1] for each contact.

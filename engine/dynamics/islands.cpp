@@ -2,40 +2,58 @@
 #include "engine/dynamics/islands.hpp"
 
 #include <limits>
-
-#include "engine/dynamics/body_sets.hpp"
-#include "engine/scheduling/priority.hpp"
+#include <utility>
 
 namespace impetus {
-std::vector<std::vector<std::size_t>> islands_of(const std::vector<Contact>& contacts,
-                                                 const std::vector<BodyModel>& models) {
-  const auto can_move = [&](std::int32_t body) {
-    return !is_wall(body) && models[static_cast<std::size_t>(body)].inverse_mass > 0.0;
-  };
-  BodySets sets(models.size());
-  for (const Contact& contact : contacts) {
-    const auto& [a, b] = contact.bodies;
-    if (can_move(a) && can_move(b)) {
-      sets.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+namespace {
+
+constexpr auto kNone = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+/// Numbered as they come.
+std::size_t Islands::island_of(const ContactArms& contact, const ContactBodies& bodies) {
+  const std::int32_t mover = bodies.moves(contact.a) ? contact.a : contact.b;
+  if (!bodies.moves(mover)) {
+    return kNone;
+  }
+  std::size_t& island = island_of_set_[sets_.name_of(static_cast<std::size_t>(mover))];
+  if (island == kNone) {
+    island = count();
+    first_.push_back(0);
+  }
+  return island;
+}
+
+void Islands::find(const ContactBodies& bodies) {
+  sets_.separate(bodies.body_count());
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    const auto [a, b] = std::pair(bodies.contact(i).a, bodies.contact(i).b);
+    if (!bodies.is_like_the_last(i) && bodies.moves(a) && bodies.moves(b)) {
+      sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     }
   }
-  constexpr auto kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> island_of_set(models.size(), kNone);
-  std::vector<std::vector<std::size_t>> islands;
-  for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-    const auto& [a, b] = contacts[contact].bodies;
-    const std::int32_t mover = can_move(a) ? a : b;
-    if (!can_move(mover)) {
-      continue;
+  island_of_set_.assign(bodies.body_count(), kNone);
+  island_of_contact_.clear();
+  first_.assign(1, 0);
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    const std::size_t island = bodies.is_like_the_last(i) ? island_of_contact_.back()
+                                                          : island_of(bodies.contact(i), bodies);
+    island_of_contact_.push_back(island);
+    if (island != kNone) {
+      ++first_[island + 1];
     }
-    std::size_t& island = island_of_set[sets.name_of(static_cast<std::size_t>(mover))];
-    if (island == kNone) {
-      island = islands.size();
-      islands.emplace_back();
-    }
-    islands[island].push_back(contact);
   }
-  return islands;
+  for (std::size_t island = 0; island < count(); ++island) {
+    first_[island + 1] += first_[island];
+  }
+  members_.resize(first_.back());
+  next_ = first_;
+  for (std::size_t i = 0; i < island_of_contact_.size(); ++i) {
+    if (island_of_contact_[i] != kNone) {
+      members_[next_[island_of_contact_[i]]++] = i;
+    }
+  }
 }
 
 }  // namespace impetus

@@ -47,15 +47,40 @@ Quaternion rotated_keeping_energy(const BodyModel& model, const BodyState& state
   return (start * cayley(dt_s * spin)).normalized();
 }
 
+/// The way of a step of `dt_s` seconds, which is `step` without gravity.
+Vector3 with_fall(const Vector3& step, double dt_s, const Fall& fall) {
+  const Vector3& gravity = fall.gravity_m_s2;
+  if (!fall.supported) {
+    return step + 0.5 * dt_s * dt_s * gravity;
+  }
+  const double down = step.dot(gravity);
+  return fall.resting && down > 0.0 ? Vector3(step - down / gravity.squaredNorm() * gravity) : step;
+}
+
 }  // namespace
 
-double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation) {
+Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
+             const Vector3& gravity_m_s2, double dt_s) {
+  const double down = velocity(model, state).dot(gravity_m_s2);
+  const double gain = dt_s * gravity_m_s2.squaredNorm();
+  Fall fall{gravity_m_s2};
+  fall.supported = touched && down + 0.5 * gain > 0.0;
+  fall.resting = fall.supported && down <= kRestingSteps * gain;
+  return fall;
+}
+
+double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation,
+               const Fall& fall) {
   const double waiting_s = std::min(state.held_s, dt_s);
   const double moving_s = dt_s - waiting_s;
   state.held_s -= waiting_s;
   state.held_fraction = dt_s > 0.0 ? waiting_s / dt_s : 0.0;
 
-  const Vector3 step = moving_s * velocity(model, state);
+  Vector3 step = moving_s * velocity(model, state);
+  if (model.inverse_mass > 0.0 && !fall.gravity_m_s2.isZero(0.0)) {
+    step = with_fall(step, moving_s, fall);
+    state.linear_momentum += moving_s / model.inverse_mass * fall.gravity_m_s2;
+  }
   state.pose.position += step;
   // Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
   if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0) && !model.inverse_inertia.isZero(0.0)) {

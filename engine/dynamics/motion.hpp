@@ -1,4 +1,12 @@
-// Free motion: momenta are constant, so the position is exact and only the rotation is integrated.
+// Free motion: the angular momentum is constant and the linear one grows by gravity alone, so the
+// position is exact, on a parabola, and only the rotation is integrated.
+//
+// A body that touched something when the step before ended does not fall in the step: it goes
+// where its velocity takes it, and what gravity adds to its momentum is for the contact to take
+// away. Nor does it go down while it is slower than gravity makes it in kRestingSteps steps: what
+// lies still stays where it is, though impulses in turn leave it a little of that speed. In such a
+// step it gains (kRestingSteps + ½) m g² dt² at the most. One that its velocity lifts faster than
+// gravity pulls it down is on its parabola as well, so a ball that bounces keeps its energy.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,11 +26,26 @@ enum class Rotation {
   kEnergyKept,
 };
 
-/// Moves a body through `dt_s` seconds, less what an imposed hold still takes from it; uses no
-/// trigonometry. A body without spin skips the rotation. Returns the distance its centre moved
-/// (metres).
+/// Below what gravity makes of a body in so many steps, it rests on what it touches.
+inline constexpr double kRestingSteps = 2.0;
+
+/// What gravity does to a body in a step; without gravity, nothing.
+struct Fall {
+  Vector3 gravity_m_s2{Vector3::Zero()};
+  bool supported{false};  ///< its momentum falls, its place goes with its velocity alone
+  bool resting{false};    ///< and not down
+};
+
+/// How a body falls in a step of `dt_s` seconds, which may have touched when the step before ended.
+Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
+             const Vector3& gravity_m_s2, double dt_s);
+
+/// Moves a body through `dt_s` seconds, less what an imposed hold still takes from it: then its
+/// time stands still and it does not fall. Uses no trigonometry. A body without spin skips the
+/// rotation. Returns the distance from where its centre was to where it is (metres): within a step
+/// a body is taken to go straight, which its parabola leaves by at most g dt²/8.
 double advance(const BodyModel& model, BodyState& state, double dt_s,
-               Rotation rotation = Rotation::kMidpoint);
+               Rotation rotation = Rotation::kMidpoint, const Fall& fall = {});
 
 /// The pose at `fraction` of the step from `before` to `after`, for drawing alone.
 Pose between(const BodyState& before, const BodyState& after, double fraction);

@@ -10,39 +10,72 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
-#include "engine/numerics/vector.hpp"
+#include "engine/dynamics/gram_factor.hpp"
+#include "engine/dynamics/row_columns.hpp"
 
 namespace impetus {
 
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-/// Six mass-scaled coordinates of one body.
-struct RowPart {
-  std::int32_t body{-1};  ///< none: −1
-  Vector6 direction{Vector6::Zero()};
-};
-
-/// One constraint a · u ≥ `bound`, on one body or two.
-struct ConstraintRow {
-  RowPart a;
-  RowPart b;
-  double bound{0.0};
-};
-
 enum class Projection { kSolved, kGaveUp };
+
+/// Rows of unit length, what their lengths were (none: 0) and their bounds before they were made
+/// so.
+struct UnitRows {
+  const RowColumns& rows;
+  const std::vector<double>& lengths;
+  const std::vector<double>& bounds;
+};
+
+/// Solves one problem after the other in arrays that it keeps.
+class NearestVelocitySolver {
+ public:
+  /// Moves `u`, by body, to the solution of those rows that `which` names, rising: u = u⁻ + Σ λ_i
+  /// a_i. A row may be violated by `tolerance` (in the units of `bound`, after the row is made of
+  /// unit length). Gives up after a number of steps in proportion to the rows, or where no u
+  /// satisfies them; then `u` is as it was and all multipliers are zero.
+  Projection solve(const UnitRows& given, const std::vector<std::size_t>& which,
+                   std::vector<Vector6>& u, double tolerance);
+
+  /// Of the last problem, by row, ≥ 0; one of no length or not in the problem has none.
+  [[nodiscard]] const std::vector<double>& multipliers() const { return multipliers_; }
+
+ private:
+  bool solve_active_set(const UnitRows& given, const std::vector<std::size_t>& which,
+                        std::vector<Vector6>& u);
+  [[nodiscard]] std::size_t most_violated(const std::vector<Vector6>& u);
+  bool satisfy(std::size_t row, std::vector<Vector6>& u);
+  void multiply_by_active(const ConstraintRow& row);
+  [[nodiscard]] std::pair<double, std::size_t> first_to_pull() const;
+  void take(const ConstraintRow& row, double step, std::vector<Vector6>& u);
+  void polish(std::vector<Vector6>& u);
+  void let_go(std::size_t which);
+
+  const RowColumns* rows_{nullptr};  ///< while it solves
+  std::vector<double> bounds_;       ///< of unit rows
+  std::vector<double> multipliers_;
+  std::vector<std::size_t> active_;
+  std::vector<ConstraintRow> active_rows_;
+  std::vector<unsigned char> is_out_;  ///< active, violated by rounding alone, or no matter
+  GramFactor factor_;                  ///< of the active rows
+  std::vector<Vector6> given_;
+  std::vector<double> products_with_u_;
+  std::vector<double> products_;  ///< of the row in question with the active ones
+  std::vector<double> forward_;   ///< the same, forward-substituted
+  std::vector<double> share_;     ///< of each active row in it
+  double tolerance_{0.0};
+  double independent_{0.0};
+  std::size_t steps_left_{0};
+};
 
 struct NearestVelocities {
   Projection outcome{Projection::kSolved};
-  std::vector<double> multipliers;  ///< by row, ≥ 0; a row of no length has none
+  std::vector<double> multipliers;  ///< by row
 };
 
-/// Moves `u`, by body, to the solution and returns the multipliers: u = u⁻ + Σ λ_i a_i. A row may
-/// be violated by `tolerance` (in the units of `bound`, after the row is made of unit length).
-/// Gives up after a number of steps in proportion to the rows, or where no u satisfies them; then
-/// `u` is as it was and all multipliers are zero.
+/// One problem alone, of all the rows.
 NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
                           double tolerance);
 

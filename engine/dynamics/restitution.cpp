@@ -25,17 +25,15 @@ double Restitutions::of(int material, int other) const {
   return found != stated.end() ? found->restitution : otherwise;
 }
 
-std::vector<double> Restitutions::of(const std::vector<Contact>& contacts,
-                                     const std::vector<BodyModel>& models) const {
+void Restitutions::find(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+                        std::vector<double>& restitutions) const {
   const auto material_of = [&](std::int32_t body) {
     return is_wall(body) ? wall_material : models[static_cast<std::size_t>(body)].material;
   };
-  std::vector<double> restitutions;
-  restitutions.reserve(contacts.size());
+  restitutions.clear();
   for (const Contact& contact : contacts) {
     restitutions.push_back(of(material_of(contact.bodies.a), material_of(contact.bodies.b)));
   }
-  return restitutions;
 }
 
 std::string problem_of(const std::vector<PairRestitution>& stated) {

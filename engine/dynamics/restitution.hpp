@@ -25,9 +25,9 @@ struct Restitutions {
 
   [[nodiscard]] double of(int material, int other) const;
 
-  /// Of each contact, in their order.
-  [[nodiscard]] std::vector<double> of(const std::vector<Contact>& contacts,
-                                       const std::vector<BodyModel>& models) const;
+  /// Of each contact, in their order, instead of what `restitutions` held.
+  void find(const std::vector<Contact>& contacts, const std::vector<BodyModel>& models,
+            std::vector<double>& restitutions) const;
 };
 
 /// What is wrong with the list, as a sentence; empty when nothing is. Every restitution lies in

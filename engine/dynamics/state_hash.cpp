@@ -42,7 +42,13 @@ std::string_view name_of(StateField field) {
 
 StateHash hash_state(const std::vector<BodyState>& states) {
   StateHash result;
-  result.bodies.reserve(states.size());
+  hash_state(states, result);
+  return result;
+}
+
+void hash_state(const std::vector<BodyState>& states, StateHash& result) {
+  result.hash = 0;
+  result.bodies.clear();
   for (const BodyState& state : states) {
     BodyDigest digest{};
     const auto fields = field_hashes(state);
@@ -52,7 +58,6 @@ StateHash hash_state(const std::vector<BodyState>& states) {
     }
     result.bodies.push_back(digest);
   }
-  return result;
 }
 
 std::optional<DigestDifference> first_difference(const std::vector<BodyDigest>& expected,

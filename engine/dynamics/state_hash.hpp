@@ -32,6 +32,9 @@ struct StateHash {
 
 StateHash hash_state(const std::vector<BodyState>& states);
 
+/// The same into `result`, whose memory is used again.
+void hash_state(const std::vector<BodyState>& states, StateHash& result);
+
 /// The first body and field whose digests differ; nothing when all agree.
 struct DigestDifference {
   std::size_t body;

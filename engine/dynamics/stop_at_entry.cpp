@@ -171,12 +171,18 @@ class StopsInOrder {
     return true;
   }
 
+  /// From where it was before the step, through `share` of it.
+  void move(std::size_t body, double share) {
+    states_[body] = step_.before[body];
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation,
+            step_.falls.empty() ? Fall{} : step_.falls[body]);
+  }
+
   bool stop(std::size_t body, double share) {
     if (!moves(body) || !(share < ways_[body].stop)) {
       return false;
     }
-    states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
+    move(body, share);
     ways_[body] = way_of(body, share);
     ++stops_[body];
     return true;
@@ -216,8 +222,7 @@ class StopsInOrder {
   }
 
   void put_on_whole_way(std::size_t body, double share) {
-    states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation);
+    move(body, share);
     states_[body].pose = pose_at(whole_ways_[body], share);
     ways_[body].stop = share;
   }

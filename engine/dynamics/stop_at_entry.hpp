@@ -11,9 +11,9 @@
 // changes a way only after it, and by the turn of the shorter step; both are looked at again. Safe
 // at last too: until the first entry nobody had stopped, so all were on the ways that were looked
 // at first, on which no pair had touched by then; and no body meets one that is not its candidate.
-// What a stopped body lost of the step is lost; its momenta are not touched, and it turned by what
-// the integrator makes of the shorter step, so its energy is as good as after any step (at last: as
-// that of a pose between two steps).
+// What a stopped body lost of the step is lost; its momenta are not touched but by the gravity of
+// the shorter step, and it turned by what the integrator makes of that, so its energy is as good as
+// after any step (at last: as that of a pose between two steps).
 //
 // Where the step's tests are bounded, they go to the pairs in the order of the candidates, and then
 // of their stops. A pair for which none are left is not searched, and does not stop anybody; one
@@ -24,6 +24,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/collision/time_of_entry.hpp"
@@ -48,6 +49,10 @@ struct StepMade {
   const WorkCosts& costs;
   Rotation rotation;
   int most_stops{kMostStops};
+  /// Of each body; none: nothing falls. A body that falls is looked at on the way from where it was
+  /// to where it stops, straight as its turn is steady: so the ways of all bodies join from step to
+  /// step, and none passes another on them unseen.
+  std::span<const Fall> falls{};
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
 };
 

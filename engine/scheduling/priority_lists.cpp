@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "engine/scheduling/metrics.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
@@ -27,20 +26,31 @@ int list_by_threshold(const Schedule& schedule, const PriorityMetric& metric, do
   return list;
 }
 
-/// The first of the ranks to list 0, and so on; the pairs keep their order.
+/// A total order, whatever the priorities are.
+bool has_priority(const MeasuredPair& x, const MeasuredPair& y) {
+  const bool x_is_number = !std::isnan(x.priority);
+  const bool y_is_number = !std::isnan(y.priority);
+  if (x_is_number != y_is_number) {
+    return x_is_number;
+  }
+  if (x_is_number && x.priority != y.priority) {
+    return x.priority > y.priority;
+  }
+  return x.place < y.place;
+}
+
+/// The first of the ranks to list 0, and so on.
 void list_by_rank(const std::vector<double>& pair_shares, std::vector<MeasuredPair>& pairs) {
-  std::vector<std::size_t> ranked(pairs.size());
-  std::iota(ranked.begin(), ranked.end(), std::size_t{0});
-  std::stable_sort(ranked.begin(), ranked.end(), [&pairs](std::size_t x, std::size_t y) {
-    return pairs[x].priority > pairs[y].priority;
-  });
-  const std::vector<std::size_t> cuts = cuts_for(pair_shares, pairs.size());
-  std::size_t list = 0;
-  for (std::size_t rank = 0; rank < ranked.size(); ++rank) {
-    while (list < cuts.size() && rank >= cuts[list]) {
-      ++list;
+  std::sort(pairs.begin(), pairs.end(), has_priority);
+  std::size_t first = 0;
+  double sum = 0.0;
+  for (std::size_t list = 0; list <= pair_shares.size(); ++list) {
+    const bool is_last = list == pair_shares.size();
+    sum += is_last ? 0.0 : pair_shares[list];
+    const std::size_t end = is_last ? pairs.size() : cut_at(sum, pairs.size());
+    for (; first < end; ++first) {
+      pairs[first].scheduled.list = static_cast<int>(list);
     }
-    pairs[ranked[rank]].scheduled.list = static_cast<int>(list);
   }
 }
 
@@ -114,46 +124,47 @@ std::string problem_of(const Schedule& schedule) {
   return "";
 }
 
-std::vector<MeasuredPair> measured(const std::vector<PairBounds>& bounds, const Schedule& schedule,
-                                   const Viewer& viewer, const Fixation& fixation,
-                                   const std::optional<GazeRegion>& region) {
+void measure(const std::vector<PairBounds>& bounds, const Schedule& schedule, const Viewer& viewer,
+             const Fixation& fixation, const std::optional<GazeRegion>& region,
+             std::vector<MeasuredPair>& pairs) {
   const PriorityMetric& metric = metric_of(schedule);
-  std::vector<MeasuredPair> pairs;
-  pairs.reserve(bounds.size());
+  pairs.clear();
   for (const PairBounds& candidate : bounds) {
-    const double measure = metric.measure(candidate, viewer, fixation);
+    const double measured = metric.measure(candidate, viewer, fixation);
     int list = 0;
     if (schedule.rule == ListRule::kRegion) {
       list = region && inside(*region, candidate, viewer) ? 0 : 1;
     } else if (schedule.rule == ListRule::kThresholds) {
-      list = list_by_threshold(schedule, metric, measure);
+      list = list_by_threshold(schedule, metric, measured);
     }
-    pairs.push_back({{candidate.pair, list}, metric.priority(measure)});
+    const auto place = static_cast<std::int32_t>(pairs.size());
+    pairs.push_back({{candidate.pair, list}, metric.priority(measured), place});
   }
   if (schedule.rule == ListRule::kPairShares) {
     list_by_rank(schedule.pair_shares, pairs);
   }
-  return pairs;
 }
 
-std::vector<ScheduledPair> in_order(std::vector<MeasuredPair> pairs) {
-  std::stable_sort(pairs.begin(), pairs.end(), [](const MeasuredPair& x, const MeasuredPair& y) {
+void put_in_order(std::vector<MeasuredPair>& pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const MeasuredPair& x, const MeasuredPair& y) {
     return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
-                                                : x.priority > y.priority;
+                                                : has_priority(x, y);
   });
-  std::vector<ScheduledPair> ordered;
-  ordered.reserve(pairs.size());
-  for (const MeasuredPair& pair : pairs) {
-    ordered.push_back(pair.scheduled);
-  }
-  return ordered;
 }
 
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
                                      const Schedule& schedule, const Viewer& viewer,
                                      const Fixation& fixation,
                                      const std::optional<GazeRegion>& region) {
-  return in_order(measured(bounds, schedule, viewer, fixation, region));
+  std::vector<MeasuredPair> pairs;
+  measure(bounds, schedule, viewer, fixation, region, pairs);
+  put_in_order(pairs);
+  std::vector<ScheduledPair> ordered;
+  ordered.reserve(pairs.size());
+  for (const MeasuredPair& pair : pairs) {
+    ordered.push_back(pair.scheduled);
+  }
+  return ordered;
 }
 
 }  // namespace impetus

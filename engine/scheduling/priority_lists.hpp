@@ -78,19 +78,22 @@ struct ScheduledPair {
   int list{0};
 };
 
-/// And with the priority that orders it within its list: larger comes sooner.
+/// And with what orders it within its list: of larger priorities the pair that came first.
 struct MeasuredPair {
   ScheduledPair scheduled;
   double priority{0.0};
+  std::int32_t place{0};  ///< among the pairs as they came
 };
 
-/// The pairs with what decides their place, in the order given.
-std::vector<MeasuredPair> measured(const std::vector<PairBounds>& bounds, const Schedule& schedule,
-                                   const Viewer& viewer, const Fixation& fixation,
-                                   const std::optional<GazeRegion>& region);
+/// Measures the pairs of `bounds` and gives each its list: what `pairs` held before is forgotten.
+/// They are in no order yet.
+void measure(const std::vector<PairBounds>& bounds, const Schedule& schedule, const Viewer& viewer,
+             const Fixation& fixation, const std::optional<GazeRegion>& region,
+             std::vector<MeasuredPair>& pairs);
 
-/// By list, and by falling priority within each; equal priorities keep their order.
-std::vector<ScheduledPair> in_order(std::vector<MeasuredPair> pairs);
+/// Sorts by list, and by falling priority within each; equal priorities keep the order in which
+/// they came, and what is not a number comes last.
+void put_in_order(std::vector<MeasuredPair>& pairs);
 
 /// The pairs by list, and by falling priority within each; equal priorities keep their order.
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,

@@ -21,36 +21,35 @@ void PriorityMemory::raise(std::vector<MeasuredPair>& pairs, std::int64_t steps)
     return;
   }
   const std::int64_t since = std::max<std::int64_t>(0, step_ - steps);
-  std::vector<Remembered> seen;
-  seen.reserve(pairs.size());
+  seen_.clear();
   for (MeasuredPair& pair : pairs) {
     int& list = pair.scheduled.list;
-    seen.push_back(remembered(pair.scheduled.pair));
-    seen.back().last_in[static_cast<std::size_t>(list)] = step_;
+    seen_.push_back(remembered(pair.scheduled.pair));
+    seen_.back().last_in[static_cast<std::size_t>(list)] = step_;
     if (touched(pair.scheduled.pair)) {
-      const auto highest = std::find_if(seen.back().last_in.begin(), seen.back().last_in.end(),
+      const auto highest = std::find_if(seen_.back().last_in.begin(), seen_.back().last_in.end(),
                                         [since](std::int64_t step) { return step >= since; });
-      list = static_cast<int>(highest - seen.back().last_in.begin());
+      list = static_cast<int>(highest - seen_.back().last_in.begin());
     }
   }
-  remember(std::move(seen), since);
+  remember_seen(since);
 }
 
-void PriorityMemory::remember(std::vector<Remembered> seen, std::int64_t since) {
+void PriorityMemory::remember_seen(std::int64_t since) {
   const auto by_pair = [](const Remembered& x, const Remembered& y) {
     return comes_before(x.pair, y.pair);
   };
-  std::sort(seen.begin(), seen.end(), by_pair);
-  std::vector<Remembered> others;
+  std::sort(seen_.begin(), seen_.end(), by_pair);
+  others_.clear();
   for (const Remembered& old : memory_) {
     const bool recent = *std::max_element(old.last_in.begin(), old.last_in.end()) >= since;
-    if (recent && !std::binary_search(seen.begin(), seen.end(), old, by_pair)) {
-      others.push_back(old);
+    if (recent && !std::binary_search(seen_.begin(), seen_.end(), old, by_pair)) {
+      others_.push_back(old);
     }
   }
   memory_.clear();
-  std::merge(seen.begin(), seen.end(), others.begin(), others.end(), std::back_inserter(memory_),
-             by_pair);
+  std::merge(seen_.begin(), seen_.end(), others_.begin(), others_.end(),
+             std::back_inserter(memory_), by_pair);
 }
 
 PriorityMemory::Remembered PriorityMemory::remembered(const BodyPair& pair) const {
@@ -65,8 +64,8 @@ PriorityMemory::Remembered PriorityMemory::remembered(const BodyPair& pair) cons
   return unknown;
 }
 
-void PriorityMemory::note_touching(std::vector<BodyPair> touching) {
-  touching_ = std::move(touching);
+void PriorityMemory::note_touching(const std::vector<BodyPair>& touching) {
+  touching_ = touching;
   for (BodyPair& pair : touching_) {
     pair.b = is_wall(pair.b) ? kEnclosure : pair.b;
   }

@@ -25,7 +25,7 @@ class PriorityMemory {
   void raise(std::vector<MeasuredPair>& pairs, std::int64_t steps);
 
   /// Which pairs touch at the end of a step; b may be any wall.
-  void note_touching(std::vector<BodyPair> touching);
+  void note_touching(const std::vector<BodyPair>& touching);
 
  private:
   static constexpr std::int64_t kNever = -1;
@@ -37,10 +37,12 @@ class PriorityMemory {
 
   [[nodiscard]] bool touched(const BodyPair& pair) const;
   [[nodiscard]] Remembered remembered(const BodyPair& pair) const;
-  void remember(std::vector<Remembered> seen, std::int64_t since);
+  void remember_seen(std::int64_t since);
 
   std::int64_t step_{0};
   std::vector<Remembered> memory_;  ///< sorted by pair
+  std::vector<Remembered> seen_;    ///< in this step
+  std::vector<Remembered> others_;  ///< not in this step, but lately
   std::vector<BodyPair> touching_;  ///< sorted
 };
 

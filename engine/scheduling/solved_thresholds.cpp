@@ -58,13 +58,17 @@ std::string problem_of_shares(const std::vector<double>& shares) {
              : "expected pair shares of at most 1 together, got " + std::to_string(sum);
 }
 
+std::size_t cut_at(double sum_of_shares, std::size_t count) {
+  const double wanted = std::floor(sum_of_shares * static_cast<double>(count) + 0.5);
+  return std::min(count, static_cast<std::size_t>(wanted));
+}
+
 std::vector<std::size_t> cuts_for(const std::vector<double>& shares, std::size_t count) {
   std::vector<std::size_t> cuts;
   double sum = 0.0;
   for (const double share : shares) {
     sum += share;
-    const double wanted = std::floor(sum * static_cast<double>(count) + 0.5);
-    cuts.push_back(std::min(count, static_cast<std::size_t>(wanted)));
+    cuts.push_back(cut_at(sum, count));
   }
   return cuts;
 }

@@ -20,7 +20,11 @@ namespace impetus {
 /// at most 1, as "expected ..., got ..."; empty when nothing is.
 std::string problem_of_shares(const std::vector<double>& shares);
 
-/// How many of `count` pairs are in the lists up to each of the shares, rounded to the nearest.
+/// How many of `count` pairs are in lists whose shares add up to `sum_of_shares`, rounded to the
+/// nearest.
+std::size_t cut_at(double sum_of_shares, std::size_t count);
+
+/// The same for each of the shares and those before it.
 std::vector<std::size_t> cuts_for(const std::vector<double>& shares, std::size_t count);
 
 /// The thresholds, one for each share, by which `metric` parts pairs of such measures into lists

@@ -151,8 +151,8 @@ Volume NodeVolumes::at(std::int32_t node) const {
 }
 
 std::size_t NodeVolumes::bytes() const {
-  return all_spheres_.bytes() + bytes_of(spheres_) + bytes_of(lines_) + bytes_of(rectangles_) + bytes_of(boxes_) +
-         bytes_of(cubes_) + bytes_of(slots_) + bytes_of(cells_) +
+  return all_spheres_.bytes() + bytes_of(spheres_) + bytes_of(lines_) + bytes_of(rectangles_) +
+         bytes_of(boxes_) + bytes_of(cubes_) + bytes_of(slots_) + bytes_of(cells_) +
          (are_voxels() ? bytes_of(level_starts_) : 0);
 }
 

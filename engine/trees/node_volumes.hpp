@@ -57,8 +57,8 @@ class NodeVolumes {
  private:
   [[nodiscard]] Cube voxel(std::int32_t node) const;
 
-  SphereArrays all_spheres_;      ///< when there is nothing else
-  std::vector<Sphere> spheres_;   ///< among other kinds
+  SphereArrays all_spheres_;     ///< when there is nothing else
+  std::vector<Sphere> spheres_;  ///< among other kinds
   std::vector<LineSwept> lines_;
   std::vector<RectangleSwept> rectangles_;
   std::vector<Box> boxes_;

@@ -2,18 +2,13 @@
 #include "engine/volumes/sphere_lanes.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <cstring>
-
-// Vectors are passed by reference alone, and all that touches them is inlined into the function of
-// its width: how they would be passed to another is then of no concern.
-#define IMPETUS_INLINED inline __attribute__((always_inline))
-#if defined(__x86_64__)
-#define IMPETUS_FOR(instructions) __attribute__((target(instructions)))
-#endif
 
 namespace impetus {
 namespace {
 
+// Vectors are passed by reference alone: how they would be passed by value depends on the width.
 template <int kWidth>
 struct Vectors;
 template <>
@@ -112,23 +107,81 @@ IMPETUS_INLINED void place_by(const SphereLanes& own, const Pose& pose, const Ce
   }
 }
 
-#ifdef IMPETUS_FOR
-IMPETUS_FOR("avx512f")
+template <int kWidth>
+IMPETUS_INLINED void take_roots(typename Vectors<kWidth>::Numbers& numbers) {
+  double lanes[kWidth];
+  std::memcpy(lanes, &numbers, sizeof lanes);
+  for (int lane = 0; lane < kWidth; ++lane) {
+    lanes[lane] = std::sqrt(lanes[lane]);
+  }
+  std::memcpy(&numbers, lanes, sizeof lanes);
+}
+
+template <int kWidth>
+IMPETUS_INLINED void touches_by(const SpherePairs& pairs, const Vector3& if_coincident,
+                                TouchPoint* touches) {
+  using Numbers = typename Vectors<kWidth>::Numbers;
+  const Numbers none{};
+  for (int first = 0; first < kLanes; first += kWidth) {
+    Numbers a[4];
+    Numbers b[4];
+    for (int row = 0; row < 4; ++row) {
+      read(&pairs.a[row][first], a[row]);
+      read(&pairs.b[row][first], b[row]);
+    }
+    const Numbers dx = a[0] - b[0];
+    const Numbers dy = a[1] - b[1];
+    const Numbers dz = a[2] - b[2];
+    Numbers distance = dx * dx + (dy * dy + dz * dz);
+    take_roots<kWidth>(distance);
+    const Numbers reach = a[3] + b[3];
+    const Numbers depth = reach - distance;
+    double found[7][kWidth];
+    for (int axis = 0; axis < 3; ++axis) {
+      const Numbers along = (a[axis] - b[axis]) / distance;
+      const Numbers normal = distance > none ? along : none + if_coincident[axis];
+      const Numbers between = (b[3] * a[axis] + a[3] * b[axis]) / reach;
+      const Numbers point = reach > none ? between : 0.5 * (a[axis] + b[axis]);
+      std::memcpy(found[axis], &point, sizeof point);
+      std::memcpy(found[3 + axis], &normal, sizeof normal);
+    }
+    std::memcpy(found[6], &depth, sizeof depth);
+    for (int lane = 0; lane < kWidth; ++lane) {
+      TouchPoint& touch = touches[first + lane];
+      touch.point = {found[0][lane], found[1][lane], found[2][lane]};
+      touch.normal = {found[3][lane], found[4][lane], found[5][lane]};
+      touch.depth_m = found[6][lane];
+    }
+  }
+}
+
+#ifdef IMPETUS_EIGHT_LANES
+IMPETUS_EIGHT_LANES
+void touches_by_eight(const SpherePairs& pairs, const Vector3& if_coincident, TouchPoint* touches) {
+  touches_by<8>(pairs, if_coincident, touches);
+}
+
+IMPETUS_FOUR_LANES
+void touches_by_four(const SpherePairs& pairs, const Vector3& if_coincident, TouchPoint* touches) {
+  touches_by<4>(pairs, if_coincident, touches);
+}
+
+IMPETUS_EIGHT_LANES
 std::uint64_t overlaps_by_eight(const SphereLanes& a, int rows, const SphereLanes& b, int columns) {
   return overlaps_by<8>(a, rows, b, columns);
 }
 
-IMPETUS_FOR("avx2")
+IMPETUS_FOUR_LANES
 std::uint64_t overlaps_by_four(const SphereLanes& a, int rows, const SphereLanes& b, int columns) {
   return overlaps_by<4>(a, rows, b, columns);
 }
 
-IMPETUS_FOR("avx512f")
+IMPETUS_EIGHT_LANES
 void place_by_eight(const SphereLanes& own, const Pose& pose, const CentreLanes& placed) {
   place_by<8>(own, pose, placed);
 }
 
-IMPETUS_FOR("avx2")
+IMPETUS_FOUR_LANES
 void place_by_four(const SphereLanes& own, const Pose& pose, const CentreLanes& placed) {
   place_by<4>(own, pose, placed);
 }
@@ -147,22 +200,10 @@ void SphereArrays::add(const Sphere& sphere) {
   radius_m_[size_ - 1] = sphere.radius_m;
 }
 
-LaneWidth widest_lanes() {
-#ifdef IMPETUS_FOR
-  if (__builtin_cpu_supports("avx512f")) {
-    return LaneWidth::kEight;
-  }
-  if (__builtin_cpu_supports("avx2")) {
-    return LaneWidth::kFour;
-  }
-#endif
-  return LaneWidth::kTwo;
-}
-
 std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLanes& b, int columns,
                                 LaneWidth width) {
   assert(rows >= 1 && rows <= kLanes && columns >= 1 && columns <= kLanes);
-#ifdef IMPETUS_FOR
+#ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
     return overlaps_by_eight(a, rows, b, columns);
   }
@@ -173,9 +214,22 @@ std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLane
   return overlaps_by<2>(a, rows, b, columns);
 }
 
+void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincident,
+                      TouchPoint* touches, LaneWidth width) {
+#ifdef IMPETUS_EIGHT_LANES
+  if (width == LaneWidth::kEight) {
+    return touches_by_eight(pairs, normal_if_coincident, touches);
+  }
+  if (width == LaneWidth::kFour) {
+    return touches_by_four(pairs, normal_if_coincident, touches);
+  }
+#endif
+  touches_by<2>(pairs, normal_if_coincident, touches);
+}
+
 void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& placed,
                  LaneWidth width) {
-#ifdef IMPETUS_FOR
+#ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
     return place_by_eight(own, pose, placed);
   }

@@ -5,22 +5,20 @@
 //
 //   block of a (rows) × block of b (columns)  ->  64 bits, bit 8 i + j: do a_i and b_j overlap?
 //
-// The arithmetic is that of overlap(Sphere, Sphere) and Pose::transform(), operation by operation in
-// double precision, so every width of vector gives the same bits as no vector at all. The widest
-// that the machine has is chosen at run time.
-// SPDX-License-Identifier: MIT
+// The arithmetic is that of overlap() and touch() of two spheres and of Pose::transform(),
+// operation by operation in double precision, so every width of vector gives the same bits as no
+// vector at all. The widest that the machine has is chosen at run time. SPDX-License-Identifier:
+// MIT
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "engine/numerics/lanes.hpp"
 #include "engine/volumes/sphere.hpp"
 
 namespace impetus {
-
-/// Spheres of a block, and rows and columns of its bits.
-inline constexpr int kLanes = 8;
 
 /// Where a block's spheres begin in each array. kLanes elements can be read from there.
 struct SphereLanes {
@@ -61,16 +59,38 @@ class SphereArrays {
   std::vector<double> radius_m_;
 };
 
-/// How many doubles a vector holds.
-enum class LaneWidth { kTwo = 2, kFour = 4, kEight = 8 };
+/// Pairs of spheres, gathered from anywhere.
+class SpherePairs {
+ public:
+  /// Their coordinates and radii, each a row: x, y, z, radius.
+  double a[4][kLanes];
+  double b[4][kLanes];
 
-/// The widest that this machine has instructions for.
-LaneWidth widest_lanes();
+  void put(int lane, const SphereLanes& of_a, std::int32_t index_a, const SphereLanes& of_b,
+           std::int32_t index_b) {
+    put(a, lane, of_a, index_a);
+    put(b, lane, of_b, index_b);
+  }
+
+ private:
+  static void put(double (&rows)[4][kLanes], int lane, const SphereLanes& spheres,
+                  std::int32_t index) {
+    rows[0][lane] = spheres.x[index];
+    rows[1][lane] = spheres.y[index];
+    rows[2][lane] = spheres.z[index];
+    rows[3][lane] = spheres.radius_m[index];
+  }
+};
 
 /// Which of the first `rows` spheres of a overlap or touch which of the first `columns` of b: bit
 /// kLanes · row + column, as overlap() of the two says. Precondition: 1 to kLanes rows and columns.
 std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLanes& b, int columns,
                                 LaneWidth width = widest_lanes());
+
+/// The contacts of all pairs, as touch() of two spheres makes them. What is in a lane that was not
+/// put must be numbers, and its contact means nothing.
+void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincident,
+                      TouchPoint* touches, LaneWidth width = widest_lanes());
 
 /// The centres of a block's spheres at `pose`, as Pose::transform() places them.
 void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& placed,

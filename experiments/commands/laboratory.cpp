@@ -124,6 +124,18 @@ double refresh_hz_of(const LaboratoryOptions& options) {
 #endif
 }
 
+ScreenGeometry expected_screen(const LaboratoryOptions& options) {
+#ifdef IMPETUS_WINDOW
+  const bool windowed = !options.observer || options.show;
+  if (windowed && std::filesystem::exists(screen_file_of(options))) {
+    return load_screen(screen_file_of(options));
+  }
+#else
+  static_cast<void>(options);
+#endif
+  return assumed_screen();
+}
+
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
   if (options.observer && !options.show) {
     return std::make_unique<HeadlessLaboratory>(options);

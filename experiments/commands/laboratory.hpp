@@ -42,6 +42,10 @@ class Laboratory {
 /// std::runtime_error when there is no display.
 double refresh_hz_of(const LaboratoryOptions& options);
 
+/// The screen that the laboratory will have, as far as it is known without opening it: an assumed
+/// one where none was entered. Its pixels may be 0.
+ScreenGeometry expected_screen(const LaboratoryOptions& options);
+
 /// Precondition: refresh_hz_of() accepted the options.
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);
 

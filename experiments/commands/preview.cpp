@@ -9,6 +9,7 @@
 #include "experiments/protocol/scene_loading.hpp"
 
 #ifdef IMPETUS_WINDOW
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
@@ -77,6 +78,21 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
   }
 }
 
+/// What takes long, before a window opens.
+void build_shapes(const nlohmann::json& scene, const ScreenGeometry& screen, ShapeLibrary& shapes) {
+  ProgressLine line("building the bodies");
+  shapes.tell([&line](double share) { line.tell(share); });
+  static_cast<void>(build_scene(scene, screen, kExactHold, shapes));
+  shapes.tell({});
+}
+
+void tell(const PreviewFrames& frames) {
+  if (frames.taken_s > 0.0) {
+    std::printf("%lld frames in %.1f s, %.1f a second\n", static_cast<long long>(frames.shown),
+                frames.taken_s, static_cast<double>(frames.shown) / frames.taken_s);
+  }
+}
+
 void show(const JsonDocument& scene, const PreviewOptions& options) {
   if (!options.strip.empty()) {
     write_strip(scene, options);
@@ -84,11 +100,13 @@ void show(const JsonDocument& scene, const PreviewOptions& options) {
   }
   const WindowOptions asked = window_options(options.window_size);
   const ScreenGeometry screen = screen_of(options);
+  ShapeLibrary shapes;
+  build_shapes(scene.value, screen, shapes);
   const SteadyClock clock;
   Window window(asked, clock);
   window.set_geometry(screen);
-  ShapeLibrary shapes;
-  view_preview(window, build_scene(scene.value, window.geometry(), kExactHold, shapes), clock);
+  tell(
+      view_preview(window, build_scene(scene.value, window.geometry(), kExactHold, shapes), clock));
 }
 
 #else

@@ -15,7 +15,7 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
                      std::to_string(kRecordingFormat) + ", use that one");
   }
   const Protocol& source = protocol(attempt.protocol_id);
-  const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0);
+  const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0, shapes_);
   const auto condition = nlohmann::json::parse(attempt.trial.condition);
   const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
                              condition_from_json(condition, source.design), attempt.trial.seed};

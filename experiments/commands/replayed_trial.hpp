@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/replay.hpp"
 #include "experiments/store/study_reader.hpp"
 
@@ -28,6 +29,7 @@ class ReplayLibrary {
 
   StudyFile& study_;
   std::map<std::int64_t, Protocol> protocols_;
+  std::shared_ptr<ShapeLibrary> shapes_ = std::make_shared<ShapeLibrary>();
 };
 
 }  // namespace impetus

@@ -14,6 +14,7 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/laboratory.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
@@ -149,8 +150,18 @@ int conclude(const SessionResult& result, StudyWriter& writer) {
   }
 }
 
+/// Builds what takes long before a window opens.
+std::shared_ptr<ShapeLibrary> build_shapes(const Protocol& protocol, const LaboratoryOptions& lab) {
+  auto shapes = std::make_shared<ShapeLibrary>();
+  ProgressLine line("building the bodies");
+  shapes->tell([&line](double share) { line.tell(share); });
+  ProtocolScenes(protocol, 0.0, shapes).build_shapes(expected_screen(lab));
+  shapes->tell({});
+  return shapes;
+}
+
 int run_participant(const Protocol& protocol, const RunOptions& options, LaboratoryOptions lab,
-                    StudyFile& study) {
+                    StudyFile& study, const std::shared_ptr<ShapeLibrary>& shapes) {
   const std::optional<Enrolment> resumed = find_to_resume(study, protocol, options);
   lab.seed = resumed ? resumed->seed : options.seed.value_or(1);
   const std::unique_ptr<Laboratory> laboratory = open_laboratory(lab);
@@ -166,7 +177,7 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
                      sync.verdict + "; --override-sync-test goes on and marks every trial");
   }
   const double rounding_hz = options.allow_rounding ? laboratory->display().refresh_hz() : 0.0;
-  const ProtocolScenes scenes(protocol, rounding_hz);
+  const ProtocolScenes scenes(protocol, rounding_hz, shapes);
   const SteadyClock work_clock;
   const Ports ports{laboratory->display(), laboratory->input(),  scenes,     writer,
                     laboratory->gaze(),    &laboratory->clock(), &work_clock};
@@ -185,7 +196,7 @@ std::string simulated_name(std::int64_t number, std::int64_t count) {
 /// Runs those who have not finished: the same command goes on where it was stopped, and one with
 /// more participants adds to the group.
 int run_simulated_group(const Protocol& protocol, RunOptions options, LaboratoryOptions lab,
-                        StudyFile& study) {
+                        StudyFile& study, const std::shared_ptr<ShapeLibrary>& shapes) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   std::int64_t finished_before = 0;
   for (std::int64_t number = 1; number <= options.participants; ++number) {
@@ -193,7 +204,7 @@ int run_simulated_group(const Protocol& protocol, RunOptions options, Laboratory
     if (has_finished(study, options.participant, true, texts_of(protocol))) {
       ++finished_before;
     } else {
-      run_participant(protocol, options, lab, study);
+      run_participant(protocol, options, lab, study, shapes);
     }
     if (terminal || number == options.participants) {
       std::fprintf(stderr, "%ssimulated participant %lld of %lld", terminal ? "\r" : "",
@@ -240,11 +251,12 @@ int run(const RunOptions& options) {
   plan_for(protocol, options.participant, options.seed.value_or(1));
 
   StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  const std::shared_ptr<ShapeLibrary> shapes = build_shapes(protocol, lab);
   try {
     if (options.participants > 0) {
-      return run_simulated_group(protocol, options, lab, study);
+      return run_simulated_group(protocol, options, lab, study, shapes);
     }
-    const int status = run_participant(protocol, options, lab, study);
+    const int status = run_participant(protocol, options, lab, study, shapes);
     std::printf("Saved in %s\n", options.database.c_str());
     return status;
   } catch (const SQLite::Exception& error) {

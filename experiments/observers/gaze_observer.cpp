@@ -11,11 +11,26 @@
 namespace impetus {
 namespace {
 
-CollisionTruth truth_of(const CollisionRecord& collision, const StagedScene& scene) {
+constexpr double kArcminPerDegree = 60.0;
+
+/// Gaps that are so much smaller than what can be seen make no difference.
+constexpr double kNegligibleShare = 0.1;
+
+/// A body as it is judged: exactly, but for one of a crowd, whose gaps are of no less than
+/// `threshold_m` when they are seen, and there are thousands.
+DrawnBody judged(const StagedScene& scene, std::int32_t body, double threshold_m) {
+  DrawnBody look = scene.looks[static_cast<std::size_t>(body)];
+  const double px_per_metre = kMostDeviation_px / (kNegligibleShare * threshold_m);
+  look.mesh = mesh_as_seen(look.mesh, look.coarser.get(), px_per_metre);
+  return look;
+}
+
+CollisionTruth truth_of(const CollisionRecord& collision, const StagedScene& scene,
+                        double threshold_m) {
   const BodyPair& bodies = collision.report.bodies;
-  const DrawnBody& a = scene.looks[static_cast<std::size_t>(bodies.a)];
+  const DrawnBody a = judged(scene, bodies.a, threshold_m);
   if (!is_wall(bodies.b)) {
-    const DrawnBody& b = scene.looks[static_cast<std::size_t>(bodies.b)];
+    const DrawnBody b = judged(scene, bodies.b, threshold_m);
     return measure_truth(a, collision.pose_a, b, collision.pose_b,
                          scene.viewer_at_time(collision.time_s));
   }
@@ -57,7 +72,8 @@ double GazeObserver::seen_collision(const CollisionRecord& collision,
     return 0.0;
   }
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
-  return seen_gap(truth_of(collision, scene).visible_arcmin(),
+  const double threshold_m = m_per_deg * parameters_.threshold_arcmin / kArcminPerDegree;
+  return seen_gap(truth_of(collision, scene, threshold_m).visible_arcmin(),
                   collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg),
                   collision.report.approach_m_s / m_per_deg, scene.looks.size());
 }

@@ -13,7 +13,7 @@
 // v the speed at which they close in (degrees per second); G Reddy's visible frequency at that
 // speed (Reddy 1997); N the number of bodies. Nothing is guessed at a collision: what is not seen
 // is clicked only by the false clicks, which come at a rate of their own. The parameters are in
-// experiments/observers/gaze-contingent.json.
+// experiments/observers/gaze-contingent.json; crowd.json has the same participant before crowds.
 // SPDX-License-Identifier: MIT
 #pragma once
 

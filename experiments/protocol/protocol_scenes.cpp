@@ -15,13 +15,13 @@ std::string start_of(const PlannedTrial& trial) {
 }  // namespace
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, trial.condition), screen, round_hold_to_hz_, shapes_,
+  return build_scene(scene_under(*protocol_, trial.condition), screen, round_hold_to_hz_, *shapes_,
                      start_of(trial));
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
                                                 const ScreenGeometry& screen) const {
-  return build_scene(demonstration_scene(*protocol_, id), screen, round_hold_to_hz_, shapes_,
+  return build_scene(demonstration_scene(*protocol_, id), screen, round_hold_to_hz_, *shapes_,
                      "demonstration");
 }
 
@@ -29,6 +29,15 @@ StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeomet
   PlannedTrial trial;
   trial.condition = condition;
   return stage(trial, screen);
+}
+
+void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
+  for (const Condition& cell : cells(protocol_->design)) {
+    static_cast<void>(stage(cell, screen));
+  }
+  for (const Demonstration& demonstration : protocol_->script.demonstrations) {
+    static_cast<void>(stage_demonstration(demonstration.id, screen));
+  }
 }
 
 }  // namespace impetus

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/ports.hpp"
@@ -11,8 +14,10 @@ namespace impetus {
 class ProtocolScenes final : public Scenes {
  public:
   /// `protocol` must outlive this. `round_hold_to_hz` > 0 rounds imposed holds to that grid.
-  ProtocolScenes(const Protocol& protocol, double round_hold_to_hz)
-      : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz) {}
+  /// `shapes` may be shared with other scenes, one after the other.
+  ProtocolScenes(const Protocol& protocol, double round_hold_to_hz,
+                 std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>())
+      : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz), shapes_(std::move(shapes)) {}
 
   [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
                                   const ScreenGeometry& screen) const override;
@@ -22,10 +27,14 @@ class ProtocolScenes final : public Scenes {
   /// A condition's scene as in its first main trial.
   [[nodiscard]] StagedScene stage(const Condition& condition, const ScreenGeometry& screen) const;
 
+  /// Builds every shape of every condition and demonstration, so that nobody waits for one later,
+  /// if the screen's viewing distance is as it is here.
+  void build_shapes(const ScreenGeometry& screen) const;
+
  private:
   const Protocol* protocol_;
   double round_hold_to_hz_;
-  mutable ShapeLibrary shapes_;  ///< each shape is built once
+  std::shared_ptr<ShapeLibrary> shapes_;  ///< each shape is built once
 };
 
 }  // namespace impetus

@@ -107,6 +107,18 @@ std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, d
   return *std::move(states);
 }
 
+/// Only crowds are drawn more coarsely than they are simulated.
+void add_coarser_meshes(std::vector<DrawnBody>& looks, ShapeLibrary& library) {
+  if (!is_crowd(looks.size())) {
+    return;
+  }
+  for (DrawnBody& look : looks) {
+    if (look.mesh) {
+      look.coarser = library.coarser(look.mesh);
+    }
+  }
+}
+
 void set_timing(const json& scene, StagedScene& staged) {
   staged.step_hz = scene["engine"]["step_hz"].get<double>();
   if (scene.contains("meeting")) {
@@ -138,6 +150,7 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   const json imposed = scene.value("imposed", json::object());
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
+  add_coarser_meshes(bodies.looks, library);
   std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, viewer, start);
 
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;

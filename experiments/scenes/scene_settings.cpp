@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_settings.hpp"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -113,6 +114,11 @@ WorldSettings engine_settings_of(const json& scene) {
   }
   if (engine.value("rotation", std::string()) == std::string("energy-kept")) {
     settings.rotation = Rotation::kEnergyKept;
+  }
+  settings.most_response_passes = engine.value("response_passes", settings.most_response_passes);
+  if (engine.contains("gravity_m_s2")) {
+    const auto gravity = engine["gravity_m_s2"].get<std::array<double, 3>>();
+    settings.gravity_m_s2 = Vector3(gravity[0], gravity[1], gravity[2]);
   }
   settings.contacts = contacts_of(engine);
   settings.tunnelling = tunnelling_of(engine);

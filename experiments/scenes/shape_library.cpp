@@ -10,6 +10,7 @@
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/torus_mesh.hpp"
 #include "engine/trees/build_tree.hpp"
+#include "experiments/scenes/coarser_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus {
@@ -78,7 +79,7 @@ BodyShape ShapeLibrary::mesh_shape(const TriangleMesh& solid, const TreeSettings
     radius_m = std::max(radius_m, vertex.norm());
   }
   VolumeTree volumes =
-      builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree);
+      builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree, progress_);
   return {std::make_shared<const TriangleMesh>(mesh),
           std::make_shared<const VolumeTree>(std::move(volumes)), solid_of(mesh, 1.0), radius_m};
 }
@@ -109,6 +110,15 @@ const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes
     shapes_[key] = built(description, meshes, frame);
   }
   return shapes_[key];
+}
+
+std::shared_ptr<const DrawnLevels> ShapeLibrary::coarser(
+    const std::shared_ptr<const TriangleMesh>& mesh) {
+  std::shared_ptr<const DrawnLevels>& known = coarser_[mesh];
+  if (!known) {
+    known = std::make_shared<const DrawnLevels>(coarser_meshes(*mesh, progress_));
+  }
+  return known;
 }
 
 }  // namespace impetus

@@ -13,6 +13,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/volume_tree.hpp"
 #include "experiments/models/tree_cache.hpp"
+#include "experiments/session/drawn_levels.hpp"
 
 namespace impetus {
 
@@ -35,10 +36,16 @@ class ShapeLibrary {
   /// Trees that take long to build are kept in `cache`: they are the same with it and without.
   explicit ShapeLibrary(TreeCache cache = TreeCache::of_user()) : cache_(std::move(cache)) {}
 
+  /// From now on `progress` hears of what takes long, shape by shape.
+  void tell(Progress progress) { progress_ = std::move(progress); }
+
   /// The shape of a scene's body; `meshes` is the scene's. Both are valid by the scene's schema and
   /// checks.
   const BodyShape& shape(const nlohmann::json& description, const nlohmann::json& meshes,
                          const ShapeFrame& frame);
+
+  /// The meshes to draw in place of a shape's mesh where there is a crowd of it.
+  std::shared_ptr<const DrawnLevels> coarser(const std::shared_ptr<const TriangleMesh>& mesh);
 
  private:
   /// Description and hash of a mesh, metres per degree; kind, depth and branching of the tree.
@@ -49,7 +56,9 @@ class ShapeLibrary {
   [[nodiscard]] BodyShape mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const;
 
   TreeCache cache_;
+  Progress progress_;
   std::map<Key, BodyShape> shapes_;
+  std::map<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const DrawnLevels>> coarser_;
 };
 
 }  // namespace impetus

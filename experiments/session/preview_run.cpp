@@ -43,7 +43,7 @@ PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
       settings_(settings_of(scene_)),
       start_energy_J_(energy_J(scene_.world)),
       before_(scene_.world.states()),
-      levels_(before_.size()) {
+      latest_(before_.size(), scene_.step_hz) {
   regions_.set_rule(settings_.region);
 }
 
@@ -84,7 +84,7 @@ void PreviewRun::restart() {
   regions_.set_rule(settings_.region);
   input_ = {};
   before_ = scene_.world.states();
-  levels_.assign(before_.size(), {});
+  latest_ = LatestDetail(before_.size(), scene_.step_hz);
   position_ = 0.0;
   step_ = 0;
   pace_ = 1.0;
@@ -170,15 +170,8 @@ void PreviewRun::keep(const StepReport& report) {
   for (const CollisionReport& collision : report.collisions) {
     collision_count_ += collision.began ? 1 : 0;
     keep_contacts(report, collision);
-    for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
-      if (is_wall(body)) {
-        continue;
-      }
-      BodyLevel& last = levels_[static_cast<std::size_t>(body)];
-      const bool same_step = last.step == step_;
-      last = {same_step ? std::max(last.level, collision.level) : collision.level, step_};
-    }
   }
+  latest_.take(step_, report);
   const bool by_tests = settings_.budget == BudgetUnit::kTests;
   work_.push_back({report.work_spent, report.work_floor,
                    by_tests ? settings_.tests_per_step : report.work_granted});
@@ -253,15 +246,25 @@ double PreviewRun::freshness(const ShownContact& contact) const {
 }
 
 std::optional<int> PreviewRun::level_in_use(std::int32_t body) const {
-  const BodyLevel& last = levels_[static_cast<std::size_t>(body)];
-  const double age_s = static_cast<double>(step_ - last.step) / scene_.step_hz;
-  if (last.step >= 0 && age_s < kContactInView_s) {
-    return last.level;
+  const BodyDetail detail = details()[static_cast<std::size_t>(body)];
+  return detail.level >= 0 ? std::optional<int>(detail.level) : std::nullopt;
+}
+
+std::vector<BodyDetail> PreviewRun::details() const {
+  std::vector<BodyDetail> details = latest_.at(step_);
+  for (BodyDetail& detail : details) {
+    detail.list = -1;  // of a pair, which need not collide
   }
-  const bool paired = std::any_of(pairs_.begin(), pairs_.end(), [body](const ScheduledPair& pair) {
-    return pair.pair.a == body || pair.pair.b == body;
-  });
-  return paired ? std::optional<int>(0) : std::nullopt;
+  for (const ScheduledPair& pair : pairs_) {
+    for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
+      if (!is_wall(body)) {
+        BodyDetail& detail = details[static_cast<std::size_t>(body)];
+        detail.list = detail.list < 0 ? pair.list : std::min(detail.list, pair.list);
+        detail.level = std::max(detail.level, 0);
+      }
+    }
+  }
+  return details;
 }
 
 std::size_t PreviewRun::work_span() const {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/session/body_detail.hpp"
 #include "experiments/session/deadline_work.hpp"
 #include "experiments/session/pairs_of_step.hpp"
 #include "experiments/session/ports.hpp"
@@ -96,6 +97,8 @@ class PreviewRun {
   /// The level of the body's last collision while that is in view; 0 while it is in a pair at all;
   /// otherwise nothing.
   [[nodiscard]] std::optional<int> level_in_use(std::int32_t body) const;
+  /// Of each body, that level, and the most urgent list that it has a pair in.
+  [[nodiscard]] std::vector<BodyDetail> details() const;
   /// The last few seconds, oldest first.
   [[nodiscard]] const std::deque<WorkOfStep>& work() const { return work_; }
   /// Steps that work() reaches back at most.
@@ -112,11 +115,6 @@ class PreviewRun {
   void keep_contacts(const StepReport& report, const CollisionReport& collision);
   void find_pairs();
   void forget_old();
-
-  struct BodyLevel {
-    int level{0};
-    std::int64_t step{-1};  ///< of the collision; −1: none yet
-  };
 
   const Clock* clock_;
   StagedScene start_;
@@ -141,7 +139,7 @@ class PreviewRun {
   std::vector<BodyState> before_;
   StepInput input_;
   std::vector<ScheduledPair> pairs_;
-  std::vector<BodyLevel> levels_;
+  LatestDetail latest_;
   std::deque<ShownContact> contacts_;
   std::deque<ShownContact> node_contacts_;
   std::deque<WorkOfStep> work_;

@@ -16,14 +16,6 @@ constexpr const char* kRegion = "region";
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-int finest_level_of(const World& world) {
-  int finest = 0;
-  for (const BodyModel& body : world.models()) {
-    finest = std::max(finest, body.tree->level_count() - 1);
-  }
-  return finest;
-}
-
 std::string name_of(const StagedScene& scene) {
   if (scene.world.settings().schedule.rule == ListRule::kRegion) {
     return kRegion;
@@ -107,6 +99,14 @@ void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
 }
 
 }  // namespace
+
+int finest_level_of(const World& world) {
+  int finest = 0;
+  for (const BodyModel& body : world.models()) {
+    finest = std::max(finest, body.tree->level_count() - 1);
+  }
+  return finest;
+}
 
 std::vector<std::string> scheduler_names() {
   std::vector<std::string> names;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "experiments/session/preview_settings.hpp"
 #include "experiments/session/replay.hpp"
 
 namespace impetus {
@@ -39,14 +40,18 @@ ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded) {
   view.enclosure = scene.world.settings().enclosure;
   view.step_hz = scene.step_hz;
   view.duration_s = scene.duration_s;
+  view.finest_level = finest_level_of(scene.world);
+  LatestDetail latest(scene.looks.size(), scene.step_hz);
   mark_what_was_imposed(scene, view.marks);
   for (const StepRecord& step : recorded) {
     view.gaze.push_back(step.gaze);
   }
   const ReplayResult result =
       replay(std::move(scene), recorded,
-             [&view](std::int64_t step, const World& world, const StepReport& report) {
+             [&](std::int64_t step, const World& world, const StepReport& report) {
                view.states.push_back(world.states());
+               latest.take(step, report);
+               view.details.push_back(latest.at(step));
                mark_collisions(static_cast<double>(step) / view.step_hz, report, view.marks);
              });
   view.agrees = !result.divergence;

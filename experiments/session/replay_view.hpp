@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
+#include "experiments/session/body_detail.hpp"
 #include "experiments/session/record.hpp"
 #include "experiments/session/staged_scene.hpp"
 
@@ -41,7 +42,9 @@ struct ReplayView {
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start
   std::vector<GazeInput> gaze;  ///< [step], what the step was told; nothing for step 0
   std::vector<TimelineMark> marks;
-  bool agrees{true};  ///< every step's hash as recorded
+  bool agrees{true};                             ///< every step's hash as recorded
+  std::vector<std::vector<BodyDetail>> details;  ///< [step][body], of collisions
+  int finest_level{0};                           ///< of all bodies' trees
 };
 
 /// Simulates a trial again through its recorded steps: all of the view but title, facts, and the

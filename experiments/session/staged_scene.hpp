@@ -10,6 +10,7 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "engine/world.hpp"
+#include "experiments/session/drawn_levels.hpp"
 #include "experiments/session/turning_viewer.hpp"
 
 namespace impetus {
@@ -21,6 +22,8 @@ struct DrawnBody {
   double radius_m{0.0};  ///< of the sphere, or of a ball about the origin that holds the mesh
   std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
   std::shared_ptr<const TriangleMesh> mesh{};
+  /// Meshes to draw instead where the body is one of a crowd; none: always its own.
+  std::shared_ptr<const DrawnLevels> coarser{};
 };
 
 /// Where collisions are of high priority, for schedules by region.

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
-#include <unordered_map>
-
 #include "experiments/session/ports.hpp"
+#include "experiments/stage/uploaded_meshes.hpp"
 
 namespace impetus {
 
@@ -23,10 +21,6 @@ class MeshPainter {
   void paint(const Picture& picture);
 
  private:
-  struct Uploaded;
-
-  void forget_ended();
-  const Uploaded& uploaded(const std::shared_ptr<const TriangleMesh>& mesh);
   void paint_body(const Viewer& viewer, const PosedBody& body);
 
   unsigned program_{0};
@@ -34,7 +28,7 @@ class MeshPainter {
   int turn_{-1};
   int place_{-1};
   int colour_{-1};
-  std::unordered_map<const TriangleMesh*, std::unique_ptr<Uploaded>> meshes_;
+  UploadedMeshes meshes_;
 };
 
 }  // namespace impetus

@@ -12,10 +12,6 @@
 namespace impetus {
 namespace {
 
-constexpr float kPaleShare = 0.65F;
-constexpr float kPaleGrey = 0.62F;
-constexpr float kTintShare = 0.85F;
-
 /// A normal's arrow, as a share of the largest body's radius.
 constexpr double kArrowShare = 0.7;
 
@@ -24,29 +20,6 @@ ImVec2 pixel(const WindowPoint& point) { return {point.x, point.y}; }
 ImU32 colour(const std::array<float, 3>& rgb, double opacity) {
   return ImGui::ColorConvertFloat4ToU32(
       ImVec4(rgb[0], rgb[1], rgb[2], static_cast<float>(opacity)));
-}
-
-std::array<float, 3> mixed(const std::array<float, 3>& from, const std::array<float, 3>& to,
-                           float share) {
-  std::array<float, 3> result{};
-  for (std::size_t channel = 0; channel < result.size(); ++channel) {
-    result[channel] = from[channel] + share * (to[channel] - from[channel]);
-  }
-  return result;
-}
-
-/// The most urgent list that a body has a pair in; −1 when it has none.
-std::vector<int> lists_of_bodies(const PreviewRun& run) {
-  std::vector<int> lists(run.scene().looks.size(), -1);
-  for (const ScheduledPair& pair : run.pairs()) {
-    for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
-      if (!is_wall(body)) {
-        int& list = lists[static_cast<std::size_t>(body)];
-        list = list < 0 ? pair.list : std::min(list, pair.list);
-      }
-    }
-  }
-  return lists;
 }
 
 class OverlayDrawing {
@@ -105,23 +78,17 @@ double arrow_length_m(const PreviewRun& run) {
 
 }  // namespace
 
-std::array<float, 3> colour_of_list(int list) {
-  constexpr std::array<float, 3> kHigh{0.86F, 0.10F, 0.08F};
-  constexpr std::array<float, 3> kLow{0.08F, 0.28F, 0.88F};
-  return list == 0 ? kHigh : kLow;
+PreviewOverlays overlays_for(const StagedScene& scene) {
+  PreviewOverlays overlays;
+  if (is_crowd(scene.looks.size())) {
+    overlays.pairs = overlays.contacts = false;
+  }
+  return overlays;
 }
 
 std::vector<PosedBody> shown_bodies(const PreviewRun& run, const PreviewOverlays& overlays) {
   std::vector<PosedBody> bodies = run.bodies();
-  if (!overlays.shown || !overlays.tint) {
-    return bodies;
-  }
-  const std::vector<int> lists = lists_of_bodies(run);
-  for (std::size_t body = 0; body < bodies.size(); ++body) {
-    std::array<float, 3>& look = bodies[body].look.colour;
-    look = lists[body] < 0 ? mixed(look, {kPaleGrey, kPaleGrey, kPaleGrey}, kPaleShare)
-                           : mixed(look, colour_of_list(lists[body]), kTintShare);
-  }
+  colour_bodies(bodies, run.details(), overlays.colours, run.settings().finest_level);
   return bodies;
 }
 

@@ -9,29 +9,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "experiments/session/preview_run.hpp"
+#include "experiments/stage/body_colours.hpp"
 #include "experiments/stage/picture_map.hpp"
 
 namespace impetus {
 
 /// What is shown, as the panel's boxes say.
 struct PreviewOverlays {
-  bool shown{true};  ///< false: none of them
+  bool shown{true};  ///< false: none of the marks
   bool pairs{true};
-  bool tint{true};
   bool volumes{false};
   bool contacts{true};
   bool gaze{true};
-  int volume_level{-1};  ///< −1: the level in use
+  int volume_level{-1};                         ///< −1: the level in use
+  BodyColours colours{BodyColours::kPriority};  ///< whatever else is shown
 };
 
-/// Red for list 0, blue for the others (sRGB, 0–1).
-[[nodiscard]] std::array<float, 3> colour_of_list(int list);
+/// What is shown at first: of a crowd no lines and contacts, which would hide it.
+[[nodiscard]] PreviewOverlays overlays_for(const StagedScene& scene);
 
-/// The bodies as they are drawn: in the colour of their most urgent pair, paler without one.
+/// The bodies as they are drawn, in the colours that are chosen.
 [[nodiscard]] std::vector<PosedBody> shown_bodies(const PreviewRun& run,
                                                   const PreviewOverlays& overlays);
 

@@ -21,6 +21,10 @@ struct Speed {
 };
 constexpr std::array<Speed, 4> kSpeeds{{{1.0, "1"}, {0.5, "½"}, {0.25, "¼"}, {0.1, "1/10"}}};
 
+constexpr std::array<NamedValue<BodyColours>, 3> kColours{{{BodyColours::kOwn, "their own"},
+                                                           {BodyColours::kPriority, "priority"},
+                                                           {BodyColours::kLevel, "level"}}};
+
 class Panel {
  public:
   Panel(PreviewRun& run, PreviewOverlays& overlays, const PanelFrame& frame)
@@ -58,8 +62,8 @@ class Panel {
 
   void draw_keys() const {
     ImGui::TextWrapped(
-        "Space pause, play  ·  S one step  ·  R restart  ·  O overlays  ·  H this panel  ·  "
-        "Esc leave");
+        "Space pause, play  ·  S one step  ·  R restart  ·  O overlays  ·  C colours  ·  "
+        "H this panel  ·  Esc leave");
     if (frame_.picture_share < 0.995) {
       ImGui::TextWrapped("The picture has %.0f %% of life size; without the panel, all of it.",
                          100.0 * frame_.picture_share);
@@ -113,6 +117,8 @@ class Panel {
           "Scene time gone by, as a share of what the speed asks for. Below 100 %, this "
           "machine is too slow for the scene: the run falls behind, and no step is "
           "skipped.");
+      number("frames", "%.1f /s", frame_.frames_per_s);
+      panel_tooltip("Pictures shown in a second, over the last half second or so.");
       ImGui::EndTable();
     }
   }
@@ -137,23 +143,24 @@ class Panel {
   }
 
   void draw_overlay_boxes() {
-    panel_box("shown", overlays_.shown, "All of them, or none. Key: O");
+    panel_box("shown", overlays_.shown, "All marks, or none. Key: O");
     ImGui::BeginDisabled(!overlays_.shown);
     const float column = 0.5F * ImGui::GetContentRegionAvail().x;
     panel_box("pairs", overlays_.pairs,
               "Lines between bodies that may touch: red for list 0, blue else.");
     ImGui::SameLine(column);
-    panel_box("tint bodies", overlays_.tint,
-              "Bodies in the colour of their most urgent pair; paler without one.");
     panel_box("contacts", overlays_.contacts,
               "Contacts in view for a quarter of a second: red, of all overlapping nodes; yellow, "
               "with their normals, what the reduction leaves.");
-    ImGui::SameLine(column);
     panel_box("gaze, region", overlays_.gaze, "Where the mouse says you look, and the region.");
     panel_box("volumes", overlays_.volumes, "The volumes that stand for the bodies.");
     ImGui::SameLine(column);
     draw_volume_level();
     ImGui::EndDisabled();
+    chosen_of("colours", overlays_.colours, kColours,
+              "Of bodies, whatever marks are shown; paler where they are apart from others. "
+              "Priority: that of their most urgent pair. Level: what their collisions reached "
+              "lately. Key: C");
   }
 
   void draw_volume_level() {

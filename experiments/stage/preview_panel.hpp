@@ -13,6 +13,7 @@ namespace impetus {
 struct PanelFrame {
   float left_px{0.0F};        ///< from here to the window's right edge
   double picture_share{1.0};  ///< size of the picture as a share of life size
+  double frames_per_s{0.0};
 };
 
 [[nodiscard]] float panel_width(const Gui& gui);

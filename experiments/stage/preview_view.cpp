@@ -9,6 +9,7 @@
 
 #include "experiments/session/preview_run.hpp"
 #include "experiments/stage/canvas.hpp"
+#include "experiments/stage/colour_legend.hpp"
 #include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/preview_overlays.hpp"
@@ -20,12 +21,14 @@
 namespace impetus {
 namespace {
 
+constexpr double kRateAveraged_s = 0.5;
+
 class PreviewScreen {
  public:
   PreviewScreen(Canvas& canvas, StagedScene scene, const Clock& clock)
-      : canvas_(canvas), run_(std::move(scene), clock) {}
+      : canvas_(canvas), run_(std::move(scene), clock), overlays_(overlays_for(run_.scene())) {}
 
-  void run() {
+  PreviewFrames run() {
     canvas_.window.show_cursor(true);
     canvas_.gui.forget_input();
     canvas_.pacer.restart();
@@ -34,13 +37,29 @@ class PreviewScreen {
     while (!canvas_.events.closed() && !left_) {
       take_events();
       const std::int64_t now_ns = draw_and_flip();
-      run_.advance(static_cast<double>(now_ns - flipped_ns) / 1e9);
+      const double frame_s = static_cast<double>(now_ns - flipped_ns) / 1e9;
+      count(frame_s);
+      run_.advance(frame_s);
       flipped_ns = now_ns;
     }
     static_cast<void>(canvas_.events.take_pause_request());
+    return frames_;
   }
 
  private:
+  /// A frame that took so long.
+  void count(double frame_s) {
+    ++frames_.shown;
+    frames_.taken_s += frame_s;
+    const double weight = std::min(1.0, frame_s / kRateAveraged_s);
+    mean_frame_s_ =
+        frames_.shown == 1 ? frame_s : mean_frame_s_ + weight * (frame_s - mean_frame_s_);
+  }
+
+  [[nodiscard]] double frames_per_s() const {
+    return mean_frame_s_ > 0.0 ? 1.0 / mean_frame_s_ : 0.0;
+  }
+
   void take_events() {
     for (const StampedEvent& event : canvas_.events.take()) {
       canvas_.gui.feed(event.event);
@@ -80,6 +99,9 @@ class PreviewScreen {
         break;
       case SDLK_o:
         overlays_.shown = !overlays_.shown;
+        break;
+      case SDLK_c:
+        overlays_.colours = next_colours(overlays_.colours);
         break;
       case SDLK_h:
         panel_shown_ = !panel_shown_;
@@ -121,6 +143,8 @@ class PreviewScreen {
                  const std::vector<PosedBody>& bodies) {
     push_clip_rect(area, canvas_.gui.height());
     draw_overlays(run_, overlays_, map, bodies);
+    draw_colour_legend(canvas_.gui, area,
+                       meanings_of(overlays_.colours, run_.settings().finest_level));
     ImGui::PopClipRect();
   }
 
@@ -130,7 +154,7 @@ class PreviewScreen {
     draw_work_chart(gui, run_, ImVec2(margin(), gui.height() - chart_height()),
                     ImVec2(right - margin(), gui.height() - margin()));
     const double life_px = canvas_.window.width_px();
-    draw_preview_panel(gui, run_, overlays_, {right, area.width / life_px});
+    draw_preview_panel(gui, run_, overlays_, {right, area.width / life_px, frames_per_s()});
   }
 
   /// The largest area above the chart and beside the panel with the shape of the screen.
@@ -157,12 +181,17 @@ class PreviewScreen {
   std::optional<WindowPoint> mouse_;  ///< none: it has not moved yet
   bool panel_shown_{true};
   bool left_{false};
+  PreviewFrames frames_;
+  double mean_frame_s_{0.0};
 };
 
 }  // namespace
 
-void view_preview(Window& window, StagedScene scene, const Clock& clock) {
-  while_display_lasts([&] { PreviewScreen(window.canvas(), std::move(scene), clock).run(); });
+PreviewFrames view_preview(Window& window, StagedScene scene, const Clock& clock) {
+  PreviewFrames frames;
+  while_display_lasts(
+      [&] { frames = PreviewScreen(window.canvas(), std::move(scene), clock).run(); });
+  return frames;
 }
 
 }  // namespace impetus

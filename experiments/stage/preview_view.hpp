@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "experiments/session/ports.hpp"
 #include "experiments/session/staged_scene.hpp"
 #include "experiments/stage/window.hpp"
 
 namespace impetus {
 
-/// Runs the scene in real time until Esc or the window's close. `clock` is the window's.
-void view_preview(Window& window, StagedScene scene, const Clock& clock);
+struct PreviewFrames {
+  std::int64_t shown{0};
+  double taken_s{0.0};
+};
+
+/// Runs the scene in real time until Esc or the window's close, and tells what was shown. `clock`
+/// is the window's.
+PreviewFrames view_preview(Window& window, StagedScene scene, const Clock& clock);
 
 }  // namespace impetus

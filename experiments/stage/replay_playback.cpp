@@ -73,6 +73,12 @@ std::int64_t ReplayPlayback::last_step() const {
 
 std::string ReplayPlayback::speed() const { return kSpeeds[speed_].name; }
 
+std::vector<BodyDetail> ReplayPlayback::details() const {
+  const auto step = static_cast<std::size_t>(step_number());
+  return step < replay_.details.size() ? replay_.details[step]
+                                       : std::vector<BodyDetail>(replay_.looks.size());
+}
+
 std::vector<PosedBody> ReplayPlayback::bodies() const {
   const auto before = static_cast<std::size_t>(step_number());
   const std::size_t after = std::min(before + 1, replay_.states.size() - 1);

@@ -38,6 +38,8 @@ class ReplayPlayback {
 
   /// What the present step was told of the gaze.
   [[nodiscard]] GazeInput gaze() const { return gaze_of_step(replay_, step_number()); }
+  /// The detail of each body's collisions at the present step; none where it is not known.
+  [[nodiscard]] std::vector<BodyDetail> details() const;
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "experiments/stage/canvas.hpp"
+#include "experiments/stage/colour_legend.hpp"
 #include "experiments/stage/display_loss.hpp"
 #include "experiments/stage/gaze_overlay.hpp"
 #include "experiments/stage/palette.hpp"
@@ -19,8 +20,8 @@ namespace impetus {
 namespace {
 
 constexpr const char* kKeys =
-    "Space play, pause  ·  ← → one step  ·  ↑ ↓ speed  ·  G gaze  ·  Page Up, Page Down trial  ·  "
-    "Esc close";
+    "Space play, pause  ·  ← → one step  ·  ↑ ↓ speed  ·  G gaze  ·  C colours  ·  "
+    "Page Up, Page Down trial  ·  Esc close";
 
 std::string facts_of(const ReplayView& replay) {
   std::string line;
@@ -92,6 +93,9 @@ class ReplayScreen {
       case SDLK_g:
         gaze_shown_ = !gaze_shown_;
         break;
+      case SDLK_c:
+        colours_ = next_colours(colours_);
+        break;
       default:
         break;
     }
@@ -102,6 +106,7 @@ class ReplayScreen {
     canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
     Picture picture;
     picture.bodies = playback_.bodies();
+    colour_bodies(picture.bodies, playback_.details(), colours_, replay_.finest_level);
     picture.enclosure = replay_.enclosure;
     picture.viewer = viewer_now();
     canvas_.painter.paint(picture, picture_area());
@@ -109,6 +114,7 @@ class ReplayScreen {
     if (gaze_shown_) {
       draw_gaze_over(picture_area());
     }
+    draw_colour_legend(canvas_.gui, picture_area(), meanings_of(colours_, replay_.finest_level));
     draw_header();
     draw_footer();
     canvas_.gui.end();
@@ -200,6 +206,7 @@ class ReplayScreen {
   ReplayPlayback playback_;
   float header_px_{0.0F};
   bool gaze_shown_{true};
+  BodyColours colours_{BodyColours::kOwn};
 };
 
 }  // namespace

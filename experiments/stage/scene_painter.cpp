@@ -20,6 +20,10 @@ constexpr double kCrossThicknessDeg = 0.08;
 
 constexpr float kShellOpacity = 0.3F;
 
+/// Pictures of more bodies have one sample per pixel: four take twice the time where a card is
+/// missing.
+constexpr std::size_t kMostSmoothedBodies = 100;
+
 bool has_mesh(const PosedBody& body) { return body.look.mesh != nullptr; }
 
 bool is_ball(const ColouredVolume& volume) { return volume.shape.half_extents_m.isZero(0.0); }
@@ -53,11 +57,10 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area,
   const bool straight_edges = picture.enclosure ||
                               std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh) ||
                               !std::all_of(volumes.begin(), volumes.end(), is_ball);
-  if (straight_edges) {
+  if (straight_edges && picture.bodies.size() <= kMostSmoothedBodies) {
     paint_multisampled(picture, volumes, area);
   } else {
-    fill(area, palette::kPictureGrey);
-    paint_rest(picture, volumes, area);
+    paint_all(picture, volumes, area);
   }
   if (picture.fixation_cross) {
     paint_fixation(picture.viewer.screen, area);
@@ -69,21 +72,34 @@ void ScenePainter::paint_onto(unsigned framebuffer, const Picture& picture, cons
   paint_multisampled(picture, volumes, {0, 0, area.width, area.height}, framebuffer);
 }
 
-// Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
-// samples knows whether one of them is in front.
 void ScenePainter::paint_multisampled(const Picture& picture,
                                       const std::vector<ColouredVolume>& volumes,
                                       const PixelArea& area, unsigned framebuffer) {
   const PixelArea all{0, 0, area.width, area.height};
   target_.begin(area.width, area.height);
-  fill(all, palette::kPictureGrey);
-  glViewport(0, 0, area.width, area.height);
+  paint_all(picture, volumes, all);
+  target_.end_onto(area, framebuffer);
+}
+
+// Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
+// samples knows whether one of them is in front.
+void ScenePainter::paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                             const PixelArea& area) {
+  fill(area, palette::kPictureGrey);
+  glViewport(area.left, area.bottom, area.width, area.height);
   if (picture.enclosure) {
     enclosure_.paint(*picture.enclosure, picture.viewer);
   }
-  meshes_.paint(picture);
-  paint_rest(picture, volumes, all);
-  target_.end_onto(area, framebuffer);
+  paint_meshes(picture, area.height);
+  paint_rest(picture, volumes, area);
+}
+
+void ScenePainter::paint_meshes(const Picture& picture, int height_px) {
+  if (is_crowd(picture.bodies.size())) {
+    crowd_.paint(picture, height_px);
+  } else {
+    meshes_.paint(picture);
+  }
 }
 
 void ScenePainter::paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,

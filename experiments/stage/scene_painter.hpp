@@ -7,13 +7,16 @@
 // The screen is the plane through the world's origin that faces the eye: a metre there is a metre
 // on the glass. Edges of spheres are blended by the share of the pixel that is covered; a picture
 // with straight edges (meshes, walls) is drawn with four samples per pixel, one without goes
-// straight to the window.
+// straight to the window. So does one of more than a hundred bodies, whose edges are then not
+// blended: without a graphics card, four samples would take more than twice the time. The rule is
+// the same with a card, for pictures must not depend on the machine.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>
 
 #include "experiments/session/ports.hpp"
+#include "experiments/stage/crowd_painter.hpp"
 #include "experiments/stage/enclosure_painter.hpp"
 #include "experiments/stage/mesh_painter.hpp"
 #include "experiments/stage/multisampled_target.hpp"
@@ -44,6 +47,9 @@ class ScenePainter {
  private:
   void paint_multisampled(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                           const PixelArea& area, unsigned framebuffer = 0);
+  void paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                 const PixelArea& area);
+  void paint_meshes(const Picture& picture, int height_px);
   void paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                   const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
@@ -53,6 +59,7 @@ class ScenePainter {
   VolumePainter shells_;
   EnclosurePainter enclosure_;
   MeshPainter meshes_;
+  CrowdPainter crowd_;
   MultisampledTarget target_;
 };
 

@@ -95,9 +95,10 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
   return sides;
 }
 
-Groups joined_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals) {
+Groups joined_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals,
+                                double hard_edge_deg) {
   Groups groups(3 * mesh.triangles.size());
-  const double least_cosine = sine_cosine_deg(kHardEdgeDeg).cosine;
+  const double least_cosine = sine_cosine_deg(hard_edge_deg).cosine;
   const std::vector<Side> sides = sorted_sides(mesh);
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const Side& one = sides[i - 1];
@@ -117,9 +118,9 @@ std::array<float, 3> as_floats(const Vector3& v) {
 
 }  // namespace
 
-ShadedMesh shaded(const TriangleMesh& mesh) {
+ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg) {
   const std::vector<Vector3> normals = face_normals(mesh);
-  Groups groups = joined_across_soft_edges(mesh, normals);
+  Groups groups = joined_across_soft_edges(mesh, normals, hard_edge_deg);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   std::vector<Vector3> sums(corners, Vector3::Zero());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {

@@ -14,7 +14,8 @@
 
 namespace impetus {
 
-/// An edge is hard when the normals of its two triangles are farther apart.
+/// An edge is hard when the normals of its two triangles are farther apart, if nothing else is
+/// said.
 inline constexpr double kHardEdgeDeg = 30.0;
 
 struct ShadedVertex {
@@ -29,6 +30,6 @@ struct ShadedMesh {
 
 /// Every vertex index of the mesh must be within its vertices. Only triangles that name the same
 /// vertices share an edge. A face's part in an averaged normal is the angle of its corner.
-ShadedMesh shaded(const TriangleMesh& mesh);
+ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg = kHardEdgeDeg);
 
 }  // namespace impetus

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/stage/volume_levels.hpp"
 
-#include <optional>
 #include <utility>
 
 namespace impetus {
@@ -36,14 +35,14 @@ std::vector<ColouredVolume> VolumeLevels::of(const PreviewRun& run, const Previe
   if (!overlays.shown || !overlays.volumes) {
     return volumes;
   }
+  const std::vector<BodyDetail> details = run.details();
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     const bool chosen = overlays.volume_level >= 0;
-    const std::optional<int> level = chosen ? std::optional<int>(overlays.volume_level)
-                                            : run.level_in_use(static_cast<std::int32_t>(body));
-    if (!level) {
+    const int level = chosen ? overlays.volume_level : details[body].level;
+    if (level < 0) {
       continue;
     }
-    for (const RoundedBox& volume : at(run.scene().world.models()[body].tree, *level)) {
+    for (const RoundedBox& volume : at(run.scene().world.models()[body].tree, level)) {
       volumes.push_back({posed(volume, bodies[body].pose), kVolumeColour});
     }
   }

@@ -66,9 +66,12 @@ void Window::warm_up() {
   Picture with_mesh = picture;
   with_mesh.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}, tiny_triangle()}});
   with_mesh.enclosure = ClosedCube{0.1};
+  Picture crowd = with_mesh;
+  crowd.bodies.resize(kFewBodies + 1, with_mesh.bodies.back());
   constexpr int kFrames = 3;
   for (int frame = 0; frame < kFrames; ++frame) {
     canvas_->painter.paint(with_mesh, canvas_->whole());
+    canvas_->painter.paint(crowd, canvas_->whole());
     canvas_->painter.paint(picture, canvas_->whole());
     canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
     canvas_->gui.begin();

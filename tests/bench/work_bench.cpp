@@ -43,7 +43,7 @@ void test_of_nodes(benchmark::State& state) {
       tests += refinement.next_block();
       refinement.refine_one_block();
     }
-    benchmark::DoNotOptimize(refinement.overlapping().data());
+    benchmark::DoNotOptimize(refinement.overlapping().size());
   }
   state.SetLabel(name_of_kind(state.range(0)));
   state.SetItemsProcessed(tests);

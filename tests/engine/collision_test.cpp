@@ -18,7 +18,10 @@ namespace {
 constexpr std::uint64_t kSeed = 20'02;
 using Answer = std::set<std::pair<std::int32_t, std::int32_t>>;
 
-Answer as_set(const std::vector<NodePair>& pairs) {
+/// The pairs as they are listed.
+std::vector<NodePair> list_of(const NodePairs& pairs) { return {pairs.begin(), pairs.end()}; }
+
+Answer as_set(const NodePairs& pairs) {
   Answer answer;
   for (const NodePair& pair : pairs) {
     EXPECT_TRUE(answer.emplace(pair.a, pair.b).second) << "a node pair is listed twice";
@@ -213,11 +216,11 @@ TEST(PairRefinement, ALeafAgainstAnInnerNodeDescendsTheInnerNode) {
   PlacedTree b(pair_of_spheres);
   a.move_to({Vector3(1.5, 0.0, 0.0), Quaternion::Identity()});
   PairRefinement pair(a, b);
-  EXPECT_EQ(pair.overlapping(), (std::vector<NodePair>{{0, 0}}));
+  EXPECT_EQ(list_of(pair.overlapping()), (std::vector<NodePair>{{0, 0}}));
   EXPECT_EQ(pair.next_block(), 2);
   EXPECT_EQ(pair.stop_reason(), StopReason::kBudgetSpent);
   pair.refine_one_block();
-  EXPECT_EQ(pair.overlapping(), (std::vector<NodePair>{{0, 1}}));
+  EXPECT_EQ(list_of(pair.overlapping()), (std::vector<NodePair>{{0, 1}}));
   EXPECT_EQ(pair.level(), 1);
   EXPECT_EQ(pair.stop_reason(), StopReason::kFinest);
 }
@@ -242,7 +245,7 @@ TEST(PairRefinement, AnUnfinishedLevelIsNotShown) {
     PairRefinement pair(trees.a, trees.b);
     while (!pair.resolved()) {
       const int level = pair.level();
-      const std::vector<NodePair> shown = pair.overlapping();
+      const NodePairs shown = pair.overlapping();
       pair.refine_one_block();
       if (pair.level() == level) {
         ASSERT_EQ(pair.overlapping(), shown);

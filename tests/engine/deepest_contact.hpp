@@ -14,14 +14,16 @@ class DeepestContact final : public ContactSums {
   static constexpr std::int64_t kMost = 1;
   static constexpr bool kWeighs = false;  // looks at nothing but where nodes touch
 
-  explicit DeepestContact(const Vector3& /*fallback*/) {}
+  void begin(const Vector3& /*fallback*/) override { deepest_.clear(); }
 
   void add(const NodeContact& contact) override {
     if (deepest_.empty() || contact.touch.depth_m > deepest_.front().depth_m) {
-      deepest_ = {contact.touch};
+      deepest_.assign(1, contact.touch);
     }
   }
-  std::vector<TouchPoint> reduced() const override { return deepest_; }
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
+    contacts.insert(contacts.end(), deepest_.begin(), deepest_.end());
+  }
 
  private:
   std::vector<TouchPoint> deepest_;  // none or one

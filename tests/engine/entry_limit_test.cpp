@@ -52,8 +52,16 @@ Stopped stopped_in(const World& world, std::int64_t most_tests) {
     placed.emplace_back(*model.tree);
   }
   const std::vector<PairBounds> candidates = candidate_pairs(bounds);
-  stopped.result = stop_at_entry({1.0, world.models(), world.states(), candidates, kUnlimitedLevel,
-                                  WorkCosts{}, Rotation::kMidpoint, kMostStops, most_tests},
+  stopped.result = stop_at_entry({1.0,
+                                  world.models(),
+                                  world.states(),
+                                  candidates,
+                                  kUnlimitedLevel,
+                                  WorkCosts{},
+                                  Rotation::kMidpoint,
+                                  kMostStops,
+                                  {},
+                                  most_tests},
                                  stopped.states, placed);
   return stopped;
 }

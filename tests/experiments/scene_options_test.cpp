@@ -94,6 +94,28 @@ TEST(SceneOptions, HowRotationIsSteppedIsAskedForByName) {
             "/engine/rotation: expected one of \"midpoint\", \"energy-kept\", got \"euler\"");
 }
 
+TEST(SceneOptions, GravityIsThreeNumbersAndNoneWhenLeftOut) {
+  const auto with = [](const json& gravity) {
+    return changed(free_scene(), "/engine/gravity_m_s2", gravity);
+  };
+  EXPECT_EQ(settings_of(built(free_scene())).gravity_m_s2, Vector3(0.0, 0.0, 0.0));
+  EXPECT_EQ(settings_of(built(with({0, -9.81, 0.5}))).gravity_m_s2, Vector3(0.0, -9.81, 0.5));
+  EXPECT_EQ(scene_refusal(with({0, -9.81})),
+            "/engine/gravity_m_s2: expected a list of 3 values, got [0,-9.81]");
+  EXPECT_EQ(scene_refusal(with({0, -1001, 0})),
+            "/engine/gravity_m_s2/1: expected a number ≥ -1000 and ≤ 1000, got -1001");
+}
+
+TEST(SceneOptions, PassesOfTheResponseAreUnlimitedWhenLeftOut) {
+  const auto with = [](int passes) {
+    return changed(free_scene(), "/engine/response_passes", passes);
+  };
+  EXPECT_EQ(settings_of(built(free_scene())).most_response_passes, kUnlimitedPasses);
+  EXPECT_EQ(settings_of(built(with(10))).most_response_passes, 10);
+  EXPECT_EQ(scene_refusal(with(0)),
+            "/engine/response_passes: expected a whole number ≥ 1 and ≤ 1000, got 0");
+}
+
 TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
   const auto asked = [](const char* name) {
     return settings_of(built(with_schedule("traversal", name))).schedule.traversal;

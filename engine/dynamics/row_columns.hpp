@@ -1,0 +1,59 @@
+// Constraints of the same two bodies side by side, four at a time, coordinate by coordinate: what
+// is asked of all of them is found for four at once.
+//
+// Every number is the result of the operations that dot() and its like do for one row, in their
+// order: sums of six products are two sums of three, each from its end, as Eigen adds them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/dynamics/constraint_row.hpp"
+
+namespace impetus {
+
+inline constexpr std::size_t kRowLanes = 4;
+using LanesOf3 = double[3][kRowLanes];
+using LanesOf6 = double[6][kRowLanes];
+
+/// One to four rows; bodies as in RowPart. Where there is no body, its lanes mean nothing; the
+/// lanes beyond `count` hold any numbers.
+struct RowBlock {
+  std::int32_t a{-1};
+  std::int32_t b{-1};
+  std::size_t first_row{0};
+  std::size_t count{0};
+  LanesOf6 of_a;
+  LanesOf6 of_b;
+};
+
+class RowColumns {
+ public:
+  void clear();
+
+  /// A block of `count` rows at the end, to be filled.
+  RowBlock& add_block(std::int32_t a, std::int32_t b, std::size_t count);
+
+  /// One row at the end; its bound is not kept.
+  void push_back(const ConstraintRow& row);
+
+  [[nodiscard]] std::size_t size() const { return place_of_row_.size(); }
+
+  /// Without a bound.
+  [[nodiscard]] ConstraintRow row(std::size_t index) const;
+
+  /// Of every row a · u, in their order.
+  void find_products(const std::vector<Vector6>& u, std::vector<double>& products) const;
+
+  /// The lengths of the rows of `of`; these become the same rows of unit length, but for those that
+  /// have no length.
+  void make_unit(const RowColumns& of, std::vector<double>& lengths);
+
+ private:
+  std::vector<RowBlock> blocks_;
+  std::vector<std::size_t> place_of_row_;  ///< block · kRowLanes + lane
+};
+
+}  // namespace impetus

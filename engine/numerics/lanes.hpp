@@ -1,0 +1,38 @@
+// Vectors of doubles, several widths from one source.
+//
+// A function that works on lanes is written once, inlined into one function for each width, and the
+// widest that the machine has is chosen at run time. Lanes never meet but by exact operations on
+// bits, so every width gives the same bits as no vector at all; none of the instruction sets named
+// here is asked to fuse a multiplication with an addition (-ffp-contract=off).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace impetus {
+
+/// Doubles of a block, whatever the width.
+inline constexpr int kLanes = 8;
+
+/// How many doubles a vector holds.
+enum class LaneWidth { kTwo = 2, kFour = 4, kEight = 8 };
+
+/// The widest that this machine has instructions for.
+inline LaneWidth widest_lanes() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) {
+    return LaneWidth::kEight;
+  }
+  if (__builtin_cpu_supports("avx2")) {
+    return LaneWidth::kFour;
+  }
+#endif
+  return LaneWidth::kTwo;
+}
+
+}  // namespace impetus
+
+// What is inlined into the function of each width, and the functions of the wider ones.
+#define IMPETUS_INLINED inline __attribute__((always_inline))
+#if defined(__x86_64__)
+#define IMPETUS_EIGHT_LANES __attribute__((target("avx512f")))
+#define IMPETUS_FOUR_LANES __attribute__((target("avx2")))
+#endif

@@ -1,0 +1,88 @@
+// A step allocates nothing once its scene has been as full as it gets: every `new` is counted.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "tests/engine/crowds.hpp"
+
+namespace {
+std::int64_t allocations = 0;
+
+void* counted(std::size_t bytes, std::size_t alignment) {
+  ++allocations;
+  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*bytes*/) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t /*bytes*/, std::align_val_t /*align*/) noexcept {
+  std::free(memory);
+}
+
+namespace impetus {
+namespace {
+
+constexpr std::uint64_t kSeed = 83;
+
+/// The last step that allocated, of `steps`; -1 when none did.
+int last_step_that_allocates(World& world, int steps) {
+  FixedWork unlimited(kUnlimitedTests);
+  const StepInput input = looking_ahead();
+  int last = -1;
+  for (int step = 0; step < steps; ++step) {
+    const std::int64_t before = allocations;
+    world.step(input, unlimited);
+    last = allocations > before ? step : last;
+  }
+  return last;
+}
+
+/// A crowd that comes back to the same state over and over, so that it is as full in its first
+/// round as it ever gets.
+int last_round_that_allocates(const WorldSettings& settings) {
+  RandomStream random(kSeed, "allocations");
+  const std::vector<BodyModel> kinds = bodies_of_every_tree_kind();
+  World world = squeezed_crowd(random, kinds, 24, 0.16, settings);
+  const std::vector<BodyState> start = world.states();
+  int last = -1;
+  for (int round = 0; round < 4; ++round) {
+    world.mutable_states() = start;
+    last = last_step_that_allocates(world, 30) >= 0 ? round : last;
+  }
+  return last;
+}
+
+TEST(StepAllocation, ACrowdOfEveryKindOfTreeAllocatesNothingOnceItWasAsFull) {
+  EXPECT_LT(last_round_that_allocates({}), 2);
+}
+
+TEST(StepAllocation, NorDoesAnyReduction) {
+  for (const std::string_view name : reduction_names()) {
+    WorldSettings settings;
+    settings.contacts.reduction = make_reduction(name);
+    settings.contacts.most_per_pair = 3;
+    EXPECT_LT(last_round_that_allocates(settings), 2) << name;
+  }
+}
+
+TEST(StepAllocation, NorDoesAnyScheduleOrResponse) {
+  RandomStream random(kSeed, "settings");
+  for (int trial = 0; trial < 12; ++trial) {
+    EXPECT_LT(last_round_that_allocates(random_settings(random)), 2) << "trial " << trial;
+  }
+}
+
+}  // namespace
+}  // namespace impetus

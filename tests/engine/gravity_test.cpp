@@ -1,0 +1,173 @@
+// Gravity: parabolas to rounding, bounces that gain nothing, piles that lie still and stay inside.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tests/engine/builders.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr std::uint64_t kSeed = 1687;
+const Vector3 kGravity_m_s2(0.0, -9.81, 0.0);
+
+WorldSettings falling(double restitution) {
+  WorldSettings settings;
+  settings.restitution = restitution;
+  settings.gravity_m_s2 = kGravity_m_s2;
+  return settings;
+}
+
+/// Kinetic and potential.
+double energy_J(const World& world) {
+  double sum = total_energy(world);
+  for (std::size_t body = 0; body < world.models().size(); ++body) {
+    const double inverse_mass = world.models()[body].inverse_mass;
+    if (inverse_mass > 0.0) {
+      sum -= kGravity_m_s2.dot(world.states()[body].pose.position) / inverse_mass;
+    }
+  }
+  return sum;
+}
+
+TEST(Gravity, ABodyInFlightFollowsItsParabolaToRounding) {
+  // x = x₀ + v₀ t + g t²/2, P = m (v₀ + g t)
+  RandomStream random(kSeed, "parabolas");
+  for (int trial = 0; trial < 20; ++trial) {
+    const BodyModel model = ball(0.1, uniform_in(random, 0.1, 5.0));
+    const Vector3 start = random_in_cube(random, 2.0);
+    const Vector3 velocity_m_s = random_in_cube(random, 5.0);
+    World world({model}, {moving(model, start, velocity_m_s)}, falling(1.0));
+    constexpr int kSteps = 480;
+    for (int step = 0; step < kSteps; ++step) {
+      step_whole(world);
+    }
+    const double t = kSteps * kStep_s;
+    const Vector3 expected = start + t * velocity_m_s + 0.5 * t * t * kGravity_m_s2;
+    // Some 1,000 sums of numbers up to 20 m, each rounded by 2e-15 of its size.
+    ASSERT_LE((world.states()[0].pose.position - expected).norm(), 1e-11) << "seed " << kSeed;
+    const Vector3 momentum = (velocity_m_s + t * kGravity_m_s2) / model.inverse_mass;
+    ASSERT_LE((world.states()[0].linear_momentum - momentum).norm(), 1e-10 * momentum.norm());
+  }
+}
+
+TEST(Gravity, WhatNothingMovesDoesNotFallAndAHoldStopsTime) {
+  const BodyModel model = ball(0.1, 1.0);
+  BodyState fixed = resting_at({5.0, 0.0, 0.0});
+  BodyState held = resting_at({0.0, 0.0, 0.0});
+  held.held_s = 2.5 * kStep_s;
+  World world({fixed_ball(0.1), model}, {fixed, held}, falling(1.0));
+  for (int step = 0; step < 10; ++step) {
+    step_whole(world);
+  }
+  EXPECT_EQ(world.states()[0].pose.position, fixed.pose.position);
+  EXPECT_EQ(world.states()[0].linear_momentum, Vector3(0.0, 0.0, 0.0));
+  const double fallen_s = 7.5 * kStep_s;
+  EXPECT_NEAR(world.states()[1].pose.position.y(), -0.5 * 9.81 * fallen_s * fallen_s, 1e-15);
+  EXPECT_NEAR(world.states()[1].linear_momentum.y(), -9.81 * fallen_s, 1e-14);
+}
+
+TEST(Gravity, ABouncingBallGainsNoEnergyButWhatItsSupportedStepsMayGive) {
+  // A supported step may give (kRestingSteps + ½) m g² dt², and nothing else gives anything.
+  for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
+    const BodyModel model = ball(0.1, 1.0);
+    WorldSettings settings = falling(restitution);
+    settings.enclosure = ClosedCube{1.0};
+    World world({model}, {moving(model, {0.0, 0.5, 0.0}, {0.0, 0.0, 0.0})}, settings);
+    const double start_J = energy_J(world);
+    const double supported_J =
+        (kRestingSteps + 0.5) * kGravity_m_s2.squaredNorm() * kStep_s * kStep_s;
+    double before_J = start_J;
+    bool touched = false;
+    for (int step = 0; step < 2'400; ++step) {
+      const StepReport report = step_whole(world);
+      const double gain_J = energy_J(world) - before_J;
+      ASSERT_LE(gain_J, (touched ? supported_J : 0.0) + 1e-13) << restitution << ", " << step;
+      before_J = energy_J(world);
+      touched = !report.collisions.empty();
+    }
+    if (restitution == 1.0) {
+      EXPECT_NEAR(before_J, start_J, 1e-11) << "every bounce on its parabola";
+    } else {
+      EXPECT_LT(before_J, start_J - 1.0) << "it came to rest";
+    }
+  }
+}
+
+TEST(Gravity, AStackAtRestStaysWhereItIs) {
+  const BodyModel model = ball(0.1, 1.0);
+  std::vector<BodyState> states;
+  for (int i = 0; i < 4; ++i) {
+    states.push_back(resting_at({0.0, -0.901 + 0.199 * i, 0.0}));
+  }
+  for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
+    WorldSettings settings = falling(0.5);
+    settings.enclosure = ClosedCube{1.0};
+    settings.response = method;
+    World world(std::vector<BodyModel>(4, model), states, settings);
+    step_whole(world);  // the one after which it is known who touches
+    const std::vector<BodyState> before = world.states();
+    for (int step = 1; step < 2'400; ++step) {
+      step_whole(world);
+    }
+    for (std::size_t body = 0; body < before.size(); ++body) {
+      const Vector3 moved = world.states()[body].pose.position - before[body].pose.position;
+      // A millionth of the radius in ten seconds.
+      EXPECT_LE(moved.norm(), 1e-7) << "body " << body << " moved by " << moved.transpose();
+    }
+  }
+}
+
+/// `count` L-blocks above each other in a narrow pit, falling into it.
+World poured(int count, WorldSettings settings) {
+  RandomStream random(kSeed, "poured");
+  const BodyModel model = solid_body(small_l_block(), /*depth=*/2);
+  constexpr double kHalfEdge_m = 1.0;
+  std::vector<BodyState> states;
+  for (int i = 0; i < count; ++i) {
+    const Vector3 place(0.45 * (i % 4) - 0.675, -0.7 + 0.3 * (i / 16), 0.45 * (i / 4 % 4) - 0.675);
+    states.push_back(moving(model, place, random_in_cube(random, 0.2)));
+    states.back().pose.orientation = random_turn(random);
+  }
+  settings.enclosure = ClosedCube{kHalfEdge_m};
+  return {std::vector<BodyModel>(static_cast<std::size_t>(count), model), std::move(states),
+          std::move(settings)};
+}
+
+TEST(Gravity, AHundredBodiesPouredIntoAPitSettleAndNoneFallsThroughTheFloor) {
+  for (const int passes : {kUnlimitedPasses, 10}) {
+    WorldSettings settings = falling(0.3);
+    settings.most_response_passes = passes;
+    World world = poured(100, settings);
+    const double start_J = energy_J(world);
+    for (int step = 0; step < 720; ++step) {
+      ASSERT_EQ(step_whole(world).degradations & kNotFinite, 0U);
+    }
+    double fastest_m_s = 0.0;
+    double lowest_m = 0.0;
+    for (std::size_t body = 0; body < world.states().size(); ++body) {
+      fastest_m_s =
+          std::max(fastest_m_s, velocity(world.models()[body], world.states()[body]).norm());
+      lowest_m = std::min(lowest_m, world.states()[body].pose.position.y());
+    }
+    EXPECT_GT(lowest_m, -1.0) << "the floor";
+    EXPECT_LT(fastest_m_s, 0.5) << "settling";
+    EXPECT_LT(energy_J(world), start_J);
+  }
+}
+
+TEST(Gravity, MustBeFinite) {
+  WorldSettings settings = falling(1.0);
+  settings.gravity_m_s2.y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(problem_of(settings), "world: gravity must be finite");
+  settings = falling(1.0);
+  settings.most_response_passes = 0;
+  EXPECT_EQ(problem_of(settings), "world: the response needs one pass or more, got 0");
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,128 @@
+// A response with a limit to its passes: nothing changes where it is not reached, and where it is,
+// no energy is gained, momentum is kept, and what still approaches is said.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "engine/dynamics/responder.hpp"
+#include "tests/engine/response_scenes.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr std::uint64_t kSeed = 1991;
+
+ResponseRules limited(ResponseMethod method, int most_passes) {
+  ResponseRules rules;
+  rules.method = method;
+  rules.most_passes = most_passes;
+  return rules;
+}
+
+class LimitedResponse : public testing::TestWithParam<ResponseMethod> {
+ protected:
+  ResponseResult respond(ResponseProblem& problem, int most_passes) {
+    return responder_.respond(problem.contacts, problem.restitutions,
+                              limited(GetParam(), most_passes), problem.models, problem.states);
+  }
+
+ private:
+  Responder responder_;
+};
+
+TEST_P(LimitedResponse, IsTheUnlimitedOneWhereTheLimitIsNotReached) {
+  RandomStream random(kSeed, "not reached");
+  for (int trial = 0; trial < 500; ++trial) {
+    ResponseProblem problem = random_problem(random);
+    ResponseProblem unlimited = problem;
+    const ResponseResult expected = respond(unlimited, kUnlimitedPasses);
+    const auto enough = static_cast<int>(2 * problem.contacts.size());
+    EXPECT_EQ(respond(problem, enough).impulse_Ns, expected.impulse_Ns)
+        << "seed " << kSeed << ", problem " << trial;
+  }
+}
+
+TEST_P(LimitedResponse, GainsNoEnergyKeepsMomentumAndTellsWhatStillApproaches) {
+  RandomStream random(kSeed, "reached");
+  int approaching = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    ResponseProblem problem = random_heap(random, 12, 3);
+    std::erase_if(problem.contacts, [](const Contact& each) { return is_wall(each.bodies.b); });
+    problem.restitutions.assign(problem.contacts.size(), random.uniform());
+    const double before_J = energy_of(problem);
+    Vector3 momentum = Vector3::Zero();
+    for (const BodyState& state : problem.states) {
+      momentum += state.linear_momentum;
+    }
+    const ResponseResult result = respond(problem, 1 + static_cast<int>(random.below(3)));
+    ASSERT_LE(energy_of(problem), before_J * (1.0 + 1e-12)) << "seed " << kSeed << ", " << trial;
+    double left_m_s = 0.0;
+    for (const Contact& contact : problem.contacts) {
+      left_m_s = std::max(left_m_s, -separation_speed(contact, problem.models, problem.states));
+    }
+    // Below 1e-9 of the fastest it is rounding and is not told.
+    ASSERT_NEAR(result.residual_approach_m_s, left_m_s, kNegligibleApproach * result.fastest_m_s);
+    for (const BodyState& state : problem.states) {
+      momentum -= state.linear_momentum;
+    }
+    ASSERT_LE(momentum.norm(), 1e-11) << "seed " << kSeed << ", " << trial;
+    approaching += result.residual_approach_m_s > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(approaching, 100) << "the limit was reached";
+}
+
+INSTANTIATE_TEST_SUITE_P(BothMethods, LimitedResponse,
+                         testing::Values(ResponseMethod::kInTurn, ResponseMethod::kTogether),
+                         [](const auto& method) {
+                           return method.param == ResponseMethod::kInTurn ? "InTurn" : "Together";
+                         });
+
+TEST(ResponseLimit, KeepsTheEnergyOfElasticBodies) {
+  // Each elastic impulse keeps it; only the pass without restitution, which is left out, takes any.
+  ResponseProblem cradle = newtons_cradle(16);
+  const double before_J = energy_of(cradle);
+  const ResponseResult result =
+      Responder().respond(cradle.contacts, cradle.restitutions, limited(ResponseMethod::kInTurn, 1),
+                          cradle.models, cradle.states);
+  EXPECT_NEAR(energy_of(cradle), before_J, 1e-14);
+  EXPECT_EQ(result.residual_approach_m_s, 0.0) << "one pass in order carries the wave";
+  std::reverse(cradle.contacts.begin(), cradle.contacts.end());
+  cradle.states = newtons_cradle(16).states;
+  const ResponseResult against =
+      Responder().respond(cradle.contacts, cradle.restitutions, limited(ResponseMethod::kInTurn, 3),
+                          cradle.models, cradle.states);
+  EXPECT_NEAR(energy_of(cradle), before_J, 1e-14);
+  EXPECT_NEAR(against.residual_approach_m_s, 1.0, 1e-14) << "a pass carries it by a ball";
+  EXPECT_NEAR(cradle.states[3].linear_momentum.x(), 1.0, 1e-14);
+}
+
+TEST(ResponseLimit, OfALargeIslandIsFoundInTurnWhicheverTheMethod) {
+  ResponseProblem together = newtons_cradle(40);
+  std::reverse(together.contacts.begin(), together.contacts.end());
+  ResponseProblem in_turn = together;
+  const auto respond = [](ResponseProblem& problem, ResponseMethod method) {
+    return Responder().respond(problem.contacts, problem.restitutions, limited(method, 5),
+                               problem.models, problem.states);
+  };
+  EXPECT_EQ(respond(together, ResponseMethod::kTogether).impulse_Ns,
+            respond(in_turn, ResponseMethod::kInTurn).impulse_Ns);
+}
+
+TEST(Resting, ApproachesSlowerThanTheLimitAreGivenNothingBack) {
+  for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
+    for (const double resting_m_s : {0.5, 3.0}) {
+      ResponseProblem pair = newtons_cradle(2);  // at 1 m/s
+      ResponseRules rules = limited(method, kUnlimitedPasses);
+      rules.resting_m_s = resting_m_s;
+      Responder().respond(pair.contacts, pair.restitutions, rules, pair.models, pair.states);
+      const double expected = resting_m_s > 1.0 ? 0.5 : 1.0;
+      EXPECT_NEAR(pair.states[1].linear_momentum.x(), expected, 1e-14);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace impetus
