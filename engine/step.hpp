@@ -29,6 +29,9 @@ enum Degradation : std::uint32_t {
   kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
   kNotFinite = 4,        ///< a state is not a finite number
   kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
+  /// WorldSettings::most_entry_tests kept fast pairs from being tested along their whole way: they
+  /// stayed at coarser levels, or stopped early
+  kEntryTestsSpent = 16,
 };
 
 /// A contact that the response got.

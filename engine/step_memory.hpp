@@ -15,6 +15,7 @@
 #include "engine/collision_reports.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
+#include "engine/dynamics/stop_at_entry.hpp"
 #include "engine/level_pops.hpp"
 
 namespace impetus {
@@ -47,6 +48,7 @@ struct StepMemory {
   std::vector<BodyState> before;  ///< the step, of those that can be stopped
   std::vector<MovedBound> bounds;
   std::vector<PairBounds> candidates;
+  EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
   std::vector<MeasuredPair> order;
   RefinedPairs refined;
   ListRefinement refinement;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
-#include "engine/dynamics/stop_at_entry.hpp"
 
 namespace impetus {
 namespace {
@@ -133,19 +132,22 @@ void World::stop_fast_pairs(double dt_s) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
   std::vector<PairBounds>& candidates = memory_.candidates;
-  Stopping stopping =
+  const Stopping& stopping =
       stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level, settings_.costs,
-                     settings_.rotation, kMostStops, memory_.falls},
-                    states_, placed_);
+                     settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
+                    states_, placed_, memory_.entries);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;
   }
   StepReport& report = memory_.report;
   report.work_floor = stopping.work;
-  report.stopped = std::move(stopping.stopped);
+  report.stopped = stopping.stopped;
   if (!report.stopped.empty()) {
     report.degradations |= kStoppedShort;
+  }
+  if (stopping.ran_out) {
+    report.degradations |= kEntryTestsSpent;
   }
 }
 
@@ -170,8 +172,17 @@ void World::measure_motion_and_fit(PairBounds& pair) const {
   }
 }
 
+bool World::is_capped_by_speed(BodyPair bodies) const {
+  if (is_wall(bodies.b)) {
+    return false;
+  }
+  return settings_.tunnelling == Tunnelling::kCapped ||
+         (settings_.tunnelling == Tunnelling::kStopAtEntry &&
+          memory_.entries.result.lacked_tests(bodies));
+}
+
 int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const {
-  if (settings_.tunnelling != Tunnelling::kCapped || is_wall(bodies.b)) {
+  if (!is_capped_by_speed(bodies)) {
     return greatest_level;
   }
   const auto turning_m_s = [&](std::int32_t body) {

@@ -69,6 +69,7 @@ class World {
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
   void measure_motion_and_fit(PairBounds& pair) const;
+  [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
   void prioritise(const StepInput& input);
   void refine(const StepInput& input, WorkMeter& meter);

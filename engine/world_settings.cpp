@@ -20,6 +20,10 @@ std::string problem_of(const WorldSettings& settings) {
   if (settings.contacts.most_per_pair < 1) {
     return "world: a pair needs one contact or more";
   }
+  if (settings.most_entry_tests < 0) {
+    return "world: expected 0 or more tests of entry a step, got " +
+           std::to_string(settings.most_entry_tests);
+  }
   if (!settings.gravity_m_s2.allFinite()) {
     return "world: gravity must be finite";
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "engine/dynamics/restitution.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_costs.hpp"
+#include "engine/scheduling/work_meter.hpp"
 #include "engine/volumes/enclosure.hpp"
 
 namespace impetus {
@@ -39,6 +41,10 @@ struct WorldSettings {
   /// Over the contacts of an island, in a step; what still approaches is left to the next step
   /// (ResponseRules::most_passes).
   int most_response_passes{kUnlimitedPasses};
+  /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: these tests
+  /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
+  /// are refined as if capped.
+  std::int64_t most_entry_tests{kUnlimitedTests};
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.

@@ -47,10 +47,10 @@ double farthest_m(const BodyPath& path, double reach_m) {
   return (path.end.position - path.start.position).norm() + fastest_turn(path) * reach_m;
 }
 
-std::vector<RelativeStretch> stretches_of(const BodyPath& a, const BodyPath& b) {
+Stretches stretches_of(const BodyPath& a, const BodyPath& b) {
   std::array<double, 4> times{a.begin, a.stop, b.begin, b.stop};
   std::sort(times.begin(), times.end());
-  std::vector<RelativeStretch> stretches;
+  Stretches stretches;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     RelativeStretch stretch;
     stretch.begin = times[i];
@@ -68,13 +68,12 @@ std::vector<RelativeStretch> stretches_of(const BodyPath& a, const BodyPath& b) 
       stretch.velocity -= velocity_of(b);
       stretch.turn_b = turning_of(b);
     }
-    stretches.push_back(stretch);
+    stretches.add(stretch);
   }
   return stretches;
 }
 
-double way_from(double from, const std::vector<RelativeStretch>& stretches, double reach_a_m,
-                double reach_b_m) {
+double way_from(double from, const Stretches& stretches, double reach_a_m, double reach_b_m) {
   double way_m = 0.0;
   for (const RelativeStretch& stretch : stretches) {
     const double share = stretch.end - std::max(from, stretch.begin);

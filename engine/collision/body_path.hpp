@@ -8,7 +8,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 #include "engine/numerics/vector.hpp"
 
@@ -43,12 +44,26 @@ struct RelativeStretch {
   }
 };
 
-/// The stretches in which one body or both move, in order of time.
-std::vector<RelativeStretch> stretches_of(const BodyPath& a, const BodyPath& b);
+/// The stretches of two bodies in order of time: ways with two ends each have three at most.
+class Stretches {
+ public:
+  void add(const RelativeStretch& stretch) { stretches_[count_++] = stretch; }
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] const RelativeStretch& front() const { return stretches_[0]; }
+  [[nodiscard]] const RelativeStretch* begin() const { return stretches_.data(); }
+  [[nodiscard]] const RelativeStretch* end() const { return begin() + count_; }
+
+ private:
+  std::array<RelativeStretch, 3> stretches_{};
+  std::size_t count_{0};
+};
+
+/// The stretches in which one body or both move.
+Stretches stretches_of(const BodyPath& a, const BodyPath& b);
 
 /// At most how far points so far from the centres of mass move against each other from share `from`
 /// of the step on (metres).
-double way_from(double from, const std::vector<RelativeStretch>& stretches, double reach_a_m,
-                double reach_b_m);
+double way_from(double from, const Stretches& stretches, double reach_a_m, double reach_b_m);
 
 }  // namespace impetus

@@ -9,17 +9,6 @@
 
 namespace impetus {
 
-NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
-  const Vector3 offset = a.centre - b.centre;
-  const double distance_m = offset.norm();
-  NodeGap found;
-  found.gap_m = distance_m - a.radius_m - b.radius_m;
-  if (distance_m > 0.0) {
-    found.normal = offset / distance_m;
-  }
-  return found;
-}
-
 NodeGap gap_of_nodes(const Volume& a, const Volume& b) {
   const CoredVolume of_a = cored(a);
   const CoredVolume of_b = cored(b);

@@ -12,7 +12,16 @@ struct NodeGap {
 };
 
 /// Of the spheres that bound the nodes: never more than the nodes' own.
-NodeGap gap_of_bounds(const Sphere& a, const Sphere& b);
+inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
+  const Vector3 offset = a.centre - b.centre;
+  const double distance_m = offset.norm();
+  NodeGap found;
+  found.gap_m = distance_m - a.radius_m - b.radius_m;
+  if (distance_m > 0.0) {
+    found.normal = offset / distance_m;
+  }
+  return found;
+}
 
 /// Of the nodes themselves.
 NodeGap gap_of_nodes(const Volume& a, const Volume& b);

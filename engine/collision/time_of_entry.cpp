@@ -2,11 +2,12 @@
 #include "engine/collision/time_of_entry.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
-#include <vector>
 
+#include "engine/collision/near_spheres.hpp"
 #include "engine/collision/node_gap.hpp"
-#include "engine/collision/pair_refinement.hpp"
+#include "engine/collision/sphere_block.hpp"
 
 namespace impetus {
 namespace {
@@ -25,12 +26,6 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 double safe_depth_m(const VolumeTree& tree, int level) {
   const double half_m = tree.least_half_thickness_m(level);
   return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
-}
-
-/// What stands for a node one level deeper: its children, or itself.
-NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
-  const NodeLinks& links = tree.links(node);
-  return links.child_count > 0 ? links : NodeLinks{node, 1};
 }
 
 class EntrySearch {
@@ -55,7 +50,7 @@ class EntrySearch {
       return std::nullopt;
     }
     place(stretches_.front().begin);
-    measure_depth({0, 0}, 0);
+    measure_depth_of_all();
     if (capped()) {
       return unless_nearly_there(stretches_.front().begin, slow_m_);
     }
@@ -77,11 +72,12 @@ class EntrySearch {
 
   /// None when the stretch's end is reached.
   std::optional<double> first_time_in(const RelativeStretch& stretch) {
+    near_.enter(stretch, pair_.a.reach_m(), pair_.b.reach_m());
     double time = stretch.begin;
     while (time < stretch.end) {
       place(time);
       safe_ = stretch.end - time;
-      bound({0, 0}, 0, 0.0);
+      bound_all();
       const double next = time + safe_;
       if (capped() || !(next > time)) {
         return time;
@@ -117,12 +113,15 @@ class EntrySearch {
 
   [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
   [[nodiscard]] double reach_b() const { return pair_.b.tree().bounding_radius_m(); }
-  [[nodiscard]] bool capped() const { return tests_ >= kMostEntryTests; }
+  [[nodiscard]] bool capped() const { return tests_ >= pair_.most_tests; }
 
   [[nodiscard]] bool is_last(const NodePair& nodes, int level) const {
     return level >= pair_.greatest_level || (pair_.a.tree().links(nodes.a).child_count == 0 &&
                                              pair_.b.tree().links(nodes.b).child_count == 0);
   }
+
+  /// Tests that were skipped because their outcome is known.
+  void count(std::int64_t tests) { tests_ = std::min(tests_ + tests, pair_.most_tests); }
 
   template <typename Visit>
   void for_each_pair_below(const NodePair& nodes, const Visit& visit) const {
@@ -135,38 +134,131 @@ class EntrySearch {
     }
   }
 
+  /// Visits the pairs of a block whose bits are set, in order, and counts the tests of all up to
+  /// where the search ends or has `found_enough`.
+  template <typename FoundEnough, typename Visit>
+  void for_each_set(const SphereBlock& block, std::uint64_t bits, const FoundEnough& found_enough,
+                    const Visit& visit) {
+    int counted = 0;
+    for (; bits != 0 && !found_enough(); bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const int row = bit / kLanes;
+      const int column = bit % kLanes;
+      const int place = row * block.columns + column;
+      count(place - counted);
+      if (capped()) {
+        return;
+      }
+      count(1);
+      counted = place + 1;
+      visit(row, column);
+    }
+    if (!found_enough()) {
+      count(block.rows * block.columns - counted);
+    }
+  }
+
   /// Finds how deep the finest nodes overlap; deeper than the bodies are thick is deep enough.
+  void measure_depth_of_all() {
+    if (of_spheres_) {
+      place_roots();
+    }
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (nodes_overlap(pair_.a, 0, pair_.b, 0)) {
+      measure_depth(NodePair{0, 0}, 0);
+    }
+  }
+
+  [[nodiscard]] bool deep_enough() const { return allowed_depth_m_ > slow_m_; }
+
+  /// Of nodes that overlap.
   void measure_depth(const NodePair& nodes, int level) {
-    if (capped() || allowed_depth_m_ > slow_m_) {
-      return;
-    }
-    ++tests_;
-    if (!nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
-      return;
-    }
     if (is_last(nodes, level)) {
       overlapped_at_start_ = true;
       allowed_depth_m_ = std::max(allowed_depth_m_, -gap_of(nodes).gap_m);
+    } else if (of_spheres_) {
+      for_each_block_below(pair_.a, pair_.b, nodes,
+                           [&](const SphereBlock& block) { measure_depth(block, level + 1); });
+    } else {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped() && !deep_enough()) {
+          count(1);
+          if (nodes_overlap(pair_.a, below.a, pair_.b, below.b)) {
+            measure_depth(below, level + 1);
+          }
+        }
+      });
+    }
+  }
+
+  void measure_depth(const SphereBlock& block, int level) {
+    if (capped() || deep_enough()) {
       return;
     }
-    for_each_pair_below(nodes, [&](const NodePair& below) { measure_depth(below, level + 1); });
+    const std::uint64_t overlapping =
+        overlaps_of_block(block.a, block.rows, block.b, block.columns);
+    for_each_set(
+        block, overlapping, [&] { return deep_enough(); },
+        [&](int row, int column) {
+          measure_depth(NodePair{block.first.a + row, block.first.b + column}, level);
+        });
+  }
+
+  /// Lowers safe_ to the time for which no finest nodes can touch.
+  void bound_all() {
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (!of_spheres_) {
+      bound({0, 0}, 0, 0.0);
+      return;
+    }
+    place_roots();
+    near_.place(pose_a_, pose_b_);
+    const Sphere a = pair_.a.world_sphere(0);
+    const Sphere b = pair_.b.world_sphere(0);
+    bound_spheres({0, 0}, a, b, turning_speed_m(a, b), 0, 0.0);
   }
 
   /// Lowers safe_ to the time for which the finest nodes below this pair cannot touch. `at_least`
   /// is what holds of the pairs above.
   void bound(const NodePair& nodes, int level, double at_least) {
-    if (capped()) {
-      return;
-    }
-    ++tests_;
-    const bool last = is_last(nodes, level);
-    const Sphere bound_a = bound_of(pair_.a, nodes.a);
-    const Sphere bound_b = bound_of(pair_.b, nodes.b);
+    const Sphere bound_a = bounding_sphere(pair_.a.world_volume(nodes.a));
+    const Sphere bound_b = bounding_sphere(pair_.b.world_volume(nodes.b));
     const double turning_m = turning_speed_m(bound_a, bound_b);
     double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
-    if (!of_spheres_ && time < safe_) {
+    if (time < safe_) {
       time = std::max(time, time_apart(gap_of(nodes), turning_m));
     }
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped()) {
+          count(1);
+          bound(below, level + 1, time);
+        }
+      });
+    });
+  }
+
+  /// The same of spheres, a block at a time.
+  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, double turning_m,
+                     int level, double at_least) {
+    const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_block_below(pair_.a, pair_.b, nodes,
+                           [&](const SphereBlock& block) { bound_block(block, level + 1, time); });
+    });
+  }
+
+  /// `time` is what is known of the pair, `bound_below` goes on with those below it.
+  template <typename BoundBelow>
+  void bound_by(const NodePair& nodes, int level, double time, double turning_m,
+                const BoundBelow& bound_below) {
+    const bool last = is_last(nodes, level);
     if (last && time <= 0.0) {
       time = std::max(time, time_of_overlap(nodes, turning_m));
     }
@@ -177,7 +269,40 @@ class EntrySearch {
       safe_ = time;
       return;
     }
-    for_each_pair_below(nodes, [&](const NodePair& below) { bound(below, level + 1, time); });
+    bound_below();
+  }
+
+  void bound_block(const SphereBlock& block, int level, double at_least) {
+    if (capped()) {
+      return;
+    }
+    if (at_least >= safe_) {
+      count(block.rows * block.columns);
+      return;
+    }
+    const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
+    const LaneValues turning_b = turning_of(block.b, block.columns, pose_b_, stretch_->turn_b);
+    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning_a, turning_b);
+    for_each_set(
+        block, near, [] { return false; },
+        [&](int row, int column) {
+          const Sphere a = sphere_of(block.a, row);
+          const Sphere b = sphere_of(block.b, column);
+          const double turning_m = turning_a[lane(row)] + turning_b[lane(column)];
+          if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
+            bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
+                          at_least);
+          }
+        });
+  }
+
+  /// How fast points of each sphere can move by their body's turning.
+  static LaneValues turning_of(const SphereLanes& lanes, int count, const Pose& pose, double turn) {
+    LaneValues speeds_m{};
+    for (int index = 0; turn > 0.0 && index < count; ++index) {
+      speeds_m[lane(index)] = turning_speed_m(sphere_of(lanes, index), pose, turn);
+    }
+    return speeds_m;
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -205,16 +330,21 @@ class EntrySearch {
   [[nodiscard]] double turning_speed_m(const Sphere& a, const Sphere& b) const {
     double speed_m = 0.0;
     if (stretch_->turn_a > 0.0) {
-      speed_m += stretch_->turn_a * ((a.centre - pose_a_.position).norm() + a.radius_m);
+      speed_m += turning_speed_m(a, pose_a_, stretch_->turn_a);
     }
     if (stretch_->turn_b > 0.0) {
-      speed_m += stretch_->turn_b * ((b.centre - pose_b_.position).norm() + b.radius_m);
+      speed_m += turning_speed_m(b, pose_b_, stretch_->turn_b);
     }
     return speed_m;
   }
 
-  static Sphere bound_of(PlacedTree& tree, std::int32_t node) {
-    return tree.of_spheres() ? tree.world_sphere(node) : bounding_sphere(tree.world_volume(node));
+  static double turning_speed_m(const Sphere& sphere, const Pose& pose, double turn) {
+    return turn * ((sphere.centre - pose.position).norm() + sphere.radius_m);
+  }
+
+  void place_roots() {
+    pair_.a.world_lanes(0, 1);
+    pair_.b.world_lanes(0, 1);
   }
 
   [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
@@ -226,13 +356,14 @@ class EntrySearch {
   bool of_spheres_;
   double slow_m_;
   double hair_m_;
-  std::vector<RelativeStretch> stretches_;
+  Stretches stretches_;
   const RelativeStretch* stretch_{nullptr};
   Pose pose_a_;
   Pose pose_b_;
   bool overlapped_at_start_{false};
   double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
   double safe_{0.0};
+  NearSpheres near_;
   std::int64_t tests_{0};
 };
 

@@ -11,6 +11,10 @@
 // refinement counts them: a pair whose parents are apart does not touch. The bound of a pair of
 // trees is found by branch and bound over their node pairs.
 //
+// Trees of spheres are searched a block of siblings at a time: those that could touch in time are
+// looked at closely, in their order (near_spheres.hpp). Tests that are skipped are counted, so a
+// search costs what it is worth, in whatever way it is done.
+//
 // Bodies that already overlap at the start may go on as long as they do not overlap by more; those
 // that overlap by more than they are thick are left to the response.
 // (Mirtich 1996; Zhang et al. 2006, for the directed speeds; Dingliana 2002, sec. 5.3.2)
@@ -25,8 +29,8 @@
 
 namespace impetus {
 
-/// Node pairs that are looked at for one pair of bodies; then they go on by what a slow pair may,
-/// and stop there.
+/// Node pairs that are looked at for one pair of bodies, when nothing less is asked for; then they
+/// go on by what a slow pair may, and stop there.
 inline constexpr std::int64_t kMostEntryTests = 20'000;
 
 /// Two bodies, their ways, and how finely they are looked at. Both trees must outlive it, and are
@@ -37,6 +41,7 @@ struct PairOnTheWay {
   const BodyPath& path_a;
   const BodyPath& path_b;
   int greatest_level;
+  std::int64_t most_tests{kMostEntryTests};  ///< at least 1
 };
 
 /// What a pair may move without being fast (metres): the least half-thickness of a's nodes and

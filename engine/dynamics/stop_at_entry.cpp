@@ -17,26 +17,38 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 /// since stops can bring the same two together step after step.
 constexpr double kShareOnceStopped = 0.125;
 
+bool comes_before(const BodyPair& x, const BodyPair& y) {
+  return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
+
 class StopsInOrder {
  public:
   StopsInOrder(const StepMade& step, std::vector<BodyState>& states,
-               std::vector<PlacedTree>& placed)
+               std::vector<PlacedTree>& placed, EntryMemory& memory)
       : step_(step),
         states_(states),
         placed_(placed),
-        whole_ways_(states.size()),
-        stops_(states.size(), 0),
-        pending_(step.candidates.size()),
-        last_(step.candidates.size()) {
-    for (std::size_t body = 0; body < states.size(); ++body) {
-      whole_ways_[body] = way_of(body, 1.0);
-      const double reach_m = step.models[body].tree->bounding_radius_m();
-      farthest_m_.push_back(farthest_m(whole_ways_[body], reach_m));
-    }
-    ways_ = whole_ways_;
+        whole_ways_(memory.whole_ways),
+        farthest_m_(memory.farthest_m),
+        ways_(memory.ways),
+        stops_(memory.stops),
+        pending_(memory.pending),
+        first_(memory.first),
+        last_(memory.last),
+        result_(memory.result) {
+    result_.stopped.clear();
+    result_.unsearched.clear();
+    result_.work = 0;
+    result_.tests = 0;
+    result_.ran_out = false;
   }
 
-  Stopping run() {
+  void run() {
+    measure_ways();
+    if (all_are_slow()) {
+      return;
+    }
+    begin();
     for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
       look_at(pair);
     }
@@ -48,7 +60,6 @@ class StopsInOrder {
       }
     }
     report();
-    return std::move(result_);
   }
 
  private:
@@ -57,6 +68,32 @@ class StopsInOrder {
   }
 
   [[nodiscard]] bool moves(std::size_t body) const { return step_.models[body].inverse_mass > 0.0; }
+
+  void measure_ways() {
+    whole_ways_.clear();
+    farthest_m_.clear();
+    for (std::size_t body = 0; body < states_.size(); ++body) {
+      whole_ways_.push_back(way_of(body, 1.0));
+      const double reach_m = step_.models[body].tree->bounding_radius_m();
+      farthest_m_.push_back(farthest_m(whole_ways_.back(), reach_m));
+    }
+  }
+
+  [[nodiscard]] bool all_are_slow() const {
+    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
+      if (!is_slow(pair, 1.0)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void begin() {
+    ways_ = whole_ways_;
+    stops_.assign(states_.size(), 0);
+    pending_.assign(step_.candidates.size(), std::nullopt);
+    last_.assign(step_.candidates.size(), std::nullopt);
+  }
 
   /// Of a body that takes `share` of the step: its state is where it stops.
   [[nodiscard]] BodyPath way_of(std::size_t body, double share) const {
@@ -82,13 +119,21 @@ class StopsInOrder {
     const auto& [a, b] = bodies(pair);
     pending_[pair].reset();
     const double share = stops_[at(a)] + stops_[at(b)] > 0 ? kShareOnceStopped : 1.0;
-    const PairOnTheWay on_the_way{placed_[at(a)], placed_[at(b)], ways_[at(a)], ways_[at(b)],
-                                  step_.greatest_level};
+    const PairOnTheWay on_the_way{
+        placed_[at(a)],       placed_[at(b)],
+        ways_[at(a)],         ways_[at(b)],
+        step_.greatest_level, std::min(kMostEntryTests, step_.most_tests - result_.tests)};
     if (is_slow(pair, share) || !is_fast(on_the_way, share)) {
+      return;
+    }
+    if (on_the_way.most_tests < 1) {
+      result_.unsearched.push_back(bodies(pair));
       return;
     }
     const Entry entry = time_of_entry(on_the_way);
     pending_[pair] = entry.time;
+    result_.tests += entry.tests;
+    result_.ran_out |= entry.tests == on_the_way.most_tests && entry.tests < kMostEntryTests;
     const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
     result_.work += entry.tests * (of_spheres ? step_.costs.sphere_test : step_.costs.volume_test);
   }
@@ -182,8 +227,12 @@ class StopsInOrder {
     ways_[body].stop = share;
   }
 
-  /// Those pairs that stopped a body where it is now.
+  /// Those pairs that stopped a body where it is now, and those that were not searched.
   void report() {
+    std::vector<BodyPair>& pairs = result_.unsearched;
+    std::sort(pairs.begin(), pairs.end(), comes_before);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    result_.ran_out |= !pairs.empty();
     for (std::size_t pair = 0; pair < last_.size(); ++pair) {
       const auto& [a, b] = bodies(pair);
       if (last_[pair] && (ways_[at(a)].stop == *last_[pair] || ways_[at(b)].stop == *last_[pair])) {
@@ -195,21 +244,32 @@ class StopsInOrder {
   const StepMade& step_;
   std::vector<BodyState>& states_;
   std::vector<PlacedTree>& placed_;
-  std::vector<BodyPath> whole_ways_;
-  std::vector<double> farthest_m_;  ///< that any point of each body goes
-  std::vector<BodyPath> ways_;
-  std::vector<int> stops_;                      ///< how often each body was stopped
-  std::vector<std::optional<double>> pending_;  ///< entries of the candidates on their ways
-  std::vector<std::optional<double>> first_;    ///< the same before anybody was stopped
-  std::vector<std::optional<double>> last_;     ///< at which a candidate stopped a body last
-  Stopping result_;
+  std::vector<BodyPath>& whole_ways_;
+  std::vector<double>& farthest_m_;
+  std::vector<BodyPath>& ways_;
+  std::vector<int>& stops_;
+  std::vector<std::optional<double>>& pending_;
+  std::vector<std::optional<double>>& first_;
+  std::vector<std::optional<double>>& last_;
+  Stopping& result_;
 };
 
 }  // namespace
 
+const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
+                              std::vector<PlacedTree>& placed, EntryMemory& memory) {
+  StopsInOrder(step, states, placed, memory).run();
+  return memory.result;
+}
+
 Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                        std::vector<PlacedTree>& placed) {
-  return step.candidates.empty() ? Stopping{} : StopsInOrder(step, states, placed).run();
+  EntryMemory memory;
+  return stop_at_entry(step, states, placed, memory);
+}
+
+bool Stopping::lacked_tests(BodyPair bodies) const {
+  return std::binary_search(unsearched.begin(), unsearched.end(), bodies, comes_before);
 }
 
 }  // namespace impetus

@@ -14,11 +14,16 @@
 // What a stopped body lost of the step is lost; its momenta are not touched but by the gravity of
 // the shorter step, and it turned by what the integrator makes of that, so its energy is as good as
 // after any step (at last: as that of a pose between two steps).
+//
+// Where the step's tests are bounded, they go to the pairs in the order of the candidates, and then
+// of their stops. A pair for which none are left is not searched, and does not stop anybody; one
+// whose search they end in goes on by what a slow pair may, and stops.
 // (Mirtich 1996; Dingliana 2002, sec. 5.3.2)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +32,7 @@
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"
+#include "engine/scheduling/work_meter.hpp"
 
 namespace impetus {
 
@@ -47,15 +53,37 @@ struct StepMade {
   /// to where it stops, straight as its turn is steady: so the ways of all bodies join from step to
   /// step, and none passes another on them unseen.
   std::span<const Fall> falls{};
+  std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
 };
 
 struct Stopping {
   std::vector<StoppedAtEntry> stopped;  ///< in the order of the candidates
   std::int64_t work{0};                 ///< of all tests along the ways
+  std::int64_t tests{0};                ///< of node pairs: at most StepMade::most_tests
+  std::vector<BodyPair> unsearched;  ///< fast pairs for which no tests were left, by their bodies
+  bool ran_out{false};               ///< of tests, before a search or in it
+
+  /// Whether the pair is one of `unsearched`.
+  [[nodiscard]] bool lacked_tests(BodyPair bodies) const;
+};
+
+/// What the search keeps from step to step, for the memory alone: it means nothing between them.
+struct EntryMemory {
+  std::vector<BodyPath> whole_ways;  ///< of bodies that nothing stops
+  std::vector<double> farthest_m;    ///< that any point of each body goes
+  std::vector<BodyPath> ways;
+  std::vector<int> stops;                      ///< how often each body was stopped
+  std::vector<std::optional<double>> pending;  ///< entries of the candidates on their ways
+  std::vector<std::optional<double>> first;    ///< the same before anybody was stopped
+  std::vector<std::optional<double>> last;     ///< at which a candidate stopped a body last
+  Stopping result;
 };
 
 /// Puts the bodies of `states`, which are at the end of the step, back to where they must stop.
-/// Leaves `placed` anywhere.
+/// Leaves `placed` anywhere. What it returns is part of `memory`.
+const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
+                              std::vector<PlacedTree>& placed, EntryMemory& memory);
+
 Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                        std::vector<PlacedTree>& placed);
 

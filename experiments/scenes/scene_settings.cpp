@@ -122,6 +122,7 @@ WorldSettings engine_settings_of(const json& scene) {
   }
   settings.contacts = contacts_of(engine);
   settings.tunnelling = tunnelling_of(engine);
+  settings.most_entry_tests = engine.value("most_entry_tests", settings.most_entry_tests);
   settings.materials = restitutions_of(scene);
   settings.wall_material = material_of(scene, scene.value("enclosure", json::object()));
   const json budget = engine.value("budget", json::object());

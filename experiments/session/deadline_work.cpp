@@ -6,12 +6,22 @@
 namespace impetus {
 namespace {
 
-/// Units of work between two looks at the clock: a microsecond or two of work, so that looking
-/// costs little beside it, and a deadline is missed by no more.
-constexpr std::int64_t kSliceUnits = 64;
+/// Units of work between two looks at the clock: a microsecond or so of work. Where time is short
+/// a deadline is missed by no more than the fewest take; where it is not, the most keep looking,
+/// which can take as long as a hundred units, cheap beside the work.
+constexpr double kFewestUnits = 64.0;
+constexpr double kMostUnits = 512.0;
 
-/// Modelling and response touch memory that detection did not: how much slower they may be.
-constexpr double kSafety = 1.5;
+/// Of the units that still fit before the deadline.
+constexpr double kShareOfSlice = 0.125;
+
+/// How slow a step is, is told by as many of its first units, which are of coarse nodes and as cold
+/// as what follows detection; fewer say little, since the looks at the clock count in.
+constexpr std::int64_t kTellingUnits = 1'000;
+
+/// What those take, the looks included, where later phases take kLeastNsPerUnit: 30 to 55 ns in
+/// crowds, less among few bodies.
+constexpr double kUsualNsPerUnit = 40.0;
 
 }  // namespace
 
@@ -21,12 +31,15 @@ void DeadlineWork::start_step() {
   slice_end_ = 0;
   refused_ = false;
   first_done_ = -1;
+  ns_per_unit_ = 0.0;
 }
 
 std::int64_t DeadlineWork::request(std::int64_t total, std::int64_t reserved) {
   if (total > slice_end_ && !refused_) {
-    refused_ = too_late(clock_->now_ns(), total - reserved, reserved);
-    slice_end_ = refused_ ? granted_ : total + kSliceUnits;
+    const double fitting = fitting_units(clock_->now_ns(), total - reserved, reserved);
+    const double slice = std::clamp(kShareOfSlice * fitting, kFewestUnits, kMostUnits);
+    refused_ = fitting <= 0.0;
+    slice_end_ = refused_ ? granted_ : total + static_cast<std::int64_t>(slice);
   }
   if (total <= slice_end_) {
     granted_ = std::max(granted_, total);
@@ -34,19 +47,19 @@ std::int64_t DeadlineWork::request(std::int64_t total, std::int64_t reserved) {
   return granted_;
 }
 
-bool DeadlineWork::too_late(std::int64_t now_ns, std::int64_t done, std::int64_t reserved) {
+double DeadlineWork::fitting_units(std::int64_t now_ns, std::int64_t done, std::int64_t reserved) {
   if (first_done_ < 0) {
     first_done_ = done;
     first_ns_ = now_ns;
   }
-  double ns_per_unit = kLeastNsPerUnit;
-  if (done > first_done_) {
+  if (ns_per_unit_ == 0.0 && done - first_done_ >= kTellingUnits) {
     const double measured_ns =
         static_cast<double>(now_ns - first_ns_) / static_cast<double>(done - first_done_);
-    ns_per_unit = std::max(ns_per_unit, kSafety * measured_ns);
+    ns_per_unit_ = kLeastNsPerUnit * std::max(1.0, measured_ns / kUsualNsPerUnit);
   }
-  const double left_ns = static_cast<double>(deadline_ns_ - now_ns);
-  return left_ns <= ns_per_unit * static_cast<double>(reserved);
+  const double later_ns_per_unit = std::max(kLeastNsPerUnit, ns_per_unit_);
+  return static_cast<double>(deadline_ns_ - now_ns) / later_ns_per_unit -
+         static_cast<double>(reserved);
 }
 
 }  // namespace impetus

@@ -75,16 +75,44 @@ TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
 }
 
 TEST(DeadlineWork, AStepThatProvedSlowReservesMoreTime) {
-  // Between the looks at 40,000 and 60,000, 200 units took 100 ns each; with half as much again,
-  // the 15,000 ns that are left are enough for fewer than 100.
-  for (const std::int64_t reserved : {99, 100}) {
-    const TickingClock clock(20'000);
-    DeadlineWork meter(clock, 55'000);
+  // Between the looks at 400,000 and 600,000, 2,000 units took 100 ns each, not 40: the 15,000 ns
+  // that are left are enough for fewer than 600 of 25 ns.
+  for (const std::int64_t reserved : {599, 600}) {
+    const TickingClock clock(200'000);
+    DeadlineWork meter(clock, 415'000);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
-    EXPECT_EQ(meter.request(300 + reserved, reserved), reserved == 99 ? 399 : 100);
-    EXPECT_EQ(meter.request(500, 0), reserved == 99 ? 399 : 100) << "past the deadline";
+    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 599 ? 2'699 : 100);
+    EXPECT_EQ(meter.request(3'300, 0), reserved == 599 ? 2'699 : 100) << "past the deadline";
   }
+}
+
+TEST(DeadlineWork, TooFewUnitsDoNotTellHowSlowAStepIs) {
+  // 50 ns a unit both times, and 110,000 ns left for 10,000 units: enough for 10 ns each alone.
+  constexpr std::int64_t kReserved = 10'000;
+  for (const std::int64_t done : {8, 1'000}) {
+    const TickingClock clock(50 * done);
+    DeadlineWork meter(clock, 110'000 + 2 * 50 * done);
+    meter.start_step();
+    ASSERT_EQ(meter.request(100, 0), 100);
+    EXPECT_EQ(meter.request(100 + done + kReserved, kReserved), done == 8 ? 10'108 : 100);
+  }
+}
+
+TEST(DeadlineWork, TheClockIsLookedAtOftenOnlyWhereTimeIsShort) {
+  constexpr std::int64_t kTick_ns = 100;
+  const auto looks_in = [](std::int64_t ns_per_step) {
+    const TickingClock clock(kTick_ns);
+    DeadlineWork meter(clock, ns_per_step);
+    meter.start_step();
+    for (std::int64_t total = 0; total <= 10'240; total += 8) {
+      EXPECT_EQ(meter.request(total, 0), total);
+    }
+    return clock.now_ns() / kTick_ns - 2;  // without that of the start and the one just now
+  };
+  constexpr std::int64_t kFewest = 20;  // one every 512 units, the next after 8 more
+  EXPECT_EQ(looks_in(1'000'000'000), kFewest);
+  EXPECT_GT(looks_in(20'000), 2 * kFewest) << "2,000 units would fit at first, then fewer";
 }
 
 TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {

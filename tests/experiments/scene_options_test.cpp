@@ -70,6 +70,19 @@ TEST(SceneOptions, WhatBecomesOfFastBodiesIsAskedForByName) {
             "\"substeps\"");
 }
 
+TEST(SceneOptions, TestsAlongTheWaysOfFastBodiesAreLimitedWhereASceneSays) {
+  const auto with = [](const json& tests) {
+    return changed(free_scene(), "/engine/most_entry_tests", tests);
+  };
+  EXPECT_EQ(settings_of(built(free_scene())).most_entry_tests, kUnlimitedTests);
+  EXPECT_EQ(settings_of(built(with(0))).most_entry_tests, 0);
+  EXPECT_EQ(settings_of(built(with(250'000))).most_entry_tests, 250'000);
+  EXPECT_EQ(scene_refusal(with(-1)),
+            "/engine/most_entry_tests: expected a whole number ≥ 0 and ≤ 1000000000, got -1");
+  EXPECT_EQ(scene_refusal(with("few")),
+            "/engine/most_entry_tests: expected a whole number ≥ 0 and ≤ 1000000000, got \"few\"");
+}
+
 TEST(SceneOptions, HowRotationIsSteppedIsAskedForByName) {
   const auto asked = [](const char* name) {
     return settings_of(built(changed(free_scene(), "/engine/rotation", name))).rotation;
