@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,16 +24,23 @@ namespace impetus {
 /// Pairs that are refined, in objects that are used again.
 class RefinedPairs {
  public:
-  void clear() { count_ = 0; }
+  void clear() {
+    for (RefinedPair& pair : all()) {
+      pair.refinement.give_memory_back();
+    }
+    count_ = 0;
+  }
+
   RefinedPair& add() {
     if (count_ == pairs_.size()) {
-      pairs_.emplace_back();
+      pairs_.emplace_back().refinement.take_memory_from(*store_);
     }
     return pairs_[count_++];
   }
   [[nodiscard]] std::span<RefinedPair> all() { return {pairs_.data(), count_}; }
 
  private:
+  std::unique_ptr<NodeBlockStore> store_{std::make_unique<NodeBlockStore>()};
   std::vector<RefinedPair> pairs_;
   std::size_t count_{0};
 };

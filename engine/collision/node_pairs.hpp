@@ -16,17 +16,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/collision/node_blocks.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 
 namespace impetus {
-
-/// Nodes of a and b that overlap; b is 0 when a touches a wall.
-struct NodePair {
-  std::int32_t a{0};
-  std::int32_t b{0};
-
-  friend bool operator==(const NodePair&, const NodePair&) = default;
-};
 
 /// How many bits are set. (Without an instruction for it, std::popcount is a call.)
 inline std::int64_t bits_in(std::uint64_t bits) {
@@ -60,7 +53,7 @@ class NodePairs {
   }
   [[nodiscard]] NodePair at(const Place& place) const {
     const int bit = std::countr_zero(place.bits_left);
-    const Block& block = blocks_[place.block];
+    const NodeBlock& block = blocks_[place.block];
     return {block.first.a + bit / kLanes, block.first.b + bit % kLanes};
   }
 
@@ -112,6 +105,17 @@ class NodePairs {
     size_ = 0;
   }
 
+  /// Memory is taken from `store` from now on, which must outlive this.
+  void take_from(NodeBlockStore& store) { store_ = &store; }
+
+  /// Forgets the pairs and gives the memory back.
+  void give_back() {
+    clear();
+    if (store_ != nullptr) {
+      store_->give_back(std::exchange(blocks_, {}));
+    }
+  }
+
   void add(const NodePair& pair) { add_block(pair, 1); }
 
   /// The pairs of a block whose first nodes are those of `first`, as overlaps_of_block() says.
@@ -120,7 +124,7 @@ class NodePairs {
       return;
     }
     if (count_ == blocks_.size()) {
-      blocks_.resize(std::max<std::size_t>(2 * count_, 8));
+      grow();
     }
     blocks_[count_++] = {first, bits};
     size_ += static_cast<std::size_t>(bits_in(bits));
@@ -130,6 +134,7 @@ class NodePairs {
     blocks_.swap(other.blocks_);
     std::swap(count_, other.count_);
     std::swap(size_, other.size_);
+    std::swap(store_, other.store_);
   }
 
   friend bool operator==(const NodePairs& x, const NodePairs& y) {
@@ -137,18 +142,26 @@ class NodePairs {
   }
 
  private:
-  struct Block {
-    NodePair first;
-    std::uint64_t bits{0};  ///< not 0
-  };
+  void grow() {
+    const std::size_t blocks = std::max<std::size_t>(2 * count_, 8);
+    if (store_ == nullptr) {
+      blocks_.resize(blocks);
+      return;
+    }
+    std::vector<NodeBlock> larger = store_->take(blocks);
+    std::copy(blocks_.begin(), blocks_.end(), larger.begin());
+    blocks_.swap(larger);
+    store_->give_back(std::move(larger));
+  }
 
   [[nodiscard]] std::uint64_t bits_of(std::size_t block) const {
     return block < count_ ? blocks_[block].bits : 0;
   }
 
-  std::vector<Block> blocks_;  ///< those from count_ on mean nothing
-  std::size_t count_{0};       ///< blocks
-  std::size_t size_{0};        ///< pairs
+  std::vector<NodeBlock> blocks_;  ///< those from count_ on mean nothing
+  std::size_t count_{0};           ///< blocks
+  std::size_t size_{0};            ///< pairs
+  NodeBlockStore* store_{nullptr};
 };
 
 }  // namespace impetus

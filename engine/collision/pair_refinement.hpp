@@ -48,6 +48,18 @@ class PairRefinement {
   void begin(PlacedTree& a, const Enclosure& walls, int greatest_level = kUnlimitedLevel);
   void begin(PlacedTree& a, Enclosure&& walls, int greatest_level = kUnlimitedLevel) = delete;
 
+  /// Memory is taken from `store` from now on, which must outlive this.
+  void take_memory_from(NodeBlockStore& store) {
+    committed_.take_from(store);
+    expanding_.take_from(store);
+  }
+
+  /// Forgets what overlaps and gives the memory back; to be begun anew before anything is asked.
+  void give_memory_back() {
+    committed_.give_back();
+    expanding_.give_back();
+  }
+
   /// True when no work could change the answer: separated, nothing finer exists, or the greatest
   /// level is reached.
   [[nodiscard]] bool resolved() const { return next_block_ == 0; }
