@@ -19,9 +19,9 @@
 
 namespace impetus {
 
-/// Of what follows detection: 2 to 5 ns among few bodies, 9 where a thousand contacts depend on
-/// each other.
-inline constexpr double kLeastNsPerUnit = 10.0;
+/// Of what follows detection: 2 to 6 ns as measured, the more the more contacts depend on each
+/// other.
+inline constexpr double kLeastNsPerUnit = 7.0;
 
 class DeadlineWork final : public WorkMeter {
  public:

@@ -65,34 +65,34 @@ TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
 }
 
 TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
-  // Started at 10, looked at 20: 990 ns are left, for fewer than 99 units of 10 ns.
-  for (const std::int64_t reserved : {98, 99}) {
+  // Started at 10, looked at 20: 990 ns are left, for fewer than 142 units of 7 ns.
+  for (const std::int64_t reserved : {141, 142}) {
     const TickingClock clock(10);
     DeadlineWork meter(clock, 1'000);
     meter.start_step();
-    EXPECT_EQ(meter.request(1 + reserved, reserved), reserved == 98 ? 99 : 0);
+    EXPECT_EQ(meter.request(1 + reserved, reserved), reserved == 141 ? 142 : 0);
   }
 }
 
 TEST(DeadlineWork, AStepThatProvedSlowReservesMoreTime) {
   // Between the looks at 400,000 and 600,000, 2,000 units took 100 ns each, not 40: the 15,000 ns
-  // that are left are enough for fewer than 600 of 25 ns.
-  for (const std::int64_t reserved : {599, 600}) {
+  // that are left are enough for fewer than 858 of 17.5 ns.
+  for (const std::int64_t reserved : {857, 858}) {
     const TickingClock clock(200'000);
     DeadlineWork meter(clock, 415'000);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
-    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 599 ? 2'699 : 100);
-    EXPECT_EQ(meter.request(3'300, 0), reserved == 599 ? 2'699 : 100) << "past the deadline";
+    EXPECT_EQ(meter.request(2'100 + reserved, reserved), reserved == 857 ? 2'957 : 100);
+    EXPECT_EQ(meter.request(3'300, 0), reserved == 857 ? 2'957 : 100) << "past the deadline";
   }
 }
 
 TEST(DeadlineWork, TooFewUnitsDoNotTellHowSlowAStepIs) {
-  // 50 ns a unit both times, and 110,000 ns left for 10,000 units: enough for 10 ns each alone.
+  // 50 ns a unit both times, and 80,000 ns left for 10,000 units: enough for 7 ns each alone.
   constexpr std::int64_t kReserved = 10'000;
   for (const std::int64_t done : {8, 1'000}) {
     const TickingClock clock(50 * done);
-    DeadlineWork meter(clock, 110'000 + 2 * 50 * done);
+    DeadlineWork meter(clock, 80'000 + 2 * 50 * done);
     meter.start_step();
     ASSERT_EQ(meter.request(100, 0), 100);
     EXPECT_EQ(meter.request(100 + done + kReserved, kReserved), done == 8 ? 10'108 : 100);
@@ -112,7 +112,7 @@ TEST(DeadlineWork, TheClockIsLookedAtOftenOnlyWhereTimeIsShort) {
   };
   constexpr std::int64_t kFewest = 20;  // one every 512 units, the next after 8 more
   EXPECT_EQ(looks_in(1'000'000'000), kFewest);
-  EXPECT_GT(looks_in(20'000), 2 * kFewest) << "2,000 units would fit at first, then fewer";
+  EXPECT_GT(looks_in(14'000), 2 * kFewest) << "2,000 units would fit at first, then fewer";
 }
 
 TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {
