@@ -4,8 +4,8 @@
 //   a list that is done   gives its memory back
 //
 // So however the pairs of bodies are ordered from step to step, what one of them needed another
-// gets, and once a scene has been as full as it gets nothing is allocated. SPDX-License-Identifier:
-// MIT
+// gets, and once a scene has been as full as it gets nothing is allocated.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -7,7 +7,8 @@
 // What makes interruption safe: the answer is always the last complete level. Node pairs of two
 // leaves are carried from level to level untested; a leaf against an inner node descends the
 // other one; the walls are one node that never descends. (Dingliana 2002, sec. 3.1.2 and app. B.2,
-// corrected) SPDX-License-Identifier: MIT
+// corrected)
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Intervals of bodies along three axes, sorted along the first, each end in an array of its own:
-// what a sweep compares, a block at a time. SPDX-License-Identifier: MIT
+// what a sweep compares, a block at a time.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // Whether two triangles of a mesh have more in common than the corners they share, without
-// rounding. SPDX-License-Identifier: MIT
+// rounding.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

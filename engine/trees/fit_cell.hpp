@@ -1,5 +1,6 @@
 // The cells that fit_error.cpp cuts a volume into, and what bounds the distance of their points
-// from a solid. All in the volume's own frame. SPDX-License-Identifier: MIT
+// from a solid. All in the volume's own frame.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

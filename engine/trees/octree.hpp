@@ -10,7 +10,8 @@
 //
 // Invariant, up to 1e-13 of the solid's size: cells of a level are disjoint and cover the solid, a
 // child's cell lies in its parent's, and every node's sphere holds its part, hence the parts of all
-// nodes below it. (Hubbard 1996; Dingliana 2002, sec. 3.1.1) SPDX-License-Identifier: MIT
+// nodes below it. (Hubbard 1996; Dingliana 2002, sec. 3.1.1)
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

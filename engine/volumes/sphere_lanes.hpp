@@ -7,8 +7,8 @@
 //
 // The arithmetic is that of overlap() and touch() of two spheres and of Pose::transform(),
 // operation by operation in double precision, so every width of vector gives the same bits as no
-// vector at all. The widest that the machine has is chosen at run time. SPDX-License-Identifier:
-// MIT
+// vector at all. The widest that the machine has is chosen at run time.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

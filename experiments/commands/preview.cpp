@@ -1,5 +1,6 @@
 // `impetus preview`: a scene runs in a window, beside a panel that changes its schedule; or its
-// first collision becomes a picture, level by level. SPDX-License-Identifier: MIT
+// first collision becomes a picture, level by level.
+// SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <filesystem>
 #include <memory>

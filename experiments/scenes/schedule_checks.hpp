@@ -1,5 +1,6 @@
 // What the parts of a scene's schedule must fulfil before the engine is asked: levels that the
-// trees have, and the keys that belong to its scheduler. SPDX-License-Identifier: MIT
+// trees have, and the keys that belong to its scheduler.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // A recorded gaze, played again: each sample comes as long after the stimulus's onset as it did
-// then. SPDX-License-Identifier: MIT
+// then.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // The bounding volumes of bodies, of whatever kind, at the level that their pairs use or at a
-// chosen one. SPDX-License-Identifier: MIT
+// chosen one.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>

@@ -1,5 +1,6 @@
 // The fuzzers' seeds, cut short and damaged, and what the fuzzers once found, in the ordinary
-// build. SPDX-License-Identifier: MIT
+// build.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <algorithm>
