@@ -65,7 +65,8 @@ class Rounds {
       if (!done.by_list.empty()) {
         done.by_list[list] += costs_.of_tests(pairs_[index], tests);
       }
-      if (refinement.level() != level) {
+      // Where it is served by its place alone, a finer level changes nothing.
+      if (refinement.level() != level && settings_.traversal != Traversal::kDepthFirst) {
         dequeue(list);
         enqueue(index);
       }

@@ -17,6 +17,10 @@ constexpr double kSlack = 1e-14;
 constexpr double kTiny_m = 1e-150;
 constexpr double kHuge_m = 1e150;
 
+/// Fewer bodies are swept in one strip; more strips than this would not fit a cache.
+constexpr std::size_t kLeastBodiesForStrips = 128;
+constexpr double kMostStrips = 256.0;
+
 struct Span {
   double least{-std::numeric_limits<double>::infinity()};
   double greatest{std::numeric_limits<double>::infinity()};
@@ -92,17 +96,58 @@ void SweepAndPrune::sort() {
   }
 }
 
-void SweepAndPrune::sweep(std::vector<std::int32_t>& order) {
-  found_.clear();
-  swept_.take(intervals_);
-  for (std::size_t i = 0; i < intervals_.size(); ++i) {
-    const SweptInterval& x = intervals_[i];
-    order[i] = x.body;
+/// As many strips as keep them twice as wide as the widest body, of those whose ends are numbers.
+void SweepAndPrune::part_into_strips() {
+  Span all{kHuge_m, -kHuge_m};
+  double widest_m = kTiny_m;
+  for (const SweptInterval& interval : intervals_) {
+    const double width_m = interval.across_greatest[0] - interval.across_least[0];
+    if (width_m < kHuge_m) {
+      widest_m = std::max(widest_m, width_m);
+      all = {std::min(all.least, interval.across_least[0]),
+             std::max(all.greatest, interval.across_greatest[0])};
+    }
+  }
+  const double room = (all.greatest - all.least) / (2.0 * widest_m);
+  const bool worth_it = intervals_.size() >= kLeastBodiesForStrips && room >= 2.0;
+  strip_count_ = worth_it ? static_cast<std::size_t>(std::min(room, kMostStrips)) : 1;
+  strips_begin_m_ = all.least;
+  strip_width_m_ = (all.greatest - all.least) / static_cast<double>(strip_count_);
+  if (strips_.size() < strip_count_) {
+    strips_.resize(strip_count_);
+  }
+  for (std::vector<SweptInterval>& strip : strips_) {
+    strip.clear();
+  }
+  for (const SweptInterval& interval : intervals_) {
+    const std::size_t last = strip_at(interval.across_greatest[0]);
+    for (std::size_t strip = strip_at(interval.across_least[0]); strip <= last; ++strip) {
+      strips_[strip].push_back(interval);
+    }
+  }
+}
+
+/// Never falls as the place rises.
+std::size_t SweepAndPrune::strip_at(double place_m) const {
+  if (strip_count_ == 1) {
+    return 0;
+  }
+  const double strip = (place_m - strips_begin_m_) / strip_width_m_;
+  return static_cast<std::size_t>(std::clamp(strip, 0.0, static_cast<double>(strip_count_) - 1.0));
+}
+
+void SweepAndPrune::sweep(std::size_t strip) {
+  const std::vector<SweptInterval>& intervals = strips_[strip];
+  swept_.take(intervals);
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const SweptInterval& x = intervals[i];
     for (std::size_t first = i + 1; swept_.reaches(i, first); first += kLanes) {
       for (std::uint32_t bits = swept_.meeting(i, first); bits != 0; bits &= bits - 1) {
         const SweptInterval& y =
-            intervals_[first + static_cast<std::size_t>(std::countr_zero(bits))];
-        if (x.movable || y.movable) {
+            intervals[first + static_cast<std::size_t>(std::countr_zero(bits))];
+        const bool found_before =
+            strip_count_ > 1 && strip_at(std::max(x.across_least[0], y.across_least[0])) != strip;
+        if ((x.movable || y.movable) && !found_before) {
           found_.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
         }
       }
@@ -132,7 +177,14 @@ void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<Pair
   const int axis = widest_axis(bodies);
   cover(bodies, axis);
   sort();
-  sweep(orders_[static_cast<std::size_t>(axis)]);
+  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+  std::transform(intervals_.begin(), intervals_.end(), order.begin(),
+                 [](const SweptInterval& interval) { return interval.body; });
+  part_into_strips();
+  found_.clear();
+  for (std::size_t strip = 0; strip < strip_count_; ++strip) {
+    sweep(strip);
+  }
   sort_found(bodies.size());
   pairs.clear();
   for (const BodyPair& pair : found_) {

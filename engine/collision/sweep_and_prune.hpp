@@ -9,6 +9,10 @@
 // total one (least end, then body), so the result never depends on the order before: the memory
 // saves time and decides nothing.
 //
+// Many bodies are swept strip by strip: a body is in each strip across the axis that it reaches,
+// and a pair is found in the first strip that both reach. So a body is compared with those near it
+// along two axes, and the cost of a body hardly depends on how many others there are.
+//
 // Intervals are conservative and pairs are tested as candidate_pairs() tests them, so the result is
 // the same to the last bit. A body whose interval is not a finite number meets every other.
 // (Baraff 1992; Cohen et al. 1995; Dingliana 2002, sec. 5.3.2)
@@ -39,11 +43,17 @@ class SweepAndPrune {
  private:
   void cover(const std::vector<MovedBound>& bodies, int axis);
   void sort();
-  void sweep(std::vector<std::int32_t>& order);
+  void part_into_strips();
+  [[nodiscard]] std::size_t strip_at(double place_m) const;
+  void sweep(std::size_t strip);
   void sort_found(std::size_t bodies);
 
   std::array<std::vector<std::int32_t>, 3> orders_;  ///< bodies along each axis, last time
   std::vector<SweptInterval> intervals_;
+  std::vector<std::vector<SweptInterval>> strips_;  ///< those from strip_count_ on mean nothing
+  std::size_t strip_count_{1};
+  double strips_begin_m_{0.0};
+  double strip_width_m_{1.0};
   SweptIntervals swept_;
   std::vector<BodyPair> found_;
   std::vector<BodyPair> half_sorted_;

@@ -41,13 +41,30 @@ bool WaitingPairs::comes_after(const Waiting& x, const Waiting& y) {
 }
 
 void WaitingPairs::add(std::size_t index, double urgency) {
-  heap_.push_back({urgency, index});
-  std::push_heap(heap_.begin(), heap_.end(), comes_after);
+  const Waiting added{urgency, index};
+  if (is_queue_ && !empty() && comes_after(waiting_.back(), added)) {
+    become_heap();
+  }
+  waiting_.push_back(added);
+  if (!is_queue_) {
+    std::push_heap(waiting_.begin(), waiting_.end(), comes_after);
+  }
+}
+
+void WaitingPairs::become_heap() {
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+  first_ = 0;
+  is_queue_ = false;
+  std::make_heap(waiting_.begin(), waiting_.end(), comes_after);
 }
 
 void WaitingPairs::remove_next() {
-  std::pop_heap(heap_.begin(), heap_.end(), comes_after);
-  heap_.pop_back();
+  if (is_queue_) {
+    ++first_;
+    return;
+  }
+  std::pop_heap(waiting_.begin(), waiting_.end(), comes_after);
+  waiting_.pop_back();
 }
 
 }  // namespace impetus

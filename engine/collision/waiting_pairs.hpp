@@ -25,14 +25,18 @@ double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& c
 
 class WaitingPairs {
  public:
-  void clear() { heap_.clear(); }
-  [[nodiscard]] bool empty() const { return heap_.empty(); }
+  void clear() {
+    waiting_.clear();
+    first_ = 0;
+    is_queue_ = true;
+  }
+  [[nodiscard]] bool empty() const { return first_ == waiting_.size(); }
 
   /// `index` is the pair's place by priority.
   void add(std::size_t index, double urgency);
 
   /// Precondition: !empty().
-  [[nodiscard]] std::size_t next() const { return heap_.front().index; }
+  [[nodiscard]] std::size_t next() const { return waiting_[first_].index; }
   void remove_next();
 
  private:
@@ -41,8 +45,13 @@ class WaitingPairs {
     std::size_t index;
   };
   static bool comes_after(const Waiting& x, const Waiting& y);
+  void become_heap();
 
-  std::vector<Waiting> heap_;
+  /// As long as each comes after the last: those from first_ on, in order. From then on a heap, and
+  /// first_ is 0.
+  std::vector<Waiting> waiting_;
+  std::size_t first_{0};
+  bool is_queue_{true};
 };
 
 }  // namespace impetus

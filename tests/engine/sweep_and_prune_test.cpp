@@ -117,6 +117,26 @@ TEST(SweepAndPrune, WhatAllPairsMakeOfHugeTinyAndUndefinedNumbersItDoesToo) {
   EXPECT_GT(found, 1'000U);
 }
 
+TEST(SweepAndPrune, ManyBodiesAreSweptInStripsAndEachPairIsFoundOnce) {
+  RandomStream random(kSeed, "strips");
+  SweepAndPrune sweep;
+  std::size_t found = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double spread = uniform_in(random, 0.5, 12.0);
+    const double flat = random.below(3) == 0 ? 0.0 : 1.0;
+    std::vector<MovedBound> bounds = any_bounds(random, 100 + random.below(300));
+    for (MovedBound& bound : bounds) {
+      bound.bound.centre *= spread;
+      bound.bound.centre[static_cast<int>(random.below(3))] *= flat;
+      if (random.below(100) == 0) {
+        bound.bound.radius_m = random.below(2) == 0 ? kInfinity : 1e6;
+      }
+    }
+    ASSERT_TRUE(agree(sweep, bounds, found)) << "seed " << kSeed << ", trial " << trial;
+  }
+  EXPECT_GT(found, 10'000U);
+}
+
 TEST(SweepAndPrune, TwoImmovableBodiesNeverPair) {
   SweepAndPrune sweep;
   const MovedBound fixed{{Vector3::Zero(), 1.0}, 0.0, false};
