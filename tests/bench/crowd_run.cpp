@@ -39,6 +39,7 @@ World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdP
   WorldSettings settings;
   settings.restitution = plan.restitution;
   settings.tunnelling = plan.tunnelling;
+  settings.most_entry_tests = plan.most_entry_tests;
   settings.schedule = plan.schedule;
   settings.costs = kAllPhases;
   settings.gravity_m_s2 = start.gravity_m_s2;

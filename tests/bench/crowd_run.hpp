@@ -17,6 +17,7 @@ struct CrowdPlan {
   Tunnelling tunnelling{Tunnelling::kIgnored};  ///< as the peers do
   Schedule schedule{};
   int most_response_passes{kUnlimitedPasses};
+  std::int64_t most_entry_tests{kUnlimitedTests};
 };
 
 struct CrowdOutcome {

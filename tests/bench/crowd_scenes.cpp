@@ -125,7 +125,12 @@ void print_implosion(const CrowdShape& shape, const BenchOptions& options) {
   CrowdPlan stopping{/*fine=*/true, /*restitution=*/0.5, /*budget_ms=*/4.0};
   stopping.steps = options.steps_of(120);
   stopping.tunnelling = Tunnelling::kStopAtEntry;
-  print_run("~500 leaves, 4 ms, stopped at entry", shape, start, stopping, "");
+  for (const std::int64_t most : {kUnlimitedTests, std::int64_t{100'000}}) {
+    stopping.most_entry_tests = most;
+    print_run(most == kUnlimitedTests ? "~500 leaves, 4 ms, stopped at entry"
+                                      : "the same, 100,000 entry tests",
+              shape, start, stopping, "");
+  }
 }
 
 void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
