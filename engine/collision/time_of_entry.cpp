@@ -277,7 +277,7 @@ class EntrySearch {
       return;
     }
     if (at_least >= safe_) {
-      count(block.rows * block.columns);
+      count(std::int64_t{block.rows} * block.columns);
       return;
     }
     const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
