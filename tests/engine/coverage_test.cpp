@@ -31,7 +31,7 @@ std::vector<NamedSolid> solids() {
           {"dyadic box", box_mesh({1.0, 0.5, 0.25})},
           {"L-block", about_centre_of_mass(l_block_mesh(2.0, 0.7))},
           {"icosphere", icosphere_mesh(0.4, 2)},
-          {"creature", about_centre_of_mass(creature_mesh(2.0, 12))}};
+          {"creature", about_centre_of_mass(creature_mesh(2.0, 16))}};
 }
 
 /// Every kind that build_tree() builds: a new kind is one more row.
