@@ -59,6 +59,8 @@ void PairRefinement::begin(PlacedTree& a, PlacedTree& b, int greatest_level,
   if (of_spheres_) {
     test_roots(overlaps_of_block(a.world_lanes(0, 1), 1, b.world_lanes(0, 1), 1) != 0);
   } else {
+    a.place_siblings(0, 1);
+    b.place_siblings(0, 1);
     test_roots(nodes_overlap(a, 0, b, 0));
   }
 }
@@ -71,6 +73,7 @@ void PairRefinement::begin(PlacedTree& a, const Enclosure& walls, int greatest_l
   at_greatest_ = StopReason::kGreatestLevel;
   of_spheres_ = false;
   deepest_level_ = a.tree().level_count() - 1;
+  a.place_siblings(0, 1);
   test_roots(node_reaches_wall(a, 0, walls));
 }
 
@@ -130,6 +133,10 @@ void PairRefinement::expand(const NodePair& pair) {
   if (of_spheres()) {
     add_overlaps_of_spheres(*a_, of_a, *b_, of_b, expanding_);
     return;
+  }
+  a_->place_siblings(of_a.first, of_a.count);
+  if (b_ != nullptr) {
+    b_->place_siblings(of_b.first, of_b.count);
   }
   for (std::int32_t i = of_a.first; i < of_a.first + of_a.count; ++i) {
     for (std::int32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {

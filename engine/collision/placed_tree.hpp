@@ -57,6 +57,14 @@ class PlacedTree {
     return {&x_[slot], &y_[slot], &z_[slot], own_spheres_->lanes(slot).radius_m};
   }
 
+  /// Places the nodes as world_lanes() does, for whoever asks for one after the other; of any other
+  /// tree each is placed when it is asked for.
+  void place_siblings(std::int32_t first, std::int32_t count) {
+    if (of_spheres()) {
+      static_cast<void>(world_lanes(first, count));
+    }
+  }
+
   /// From node 0 on: the spheres of nodes that a descent has visited since the tree was moved,
   /// whose world_lanes() were asked for; others mean nothing. Precondition: of_spheres().
   [[nodiscard]] SphereLanes world_lanes_of_visited() const {

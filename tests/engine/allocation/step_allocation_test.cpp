@@ -49,8 +49,8 @@ int last_step_that_allocates(World& world, int steps) {
   return last;
 }
 
-/// A crowd that comes back to the same state over and over, so that it is as full in its first
-/// round as it ever gets.
+/// A crowd that comes back to the same state over and over. What touched and what is remembered of
+/// priorities go on from round to round, so it takes a few until it is as full as it gets.
 int last_round_that_allocates(const WorldSettings& settings) {
   RandomStream random(kSeed, "allocations");
   const std::vector<BodyModel> kinds = bodies_of_every_tree_kind();
