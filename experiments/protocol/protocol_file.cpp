@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_file.hpp"
 
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include <xxhash.h>
 
+#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/validation.hpp"
 
 namespace impetus {
@@ -21,116 +21,6 @@ using nlohmann::json;
 const json& protocol_schema() {
   static const json schema = json::parse(kProtocolSchemaText);
   return schema;
-}
-
-LevelValue level_value(const json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>();
-  }
-  return value.get<double>();
-}
-
-/// A whole number stays one, so that 100 is stored as 100 and not as 100.0.
-json to_json(const LevelValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) {
-    const bool whole = std::floor(*number) == *number && std::abs(*number) < 1e15;
-    return whole ? json(static_cast<std::int64_t>(*number)) : json(*number);
-  }
-  return std::visit([](const auto& any) { return json(any); }, value);
-}
-
-Text text_from(const json& object) {
-  return {object["title"].get<std::string>(), object["paragraphs"].get<std::vector<std::string>>()};
-}
-
-Field field_from(const json& object) {
-  const auto kind = object["kind"].get<std::string>();
-  Field field;
-  field.id = object["id"].get<std::string>();
-  field.label = object["label"].get<std::string>();
-  field.kind = kind == "number"   ? Field::Kind::kNumber
-               : kind == "choice" ? Field::Kind::kChoice
-                                  : Field::Kind::kText;
-  field.options = object.value("options", std::vector<std::string>{});
-  field.minimum = object.value("minimum", -1e9);
-  field.maximum = object.value("maximum", 1e9);
-  return field;
-}
-
-Design design_from(const json& object) {
-  Design design;
-  for (const json& entry : object["factors"]) {
-    Factor factor{entry["name"].get<std::string>(), {}};
-    for (const json& level : entry["levels"]) {
-      factor.levels.push_back(level_value(level));
-    }
-    design.factors.push_back(std::move(factor));
-  }
-  design.repetitions = object["repetitions"].get<std::int64_t>();
-  if (object.contains("practice_until")) {
-    design.practice_rounds = object["practice_until"]["rounds"].get<std::int64_t>();
-  }
-  for (const json& rule : object.value("longest_runs", json::array())) {
-    design.longest_runs.push_back(
-        {rule["factor"].get<std::string>(), rule["longest"].get<std::int64_t>()});
-  }
-  return design;
-}
-
-RatingScale scale_from(const json& object) {
-  return {object["question"].get<std::string>(),   object["minimum"].get<std::int64_t>(),
-          object["maximum"].get<std::int64_t>(),   object["best"].get<std::int64_t>(),
-          object["low_anchor"].get<std::string>(), object["high_anchor"].get<std::string>()};
-}
-
-std::optional<PracticeRule> practice_rule_from(const json& design) {
-  if (!design.contains("practice_until")) {
-    return std::nullopt;
-  }
-  const json& rule = design["practice_until"];
-  return PracticeRule{rule["factor"].get<std::string>(), level_value(rule["best"]),
-                      level_value(rule["worst"])};
-}
-
-Script script_from(const json& document) {
-  const json& session = document["session"];
-  Script script;
-  script.title = document["title"].get<std::string>();
-  script.welcome = text_from(session["welcome"]);
-  script.consent = text_from(session["consent"]);
-  script.consent_statement = session["consent"]["statement"].get<std::string>();
-  for (const json& field : session.value("demographics", json::array())) {
-    script.demographics.push_back(field_from(field));
-  }
-  for (const json& page : session["instructions"]) {
-    script.instructions.push_back(text_from(page));
-  }
-  if (session.contains("breaks")) {
-    script.break_text = text_from(session["breaks"]);
-    script.break_every = session["breaks"]["every"].get<std::int64_t>();
-  }
-  for (const json& question : session.value("questions", json::array())) {
-    script.questions.push_back(
-        {question["id"].get<std::string>(), question["text"].get<std::string>()});
-  }
-  script.thanks = text_from(session["thanks"]);
-  for (const json& entry : session.value("demonstrations", json::array())) {
-    script.demonstrations.push_back({entry["id"].get<std::string>(), text_from(entry)});
-  }
-  script.scale = scale_from(document["rating"]);
-  script.timing = {document["timing"]["fixation_ms"].get<double>(),
-                   document["timing"]["interval_ms"].get<double>()};
-  if (document.contains("clicks")) {
-    script.clicks = ClickTask{document["clicks"]["merge_within_ms"].get<double>()};
-  }
-  if (document.contains("gaze")) {
-    script.gaze = GazeTask{document["gaze"]["extra_latency_ms"].get<double>()};
-  }
-  script.practice_rule = practice_rule_from(document["design"]);
-  return script;
 }
 
 void require_schema(const JsonDocument& document, const json& schema) {
@@ -171,22 +61,6 @@ std::string hash_of(const json& protocol, const json& scene) {
 }
 
 }  // namespace
-
-json to_json(const Condition& condition) {
-  json object = json::object();
-  for (const FactorLevel& level : condition) {
-    object[level.factor] = to_json(level.value);
-  }
-  return object;
-}
-
-Condition condition_from_json(const json& object, const Design& design) {
-  Condition condition;
-  for (const Factor& factor : design.factors) {
-    condition.push_back({factor.name, level_value(object.at(factor.name))});
-  }
-  return condition;
-}
 
 json scene_under(const Protocol& protocol, const Condition& condition) {
   json scene = protocol.scene.value;

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/json_document.hpp"
 #include "experiments/session/design.hpp"
 #include "experiments/session/script.hpp"
@@ -36,9 +37,5 @@ nlohmann::json scene_under(const Protocol& protocol, const Condition& condition)
 
 /// The scene with the values that the demonstration sets. `id` is one of the protocol's.
 nlohmann::json demonstration_scene(const Protocol& protocol, const std::string& id);
-
-/// {"delay_ms": 100, ...} and back.
-nlohmann::json to_json(const Condition& condition);
-Condition condition_from_json(const nlohmann::json& object, const Design& design);
 
 }  // namespace impetus

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,12 +34,60 @@ struct LongestRun {
   std::int64_t longest{0};
 };
 
+/// Trials come in blocks, one for each cell of `factors`; within a block the others vary. The order
+/// of blocks is drawn, or a row of a Latin square: that of the number the participant's code ends
+/// in, so that P01, P02, ... are counterbalanced.
+struct Blocks {
+  enum class Order { kRandom, kFixed, kLatinSquare };
+  std::vector<std::string> factors;
+  Order order{Order::kRandom};
+};
+
+/// Trials outside the design, spread among the main ones, whose right answer is known.
+struct CatchTrials {
+  Condition condition;
+  std::int64_t count{0};  ///< in each block
+};
+
+/// Up-down (Levitt 1971): `down` positives in a row make the next trial harder, `up` negatives in a
+/// row easier. Levels are those of the factor, from hard (first) to easy (last).
+struct Staircase {
+  std::int64_t up{1};
+  std::int64_t down{2};
+  std::vector<std::int64_t> steps{1};  ///< in levels; the next one after each reversal
+  std::vector<LevelValue> starts;      ///< one interleaved staircase for each
+};
+
+/// QUEST+ (Watson 2017): the level whose answer should take away most of the posterior's entropy.
+struct QuestPlus {
+  enum class Function { kWeibull, kNormal };
+  /// The level's scale: as it is (p is Φ or Weibull of it), its decimal logarithm, or decibels.
+  enum class Scale { kLinear, kLog10, kDecibel };
+  Function function{Function::kWeibull};
+  Scale scale{Scale::kLinear};
+  std::vector<double> thresholds;  ///< grids of the prior, uniform over all combinations
+  std::vector<double> slopes;
+  std::vector<double> guess_rates;
+  std::vector<double> lapse_rates;
+};
+
+/// One factor's level is chosen trial by trial, in a track for each cell of the others. Tracks are
+/// interleaved at random.
+struct Adaptive {
+  std::string factor;
+  std::variant<Staircase, QuestPlus> method;
+  std::int64_t trials_per_track{0};
+};
+
 struct Design {
   std::vector<Factor> factors;
   std::int64_t repetitions{1};
   std::vector<LongestRun> longest_runs;
   std::vector<Condition> practice;  ///< shown first, in this order
   std::int64_t practice_rounds{1};  ///< planned; later ones are for who needs them
+  std::optional<Blocks> blocks{};
+  std::vector<CatchTrials> catch_trials{};
+  std::optional<Adaptive> adaptive{};  ///< `repetitions` is then 1
 };
 
 /// Every cell of the design, the last factor varying fastest.

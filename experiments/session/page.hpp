@@ -45,7 +45,12 @@ struct Page {
   std::string high_anchor;     ///< words under the last
   std::size_t best_choice{0};  ///< of a scale: the index of its good end
   SessionProgress progress;
-  bool can_pause{true};  ///< Esc asks for a pause; false where Esc is one of the choices
+  /// The response that is asked for, such as "rating" or "yes_no"; "": not one of a trial's.
+  std::string response{};
+  std::size_t positive_choice{
+      0};                  ///< of a yes_no: the index of yes; of a two_interval: the right one
+  double timeout_ms{0.0};  ///< gone unanswered after so long; 0: never
+  bool can_pause{true};    ///< Esc asks for a pause; false where Esc is one of the choices
 };
 
 }  // namespace impetus

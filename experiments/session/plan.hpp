@@ -3,12 +3,21 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/session/design.hpp"
 
 namespace impetus {
+
+/// A value of the scene that was solved before the plan was stored.
+struct SolvedValue {
+  std::string pointer;  ///< JSON Pointer
+  double value{0.0};
+
+  friend bool operator==(const SolvedValue&, const SolvedValue&) = default;
+};
 
 enum class TrialPhase { kPractice, kMain };
 
@@ -18,6 +27,12 @@ struct PlannedTrial {
   std::int64_t repetition{1};  ///< of practice: its round
   Condition condition;
   std::uint64_t seed{0};
+  std::int64_t block{1};  ///< in the order shown
+  bool catch_trial{false};
+  /// Adaptive: the track that decides the level, from 0; `condition` lacks it until it is next.
+  std::optional<std::int64_t> track{};
+  std::vector<SolvedValue> solved{};             ///< put into the scene beside the condition
+  std::optional<std::int64_t> yoked_trial_id{};  ///< of the study, whose gaze the region follows
 
   friend bool operator==(const PlannedTrial&, const PlannedTrial&) = default;
 };

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/world.hpp"
+#include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
 #include "experiments/session/wall_names.hpp"
@@ -34,6 +36,13 @@ struct StepRecord {
   std::int64_t pops{0};           ///< pairs that touch at a coarser level than in the step before
   std::int64_t stopped_short{0};  ///< pairs that were stopped where they entered each other
   double largest_pop_deg{0.0};    ///< visual angle; of no pop, 0
+  std::int64_t interval{1};       ///< of a two-interval trial, its first or second stimulus
+};
+
+/// A manipulation that is not physics: added to the angular velocity of both bodies (rad/s).
+struct ImposedSpin {
+  Eigen::Vector3d a{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d b{Eigen::Vector3d::Zero()};
 };
 
 /// One pair in contact, at the step in which that began.
@@ -50,6 +59,14 @@ struct CollisionRecord {
   double time_s{0.0};                             ///< of the stimulus
   std::optional<double> gaze_eccentricity_deg{};  ///< of the contact point from the fixation
   std::optional<double> region_eccentricity_deg{};  ///< from the centre of the step's region
+  std::int64_t interval{1};
+  /// As the viewer sees it when it begins: the contact's distance from the eye; mean projected
+  /// speed of both bodies (a wall's is 0), and of one against the other.
+  std::optional<double> distance_m{};
+  std::optional<double> speed_deg_s{};
+  std::optional<double> collision_speed_deg_s{};
+  std::optional<double> priority{};  ///< of the scheduler's metric, in its unit
+  std::optional<ImposedSpin> imposed_spin{};
 };
 
 enum class FramePhase { kFixation, kStimulus };
@@ -60,6 +77,7 @@ struct FrameRecord {
   FramePhase phase{FramePhase::kStimulus};
   double shown_time_s{0.0};  ///< of the stimulus; 0 in the fixation phase
   Flip flip;
+  std::int64_t interval{1};
 };
 
 /// One rating, with the scale it was given on: scales run in opposite directions, so never pool
@@ -82,6 +100,22 @@ struct ClickRecord {
   std::string device;  ///< "mouse", "key" or "simulated"
   std::int64_t arrived_ns{0};
   std::int64_t arrival_uncertainty_ns{0};
+  std::int64_t interval{1};
+};
+
+/// One answer to a question of a trial other than a rating. See experiments/session/responses/.
+struct ResponseRecord {
+  std::string kind;
+  std::string question;
+  std::string answer;                 ///< "" when timed out or left empty
+  std::optional<bool> positive{};     ///< counts towards a threshold: seen, or chosen right
+  std::optional<bool> correct{};      ///< none: there is no right answer
+  std::vector<FactorLevel> detail{};  ///< what else the kind records, by name
+  std::string device;
+  std::int64_t question_shown_ns{0};
+  std::int64_t arrived_ns{0};
+  std::int64_t arrival_uncertainty_ns{0};
+  bool timed_out{false};
 };
 
 enum class AttemptOutcome { kCompleted, kInterrupted };
@@ -107,6 +141,48 @@ struct AttemptRecord {
   double intended_hold_s{0.0};
   double realised_hold_s{0.0};  ///< differs only when rounding to the display's grid was allowed
   std::int64_t late_untimed_frames{0};  ///< on the question and in the interval
+  std::vector<ResponseRecord> responses{};
+  std::string interrupted_by{};             ///< "pause", "display closed", "gaze lost"; or ""
+  std::optional<double> gaze_lost_share{};  ///< of the stimulus, time without a valid sample
+  std::optional<double> imposed_gaze_latency_s{};
+};
+
+/// A point of a calibration, validation or drift check: where it was shown, what the gaze did.
+struct CalibrationPointRecord {
+  ScreenPoint shown{};
+  Fixation gaze{};  ///< mean of the valid samples; none: there were none
+  std::optional<double> accuracy_deg{};
+  std::optional<double> precision_rms_deg{};
+  std::optional<double> precision_sd_deg{};
+  std::int64_t samples{0};
+  std::int64_t lost{0};
+};
+
+enum class CalibrationKind { kCalibration, kValidation, kDriftCheck };
+
+/// One run through the points.
+struct CalibrationRecord {
+  CalibrationKind kind{CalibrationKind::kCalibration};
+  std::int64_t number{1};       ///< try, of its kind and occasion
+  std::int64_t before_slot{1};  ///< the planned trial that comes next
+  std::string gaze_source;
+  std::optional<double> accuracy_deg{};  ///< none: nothing valid
+  std::optional<double> worst_accuracy_deg{};
+  std::optional<double> precision_rms_deg{};
+  std::optional<double> precision_sd_deg{};
+  double lost_share{0.0};
+  std::optional<double> sampling_hz{};
+  double accuracy_limit_deg{0.0};
+  bool passed{false};
+  std::int64_t began_ns{0};
+  std::vector<CalibrationPointRecord> points;
+};
+
+/// An adaptive trial's level, chosen just before the trial is shown, and what it was chosen by.
+struct ChosenLevel {
+  std::int64_t slot{0};
+  Condition condition;             ///< whole, with the level
+  std::vector<FactorLevel> state;  ///< of the track before the trial, by name
 };
 
 /// An answer outside trials. `kind`: "consent", "demographic" or "question".

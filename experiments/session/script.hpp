@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,15 @@ struct PracticeRule {
   LevelValue worst;
 };
 
+/// When training is over: of the last `of` practice trials, at least `right` were answered right.
+/// Whether an answer was right is said after each. Practice conditions come again and again, in
+/// order, for `most_trials` at most; then the experimenter decides.
+struct TrainingRule {
+  std::int64_t right{0};
+  std::int64_t of{0};
+  std::int64_t most_trials{0};
+};
+
 struct TrialTiming {
   double fixation_ms{500.0};
   double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
@@ -43,9 +53,54 @@ struct ClickTask {
   double merge_within_ms{100.0};  ///< of what happened, for the analysis; clicks are kept raw
 };
 
+/// Yes or no, after the stimulus.
+struct YesNoQuestion {
+  std::string question;
+  std::string yes;  ///< the words on the two choices; keys are y and n
+  std::string no;
+  double timeout_ms{0.0};  ///< 0: none
+  /// Yes is right where the factor's level is above this; "": there is no right answer.
+  std::string right_factor{};
+  double right_above{0.0};
+};
+
+/// Two stimuli, of which the participant chooses one: the condition's own and one of the standard,
+/// in an order drawn with the trial's seed.
+struct TwoIntervalQuestion {
+  std::string question;
+  std::string first;  ///< the words on the two choices; keys are 1 and 2
+  std::string second;
+  Condition standard;  ///< levels that the standard has instead of the condition's
+  double between_ms{500.0};
+  double timeout_ms{0.0};
+};
+
+/// Free words after the stimulus.
+struct FreeTextQuestion {
+  std::string question;
+};
+
+/// A calibration of the gaze before practice: 9 points, then a validation; a drift check at breaks.
+struct CalibrationTask {
+  double accuracy_limit_deg{1.0};  ///< a validation worse than this is repeated
+  std::int64_t most_tries{3};      ///< then the experimenter decides
+  double drift_limit_deg{2.0};     ///< a drift check worse than this asks for a calibration
+  double point_ms{1000.0};         ///< for which a point is shown
+};
+
+/// What becomes of a trial in which the gaze was lost for more than a share of the stimulus.
+struct GazeLossRule {
+  enum class Policy { kKeep, kMark, kRepeat };
+  double most_lost_share{0.5};
+  Policy policy{Policy::kMark};
+  std::int64_t most_repeats{2};  ///< of a trial; then it is kept, marked
+};
+
 /// The gaze is followed during the stimulus.
 struct GazeTask {
   double extra_latency_ms{0.0};  ///< imposed: samples younger than this are not used yet
+  std::optional<CalibrationTask> calibration{};
+  std::optional<GazeLossRule> loss{};
 };
 
 /// A scene shown before practice and named, without a task. `id` is what `Scenes` knows it by.
@@ -67,7 +122,8 @@ struct Script {
   std::vector<Field> demographics;
   std::vector<Text> instructions;
   std::vector<Demonstration> demonstrations;
-  std::optional<PracticeRule> practice_rule;  ///< none: practice is one round
+  std::optional<PracticeRule> practice_rule;    ///< none: practice is one round
+  std::optional<TrainingRule> training_rule{};  ///< in its place
   Text break_text;
   std::int64_t break_every{0};  ///< main trials; 0: no breaks
   std::vector<FreeQuestion> questions;
@@ -76,6 +132,9 @@ struct Script {
   TrialTiming timing;
   std::optional<ClickTask> clicks;
   std::optional<GazeTask> gaze;
+  std::optional<YesNoQuestion> yes_no{};
+  std::optional<TwoIntervalQuestion> two_interval{};
+  std::optional<FreeTextQuestion> free_text{};
 };
 
 }  // namespace impetus

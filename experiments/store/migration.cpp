@@ -9,6 +9,7 @@
 
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
+#include "experiments/store/embedded_migration_3_4.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 
@@ -77,6 +78,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   if (version < 3) {
     add_early_missing_column(database);
     database.exec(kMigrationFrom2To3Sql);
+  }
+  if (version < 4) {
+    database.exec(kMigrationFrom3To4Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

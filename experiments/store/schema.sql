@@ -3,9 +3,9 @@
 --   participant --< enrolment >-- protocol        who does which protocol, with which seed
 --                      |
 --                      +--< trial                  the plan: stored before the first is shown
---                      |      +--< attempt --< step, collision, frame, gaze, click, rating
+--                      |      +--< attempt --< step, collision, frame, gaze, click, rating, response
 --                      +--< session                one sitting; a resumed enrolment has several
---                             +--< answer, note
+--                             +--< answer, note, calibration --< calibration_point
 --
 -- Analysts: read the views in views.sql; tables may change with the schema version, views keep
 -- their columns. Times are nanoseconds of a monotonic clock unless the name says otherwise.
@@ -65,7 +65,9 @@ CREATE TABLE session (
   sync_mean_interval_ns REAL,
   sync_sd_interval_ns REAL,
   sync_passed INTEGER NOT NULL CHECK (sync_passed IN (0, 1)),
-  sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1))
+  sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),
+  series TEXT,                        -- name of the series of protocols it was part of; NULL: none
+  series_place INTEGER CHECK (series_place >= 1)  -- of this protocol in the series
 ) STRICT;
 
 CREATE TABLE trial (
@@ -76,6 +78,15 @@ CREATE TABLE trial (
   repetition INTEGER NOT NULL CHECK (repetition >= 1),
   condition TEXT NOT NULL CHECK (json_valid(condition)),  -- {"factor": level, ...}
   seed INTEGER NOT NULL,
+  block INTEGER NOT NULL DEFAULT 1 CHECK (block >= 1),    -- in the order shown
+  catch INTEGER NOT NULL DEFAULT 0 CHECK (catch IN (0, 1)),  -- a catch trial, outside the design
+  track INTEGER,                      -- adaptive: which track decides the level; NULL: fixed
+  -- Adaptive: what the track knew when it chose the level that condition then got, {"name": number}.
+  -- NULL until the trial is next (condition lacks the level until then); a replay derives it anew.
+  adaptive_state TEXT CHECK (json_valid(adaptive_state)),
+  -- Values solved before the plan was stored, put into the scene: {"/pointer": number}; NULL: none.
+  solved TEXT CHECK (json_valid(solved)),
+  yoked_trial_id INTEGER REFERENCES trial (id),  -- whose recorded gaze its region follows
   UNIQUE (enrolment_id, slot)
 ) STRICT;
 
@@ -96,10 +107,14 @@ CREATE TABLE attempt (
   gaze_latency_p95_ms REAL,           -- sample to flip, 95th percentile over the steps
   gaze_late INTEGER NOT NULL DEFAULT 0 CHECK (gaze_late IN (0, 1)),  -- that exceeded 80 ms
   region_covered_share REAL,          -- of the enclosure's image, inside the region, mean
+  interrupted_by TEXT,                -- 'pause', 'display closed', 'gaze lost'; NULL: completed
+  gaze_lost_share REAL,               -- of the stimulus, time without a valid sample; NULL: no gaze
+  imposed_gaze_latency_ms REAL,       -- samples younger than this were not used; NULL: no gaze
   UNIQUE (trial_id, number)
 ) STRICT;
 CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 'completed';
 
+-- `interval`, here and below: of a two-interval trial, its first or second stimulus; otherwise 1.
 CREATE TABLE step (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
@@ -119,7 +134,8 @@ CREATE TABLE step (
   pops INTEGER NOT NULL DEFAULT 0,          -- pairs that touch at a coarser level than before
   largest_pop_deg REAL,                     -- visual angle that bounds grew by; NULL: no pop
   stopped_short INTEGER NOT NULL DEFAULT 0, -- pairs stopped at entry, or they had passed through
-  PRIMARY KEY (attempt_id, step)
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+  PRIMARY KEY (attempt_id, interval, step)
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE collision (
@@ -143,7 +159,16 @@ CREATE TABLE collision (
   time_s REAL,                        -- of the stimulus; NULL: recorded before schema 2
   gaze_eccentricity_deg REAL,         -- of the contact from the fixation; NULL: not known
   region_eccentricity_deg REAL,       -- from the centre of the region; NULL: none
-  contacts INTEGER NOT NULL DEFAULT 1 CHECK (contacts >= 1)  -- point and normal are the deepest's
+  contacts INTEGER NOT NULL DEFAULT 1 CHECK (contacts >= 1),  -- point and normal are the deepest's
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+  -- As the viewer sees it when it begins; NULL: recorded before schema 4.
+  distance_m REAL,                    -- of the contact from the eye
+  speed_deg_s REAL,                   -- mean projected speed of both bodies (a wall's is 0)
+  collision_speed_deg_s REAL,         -- projected speed of one against the other
+  priority REAL,                      -- value of the scheduler's metric, in its unit; NULL: none
+  -- Imposed manipulation: change of angular velocity drawn for body a and body b; NULL: none.
+  imposed_spin_a_x_rad_s REAL, imposed_spin_a_y_rad_s REAL, imposed_spin_a_z_rad_s REAL,
+  imposed_spin_b_x_rad_s REAL, imposed_spin_b_y_rad_s REAL, imposed_spin_b_z_rad_s REAL
 ) STRICT;
 CREATE INDEX collision_attempt ON collision (attempt_id);
 
@@ -165,6 +190,7 @@ CREATE TABLE frame (
   submitted_ns INTEGER NOT NULL,
   flipped_ns INTEGER NOT NULL,
   missed_slots INTEGER NOT NULL,      -- > 0: the frame was late by so many refreshes
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   PRIMARY KEY (attempt_id, frame)
 ) STRICT, WITHOUT ROWID;
 
@@ -176,6 +202,7 @@ CREATE TABLE gaze (
   x_m REAL,                           -- right of the screen's centre; NULL: lost
   y_m REAL,
   loss TEXT CHECK (loss IN ('blink', 'off screen', 'lost')),  -- why there is no place
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   PRIMARY KEY (attempt_id, sample),
   CHECK ((x_m IS NULL) = (y_m IS NULL) AND (x_m IS NULL) = (loss IS NOT NULL))
 ) STRICT, WITHOUT ROWID;
@@ -187,6 +214,7 @@ CREATE TABLE click (
   device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated')),
   arrived_ns INTEGER NOT NULL,
   arrival_uncertainty_ns INTEGER NOT NULL,
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   PRIMARY KEY (attempt_id, number)
 ) STRICT, WITHOUT ROWID;
 
@@ -206,6 +234,54 @@ CREATE TABLE rating (
   CHECK (best IN (minimum, maximum))
 ) STRICT;
 
+-- Answers to a trial's questions other than ratings, in the order asked.
+CREATE TABLE response (
+  attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  number INTEGER NOT NULL CHECK (number >= 1),
+  kind TEXT NOT NULL,                 -- 'yes_no', 'two_interval', 'free_text', ...
+  question TEXT NOT NULL,             -- the words that were asked
+  answer TEXT,                        -- 'yes', 'first', free words; NULL: timed out or left empty
+  positive INTEGER CHECK (positive IN (0, 1)),  -- counts towards the threshold: seen, chosen right
+  correct INTEGER CHECK (correct IN (0, 1)),    -- NULL: there is no right answer
+  detail TEXT NOT NULL CHECK (json_valid(detail)),  -- what else the kind records, {"name": value}
+  device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated', 'none')),  -- none: timed out
+  question_shown_ns INTEGER NOT NULL,
+  arrived_ns INTEGER NOT NULL,
+  arrival_uncertainty_ns INTEGER NOT NULL,
+  timed_out INTEGER NOT NULL DEFAULT 0 CHECK (timed_out IN (0, 1)),
+  PRIMARY KEY (attempt_id, number)
+) STRICT, WITHOUT ROWID;
+
+-- One run through the points of a calibration, a validation or a drift check of the gaze.
+CREATE TABLE calibration (
+  id INTEGER PRIMARY KEY,
+  session_id INTEGER NOT NULL REFERENCES session (id),
+  kind TEXT NOT NULL CHECK (kind IN ('calibration', 'validation', 'drift check')),
+  number INTEGER NOT NULL CHECK (number >= 1),     -- try, from 1, of its kind and occasion
+  before_slot INTEGER NOT NULL,                    -- the planned trial that comes next
+  gaze_source TEXT NOT NULL,
+  accuracy_deg REAL,                  -- mean distance of gaze from the points; NULL: nothing valid
+  worst_accuracy_deg REAL,            -- of the worst point
+  precision_rms_deg REAL,             -- RMS of distances from sample to sample
+  precision_sd_deg REAL,              -- standard deviation about each point's mean
+  lost_share REAL NOT NULL,           -- of the samples
+  sampling_hz REAL,                   -- as measured
+  accuracy_limit_deg REAL NOT NULL,   -- the protocol's
+  passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
+  began_ns INTEGER NOT NULL
+) STRICT;
+
+CREATE TABLE calibration_point (
+  calibration_id INTEGER NOT NULL REFERENCES calibration (id),
+  point INTEGER NOT NULL CHECK (point >= 1),
+  x_m REAL NOT NULL, y_m REAL NOT NULL,            -- shown, right of and above the centre
+  gaze_x_m REAL, gaze_y_m REAL,                    -- mean of the valid samples; NULL: none
+  accuracy_deg REAL, precision_rms_deg REAL, precision_sd_deg REAL,
+  samples INTEGER NOT NULL,
+  lost INTEGER NOT NULL,
+  PRIMARY KEY (calibration_id, point)
+) STRICT, WITHOUT ROWID;
+
 CREATE TABLE answer (
   id INTEGER PRIMARY KEY,
   session_id INTEGER NOT NULL REFERENCES session (id),
@@ -221,4 +297,14 @@ CREATE TABLE note (
   written_utc TEXT NOT NULL,
   kind TEXT NOT NULL,
   text TEXT NOT NULL
+) STRICT;
+
+-- Who or what the analysis leaves out, and why. Never deleted: taken back by a later row.
+CREATE TABLE exclusion (
+  id INTEGER PRIMARY KEY,
+  participant_id INTEGER NOT NULL REFERENCES participant (id),
+  trial_id INTEGER REFERENCES trial (id),          -- NULL: all of the participant's trials
+  excluded INTEGER NOT NULL CHECK (excluded IN (0, 1)),  -- 0: taken back; the last row counts
+  reason TEXT NOT NULL CHECK (length(reason) > 0),
+  decided_utc TEXT NOT NULL
 ) STRICT;

@@ -30,7 +30,12 @@ SELECT participant.pseudonym AS participant,
        attempt.gaze_source AS gaze_source,
        attempt.gaze_latency_p95_ms AS gaze_latency_p95_ms,
        attempt.gaze_late AS gaze_late,
-       attempt.region_covered_share AS region_covered_share
+       attempt.region_covered_share AS region_covered_share,
+       trial.block AS block,
+       trial.catch AS catch,
+       trial.track AS track,
+       attempt.gaze_lost_share AS gaze_lost_share,
+       attempt.imposed_gaze_latency_ms AS imposed_gaze_latency_ms
 FROM rating
 JOIN attempt ON attempt.id = rating.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -38,6 +43,97 @@ JOIN session ON session.id = attempt.session_id
 JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per question of a completed trial other than a rating, practice included.
+CREATE VIEW trial_response AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       protocol.hash AS protocol_hash,
+       session.id AS session,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS phase,
+       trial.repetition AS repetition,
+       trial.condition AS condition,
+       trial.block AS block,
+       trial.catch AS catch,
+       trial.track AS track,
+       trial.adaptive_state AS adaptive_state,
+       attempt.number AS attempt,
+       response.number AS number,
+       response.kind AS kind,
+       response.question AS question,
+       response.answer AS answer,
+       response.positive AS positive,
+       response.correct AS correct,
+       response.detail AS detail,
+       response.device AS device,
+       response.timed_out AS timed_out,
+       (response.arrived_ns - response.question_shown_ns) / 1e6 AS reaction_time_ms,
+       attempt.realised_hold_ms AS realised_hold_ms,
+       attempt.late_timed_frames AS late_timed_frames,
+       attempt.sync_overridden AS sync_overridden
+FROM response
+JOIN attempt ON attempt.id = response.attempt_id AND attempt.outcome = 'completed'
+JOIN trial ON trial.id = attempt.trial_id
+JOIN session ON session.id = attempt.session_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per calibration, validation or drift check of the gaze.
+CREATE VIEW gaze_calibration AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       session.id AS session,
+       calibration.id AS calibration,
+       calibration.kind AS kind,
+       calibration.number AS number,
+       calibration.before_slot AS before_slot,
+       calibration.gaze_source AS gaze_source,
+       calibration.accuracy_deg AS accuracy_deg,
+       calibration.worst_accuracy_deg AS worst_accuracy_deg,
+       calibration.precision_rms_deg AS precision_rms_deg,
+       calibration.precision_sd_deg AS precision_sd_deg,
+       calibration.lost_share AS lost_share,
+       calibration.sampling_hz AS sampling_hz,
+       calibration.accuracy_limit_deg AS accuracy_limit_deg,
+       calibration.passed AS passed
+FROM calibration
+JOIN session ON session.id = calibration.session_id
+JOIN enrolment ON enrolment.id = session.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- What the analysis leaves out, and why; `trial` is NULL where that is all of a participant's.
+CREATE VIEW excluded AS
+SELECT participant.pseudonym AS participant,
+       exclusion.trial_id AS trial,
+       exclusion.reason AS reason,
+       exclusion.decided_utc AS decided_utc
+FROM exclusion
+JOIN participant ON participant.id = exclusion.participant_id
+WHERE exclusion.excluded = 1
+  AND exclusion.id = (SELECT max(later.id) FROM exclusion AS later
+                      WHERE later.participant_id = exclusion.participant_id
+                        AND later.trial_id IS exclusion.trial_id);
+
+-- One row per attempt that was not completed: what interrupted it.
+CREATE VIEW interrupted_attempt AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       trial.phase AS phase,
+       attempt.number AS attempt,
+       attempt.interrupted_by AS interrupted_by,
+       attempt.gaze_lost_share AS gaze_lost_share
+FROM attempt
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE attempt.outcome = 'interrupted';
 
 -- One row per collision of a completed attempt, with its truth where `replay --truth` filled it.
 CREATE VIEW seen_collision AS
@@ -62,7 +158,18 @@ SELECT participant.pseudonym AS participant,
        collision.time_s AS time_s,
        collision.gaze_eccentricity_deg AS gaze_eccentricity_deg,
        collision.region_eccentricity_deg AS region_eccentricity_deg,
-       collision.contacts AS contacts
+       collision.contacts AS contacts,
+       collision.interval AS interval,
+       collision.distance_m AS distance_m,
+       collision.speed_deg_s AS speed_deg_s,
+       collision.collision_speed_deg_s AS collision_speed_deg_s,
+       collision.priority AS priority,
+       collision.imposed_spin_a_x_rad_s AS imposed_spin_a_x_rad_s,
+       collision.imposed_spin_a_y_rad_s AS imposed_spin_a_y_rad_s,
+       collision.imposed_spin_a_z_rad_s AS imposed_spin_a_z_rad_s,
+       collision.imposed_spin_b_x_rad_s AS imposed_spin_b_x_rad_s,
+       collision.imposed_spin_b_y_rad_s AS imposed_spin_b_y_rad_s,
+       collision.imposed_spin_b_z_rad_s AS imposed_spin_b_z_rad_s
 FROM collision
 JOIN attempt ON attempt.id = collision.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id

@@ -1,0 +1,27 @@
+// The design of a protocol, read from its checked JSON; conditions to JSON and back.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "experiments/session/design.hpp"
+#include "experiments/session/script.hpp"
+
+namespace impetus {
+
+/// The design without its practice. `object` is the protocol's "design".
+Design design_from(const nlohmann::json& object);
+
+/// When practice is understood, if the design says so.
+std::optional<PracticeRule> practice_rule_from(const nlohmann::json& design);
+
+LevelValue level_value(const nlohmann::json& value);
+/// A whole number stays one, so that 100 is stored as 100 and not as 100.0.
+nlohmann::json to_json(const LevelValue& value);
+
+/// {"delay_ms": 100, ...} and back.
+nlohmann::json to_json(const Condition& condition);
+Condition condition_from_json(const nlohmann::json& object, const Design& design);
+
+}  // namespace impetus

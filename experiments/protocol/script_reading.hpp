@@ -1,0 +1,14 @@
+// What a session says and asks, read from a protocol's checked JSON.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/session/script.hpp"
+
+namespace impetus {
+
+/// `document` is the whole protocol.
+Script script_from(const nlohmann::json& document);
+
+}  // namespace impetus
