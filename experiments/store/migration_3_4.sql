@@ -9,8 +9,8 @@ ALTER TABLE session ADD COLUMN series_place INTEGER CHECK (series_place >= 1);
 ALTER TABLE trial ADD COLUMN block INTEGER NOT NULL DEFAULT 1 CHECK (block >= 1);
 ALTER TABLE trial ADD COLUMN catch INTEGER NOT NULL DEFAULT 0 CHECK (catch IN (0, 1));
 ALTER TABLE trial ADD COLUMN track INTEGER;
-ALTER TABLE trial ADD COLUMN adaptive_state TEXT CHECK (json_valid(adaptive_state));
-ALTER TABLE trial ADD COLUMN solved TEXT CHECK (json_valid(solved));
+ALTER TABLE trial ADD COLUMN adaptive_state TEXT CHECK (adaptive_state IS NULL OR json_valid(adaptive_state));
+ALTER TABLE trial ADD COLUMN solved TEXT CHECK (solved IS NULL OR json_valid(solved));
 ALTER TABLE trial ADD COLUMN yoked_trial_id INTEGER REFERENCES trial (id);
 
 ALTER TABLE attempt ADD COLUMN interrupted_by TEXT;
@@ -19,6 +19,7 @@ ALTER TABLE attempt ADD COLUMN imposed_gaze_latency_ms REAL;
 
 CREATE TABLE step_4 (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   step INTEGER NOT NULL CHECK (step >= 0),
   work_granted INTEGER NOT NULL,
   work_spent INTEGER NOT NULL,
@@ -36,7 +37,6 @@ CREATE TABLE step_4 (
   pops INTEGER NOT NULL DEFAULT 0,
   largest_pop_deg REAL,
   stopped_short INTEGER NOT NULL DEFAULT 0,
-  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   PRIMARY KEY (attempt_id, interval, step)
 ) STRICT, WITHOUT ROWID;
 

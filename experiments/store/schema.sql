@@ -83,9 +83,9 @@ CREATE TABLE trial (
   track INTEGER,                      -- adaptive: which track decides the level; NULL: fixed
   -- Adaptive: what the track knew when it chose the level that condition then got, {"name": number}.
   -- NULL until the trial is next (condition lacks the level until then); a replay derives it anew.
-  adaptive_state TEXT CHECK (json_valid(adaptive_state)),
+  adaptive_state TEXT CHECK (adaptive_state IS NULL OR json_valid(adaptive_state)),
   -- Values solved before the plan was stored, put into the scene: {"/pointer": number}; NULL: none.
-  solved TEXT CHECK (json_valid(solved)),
+  solved TEXT CHECK (solved IS NULL OR json_valid(solved)),
   yoked_trial_id INTEGER REFERENCES trial (id),  -- whose recorded gaze its region follows
   UNIQUE (enrolment_id, slot)
 ) STRICT;
@@ -117,6 +117,7 @@ CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 
 -- `interval`, here and below: of a two-interval trial, its first or second stimulus; otherwise 1.
 CREATE TABLE step (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
   work_granted INTEGER NOT NULL,            -- units of work; a test of a pair of nodes is one
   work_spent INTEGER NOT NULL,
@@ -134,7 +135,6 @@ CREATE TABLE step (
   pops INTEGER NOT NULL DEFAULT 0,          -- pairs that touch at a coarser level than before
   largest_pop_deg REAL,                     -- visual angle that bounds grew by; NULL: no pop
   stopped_short INTEGER NOT NULL DEFAULT 0, -- pairs stopped at entry, or they had passed through
-  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
   PRIMARY KEY (attempt_id, interval, step)
 ) STRICT, WITHOUT ROWID;
 

@@ -21,9 +21,9 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "/design/factors/0: expected only the keys \"label\", \"levels\", \"name\", \"pointer\", "
         "got \"level\""},
        {"/seed", 1,
-        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"gaze\", \"name\", "
-        "\"rating\", \"scene\", \"schema_version\", \"session\", \"source\", \"timing\", "
-        "\"title\", got \"seed\""}});
+        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
+        "\"name\", \"rating\", \"scene\", \"schema_version\", \"session\", \"source\", \"timing\", "
+        "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});
 }
 
 TEST(ProtocolSchema, AMissingKeyIsRefused) {

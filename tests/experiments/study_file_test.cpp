@@ -29,8 +29,8 @@ TEST(StudyFile, AStudyOfALaterSchemaIsRefused) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
   opened(path);
-  plain_database(path, "PRAGMA user_version = 4");
-  const std::string sentence = path + ": expected a study of schema version 1 to 3, got version 4";
+  plain_database(path, "PRAGMA user_version = 5");
+  const std::string sentence = path + ": expected a study of schema version 1 to 4, got version 5";
   EXPECT_EQ(open_refusal(path), sentence);
   EXPECT_EQ(read_refusal(path), sentence);
 }
