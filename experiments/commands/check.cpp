@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/protocol/design_words.hpp"
+#include "experiments/protocol/expected_length.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/protocol_page.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
-#include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/plan.hpp"
 #include "experiments/session/response_kinds.hpp"
 
@@ -21,32 +22,8 @@ struct CheckOptions {
   std::vector<std::string> files;
   double refresh_hz{60.0};
   bool allow_rounding{false};
+  bool explain{false};
 };
-
-/// A participant's own pace, for the estimate alone.
-constexpr double kAssumedRatingS = 1.5;
-constexpr double kAssumedReadingS = 150.0;
-
-double expected_minutes(const Protocol& protocol, const Plan& plan) {
-  const ProtocolScenes scenes(protocol, 0.0);
-  double seconds = kAssumedReadingS;
-  for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kPractice && trial.repetition > 1) {
-      continue;  // most need one round
-    }
-    seconds += scenes.stage(trial.condition, assumed_screen()).duration_s + kAssumedRatingS +
-               (protocol.script.timing.fixation_ms + protocol.script.timing.interval_ms) / 1e3;
-  }
-  return seconds / 60.0;
-}
-
-std::string level_list(const Factor& factor) {
-  std::string text;
-  for (const LevelValue& level : factor.levels) {
-    text += (text.empty() ? "" : ", ") + to_text(level);
-  }
-  return text;
-}
 
 void print_factors(const Protocol& protocol) {
   for (const Factor& factor : protocol.design.factors) {
@@ -115,7 +92,7 @@ void print_design(const Protocol& protocol) {
               static_cast<long long>(protocol.script.scale.maximum),
               protocol.script.scale.high_anchor.c_str());
   std::printf("  duration     about %.0f minutes, at %.1f s for a rating\n",
-              std::ceil(expected_minutes(protocol, plan)), kAssumedRatingS);
+              std::ceil(expected_minutes(protocol, plan)), kAssumedAnswer_s);
   std::printf("  hash         %s\n", protocol.hash.c_str());
 }
 
@@ -125,7 +102,11 @@ int check(const CheckOptions& options) {
     try {
       const Protocol protocol = load_protocol(file);
       check_frames(protocol, options.refresh_hz, options.allow_rounding);
-      print_design(protocol);
+      if (options.explain) {
+        std::printf("%s", protocol_page(protocol).c_str());
+      } else {
+        print_design(protocol);
+      }
     } catch (const std::runtime_error& error) {
       std::fflush(stdout);
       std::fprintf(stderr, "impetus: %s\n", error.what());
@@ -147,6 +128,8 @@ void add_check(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,
                     "Accept delays that are not whole frames, as `run` would with this option");
+  command->add_flag("--explain", options->explain,
+                    "Print a page, in Markdown, that explains the study whole");
   command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
 }
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   impetus::Command chosen;
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);
+  impetus::add_exclude(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_screen(app, chosen);

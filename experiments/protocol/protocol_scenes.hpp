@@ -14,7 +14,7 @@ namespace impetus {
 class ProtocolScenes final : public Scenes {
  public:
   /// `protocol` must outlive this. `round_hold_to_hz` > 0 rounds imposed holds to that grid.
-  /// `shapes` may be shared with other scenes, one after the other.
+  /// `shapes` may be shared with other scenes.
   ProtocolScenes(const Protocol& protocol, double round_hold_to_hz,
                  std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>())
       : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz), shapes_(std::move(shapes)) {}

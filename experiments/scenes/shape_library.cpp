@@ -105,6 +105,7 @@ const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes
   }
   const Key key{what, frame.metres_per_degree, frame.tree.kind, frame.tree.depth,
                 frame.tree.branching};
+  const std::lock_guard lock(building_);
   const auto known = shapes_.find(key);
   if (known == shapes_.end()) {
     shapes_[key] = built(description, meshes, frame);
@@ -114,6 +115,7 @@ const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes
 
 std::shared_ptr<const DrawnLevels> ShapeLibrary::coarser(
     const std::shared_ptr<const TriangleMesh>& mesh) {
+  const std::lock_guard lock(building_);
   std::shared_ptr<const DrawnLevels>& known = coarser_[mesh];
   if (!known) {
     known = std::make_shared<const DrawnLevels>(coarser_meshes(*mesh, progress_));

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
@@ -31,6 +32,7 @@ struct ShapeFrame {
   TreeSettings tree;
 };
 
+/// May be used by several threads, but for tell().
 class ShapeLibrary {
  public:
   /// Trees that take long to build are kept in `cache`: they are the same with it and without.
@@ -57,6 +59,7 @@ class ShapeLibrary {
 
   TreeCache cache_;
   Progress progress_;
+  std::mutex building_;  ///< held from looking for a shape to having it; what is built stays
   std::map<Key, BodyShape> shapes_;
   std::map<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const DrawnLevels>> coarser_;
 };

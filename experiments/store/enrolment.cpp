@@ -195,6 +195,19 @@ Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
   }
 }
 
+std::map<std::string, std::string> told_demographics(StudyFile& study,
+                                                     const std::string& pseudonym) {
+  SQLite::Statement query(study.database(),
+                          "SELECT question, words FROM questionnaire "
+                          "WHERE participant = ? AND kind = 'demographic'");
+  query.bind(1, pseudonym);
+  std::map<std::string, std::string> told;
+  while (query.executeStep()) {
+    told[query.getColumn(0).getString()] = query.getColumn(1).getString();
+  }
+  return told;
+}
+
 std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& protocol) {
   SQLite::Statement query(study.database(),
                           "SELECT hash FROM protocol WHERE name = ? AND hash <> ?");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,11 @@ bool has_finished(StudyFile& study, const std::string& pseudonym, bool simulated
 /// Stores participant, protocol and plan in one transaction. Ids of `trials` are filled in.
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed, std::vector<StoredTrial> trials);
+
+/// What the participant told of themselves in any protocol of the study: the words that were asked,
+/// by the question's id.
+std::map<std::string, std::string> told_demographics(StudyFile& study,
+                                                     const std::string& pseudonym);
 
 /// Hashes of other versions of the protocol that the study holds.
 std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& protocol);

@@ -174,7 +174,8 @@ StudyFile::StudyFile(StudyFile&& other) noexcept
     : name_(std::move(other.name_)),
       lock_(std::exchange(other.lock_, -1)),
       database_(std::move(other.database_)),
-      writing_(std::exchange(other.writing_, false)) {}
+      writing_(std::exchange(other.writing_, false)),
+      transactions_(std::move(other.transactions_)) {}
 
 StudyFile::~StudyFile() {
   if (database_ && writing_) {

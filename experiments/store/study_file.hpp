@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -37,6 +38,9 @@ class StudyFile {
   [[nodiscard]] SQLite::Database& database() { return *database_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// To be held for each transaction and query while several sessions share the file.
+  [[nodiscard]] std::mutex& transactions() { return *transactions_; }
+
  private:
   StudyFile() = default;
 
@@ -44,6 +48,7 @@ class StudyFile {
   int lock_{-1};  ///< closed after the database: closing it earlier would drop SQLite's own locks
   std::unique_ptr<SQLite::Database> database_;
   bool writing_{false};
+  std::unique_ptr<std::mutex> transactions_{std::make_unique<std::mutex>()};
 };
 
 }  // namespace impetus

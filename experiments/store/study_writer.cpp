@@ -39,15 +39,20 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
       "INSERT INTO session (enrolment_id, started_utc, recording_format, build, machine, display, "
       "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
       "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
-      "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden) "
+      "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
+      "series, series_place) "
       "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,
                facts.simulated ? 1 : 0, facts.observer, facts.screen.width_m, facts.screen.height_m,
                facts.screen.width_px, facts.screen.height_px, facts.screen.viewing_distance_m,
                facts.screen_measured ? 1 : 0, facts.refresh_hz, facts.rounding_allowed ? 1 : 0,
                facts.sync.tries, facts.sync.valid_flips, facts.sync.mean_interval_ns,
                facts.sync.sd_interval_ns, facts.sync.passed ? 1 : 0, facts.sync_overridden ? 1 : 0);
+  if (!facts.series.empty()) {
+    insert.bind(22, facts.series);
+    insert.bind(23, facts.series_place);
+  }
   insert.exec();
   session_id_ = database.getLastInsertRowid();
 }
@@ -55,6 +60,9 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
 void StudyWriter::save(AttemptRecord attempt) {
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);
+    if (saved_) {
+      saved_();
+    }
   });
 }
 
@@ -137,6 +145,7 @@ void StudyWriter::perform(const Task& task) {
   if (failure_) {
     return;  // After a failure nothing later may stand in the file as if nothing were missing.
   }
+  const std::lock_guard turn(study_.transactions());
   try {
     SQLite::Transaction transaction(study_.database());
     task(study_.database());

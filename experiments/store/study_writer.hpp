@@ -14,6 +14,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "experiments/session/ports.hpp"
 #include "experiments/session/timing_check.hpp"
@@ -34,17 +35,23 @@ struct SessionFacts {
   bool rounding_allowed{false};
   SyncTest sync;
   bool sync_overridden{false};
+  std::string series{};  ///< of protocols, which this one is part of; "": none
+  std::int64_t series_place{1};
 };
 
 class StudyWriter final : public Recorder {
  public:
-  /// Begins a session row. `study` and `enrolment` must outlive this. Throws StoreError.
+  /// Begins a session row. `study` and `enrolment` must outlive this. Several may write to one
+  /// study at a time. Throws StoreError.
   StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts);
 
   /// Waits for what is queued. The session keeps no ending unless end() was called.
   ~StudyWriter() override;
   StudyWriter(const StudyWriter&) = delete;
   StudyWriter& operator=(const StudyWriter&) = delete;
+
+  /// From now on `saved` is called, on the writing thread, as each attempt is written.
+  void tell(std::function<void()> saved) { saved_ = std::move(saved); }
 
   void save(AttemptRecord attempt) override;
   void save(QuestionRecord answer) override;
@@ -70,6 +77,7 @@ class StudyWriter final : public Recorder {
   std::map<std::int64_t, std::int64_t> trial_ids_;  ///< by slot
   bool sync_overridden_;
   std::int64_t session_id_{0};
+  std::function<void()> saved_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -1,0 +1,53 @@
+// `impetus exclude`: what the analysis is to leave out, and why.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+
+#include "build_info.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/session/input_error.hpp"
+#include "experiments/store/exclusion.hpp"
+
+namespace impetus {
+namespace {
+
+struct ExcludeOptions {
+  std::string database;
+  Exclusion exclusion;
+  bool take_back{false};
+};
+
+int run_exclude(const ExcludeOptions& options) {
+  if (!std::filesystem::exists(options.database)) {
+    throw InputError(options.database + ": expected an Impetus study, but there is no such file");
+  }
+  Exclusion exclusion = options.exclusion;
+  exclusion.excluded = !options.take_back;
+  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  exclude(study, exclusion);
+  std::printf("%s: %s. Nothing was deleted; --take-back undoes it.\n",
+              exclusion.participant.c_str(), exclusion.excluded ? "excluded" : "in again");
+  return kDone;
+}
+
+}  // namespace
+
+void add_exclude(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ExcludeOptions>();
+  CLI::App* command =
+      app.add_subcommand("exclude", "Leave a participant or a trial out of the analysis");
+  command->add_option("study", options->database, "Study file")->required();
+  command->add_option("--participant", options->exclusion.participant, "Code of the participant")
+      ->required();
+  command->add_option("--trial", options->exclusion.trial_id,
+                      "Id of one trial, as the views have it (default: all trials)");
+  command->add_option("--reason", options->exclusion.reason, "Why; it stands in every report")
+      ->required()
+      ->check([](const std::string& reason) {
+        return reason.empty() ? std::string("expected a reason, got none") : std::string();
+      });
+  command->add_flag("--take-back", options->take_back, "In again; the rows stay");
+  command->callback([options, &chosen] { chosen = [options] { return run_exclude(*options); }; });
+}
+
+}  // namespace impetus

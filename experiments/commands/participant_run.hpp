@@ -1,0 +1,42 @@
+// One participant's session of one protocol: enrolled or found again, then run as far as it comes.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "experiments/commands/run_options.hpp"
+#include "experiments/session/session.hpp"
+#include "experiments/store/enrolment.hpp"
+
+namespace impetus {
+
+class ParticipantRun {
+ public:
+  /// Finds the participant of `options` to resume or, once the laboratory is open, stores the plan.
+  /// All but `laboratory` (none: the part's own is opened) must outlive this. Throws InputError
+  /// when the participant has finished, or nothing can be opened; StoreError.
+  ParticipantRun(const RunPart& part, const RunOptions& options, StudyFile& study,
+                 std::shared_ptr<Laboratory> laboratory);
+
+  /// Runs the session, says on standard output how it ended unless it was finished, and returns
+  /// that. `saved` is called, on another thread, as each attempt is written. Throws
+  /// InputError when the sync test failed or the window was closed; what the recorder throws.
+  SessionEnding run(const std::function<void()>& saved);
+
+  [[nodiscard]] const std::shared_ptr<Laboratory>& laboratory() const { return laboratory_; }
+  [[nodiscard]] std::size_t planned_trials() const { return enrolment_.trials.size(); }
+
+ private:
+  const RunPart& part_;
+  RunOptions options_;
+  StudyFile& study_;
+  std::shared_ptr<Laboratory> laboratory_;
+  SyncTest sync_;
+  Enrolment enrolment_;
+};
+
+/// As a study file keeps them.
+ProtocolTexts texts_of(const Protocol& protocol);
+
+}  // namespace impetus

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/protocol_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "experiments/protocol/design_words.hpp"
+#include "experiments/protocol/expected_length.hpp"
+#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/session/response_kinds.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+std::string number(double value) { return to_text(LevelValue{value}); }
+
+std::string heading(const std::string& words) { return "\n## " + words + "\n\n"; }
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) {
+    line += " " + cell + " |";
+  }
+  return line + "\n";
+}
+
+std::string table_head(const std::vector<std::string>& names) {
+  return row(names) + row(std::vector<std::string>(names.size(), "---"));
+}
+
+std::string summary(const Protocol& protocol, const Plan& plan) {
+  const auto practice = protocol.design.practice.size();
+  const auto main = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
+    return trial.phase == TrialPhase::kMain;
+  });
+  std::string words = std::to_string(main) + " trials";
+  if (practice > 0) {
+    words += " after " + std::to_string(practice) + " of practice";
+  }
+  return words + ", about " + number(std::ceil(expected_minutes(protocol, plan))) +
+         " minutes. Everything below is read from `" + protocol.name +
+         ".json` and its scene; a change there changes the study.\n";
+}
+
+std::string factors(const Protocol& protocol) {
+  std::string page = heading("What is varied");
+  page += table_head({"factor", "levels", "meaning", "value of the scene"});
+  for (const Factor& factor : protocol.design.factors) {
+    page += row({"`" + factor.name + "`", level_list(factor), protocol.labels.at(factor.name),
+                 "`" + protocol.pointers.at(factor.name) + "`"});
+  }
+  return page;
+}
+
+std::string order(const Protocol& protocol) {
+  std::string page = heading("How trials are ordered");
+  for (const std::string& line : design_lines(protocol.design)) {
+    page += "- " + line + "\n";
+  }
+  return page +
+         "- Order and seeds follow from the protocol's name, the participant's code and the "
+         "session's seed alone; they are stored before the first trial.\n";
+}
+
+std::string question_words(const Script& script) {
+  std::string words;
+  if (script.scale.maximum > script.scale.minimum) {
+    const RatingScale& scale = script.scale;
+    words += row({"then", "“" + scale.question + "” " + std::to_string(scale.minimum) + " (" +
+                              scale.low_anchor + ") to " + std::to_string(scale.maximum) + " (" +
+                              scale.high_anchor + ")"});
+  }
+  if (script.yes_no) {
+    words += row({"then", "“" + script.yes_no->question + "” " + script.yes_no->yes + " or " +
+                              script.yes_no->no});
+  }
+  if (script.two_interval) {
+    words += row({"then", "“" + script.two_interval->question + "” " + script.two_interval->first +
+                              " or " + script.two_interval->second});
+  }
+  if (script.free_text) {
+    words += row({"then", "“" + script.free_text->question + "” in free words"});
+  }
+  return words;
+}
+
+std::string trial(const Protocol& protocol) {
+  const Script& script = protocol.script;
+  const StimulusLength length = stimulus_length(protocol);
+  std::string page = heading("One trial");
+  page += table_head({"for", "what"});
+  page += row({"at least " + number(script.timing.interval_ms) + " ms",
+               "blank; the trial before is saved"});
+  page += row({number(script.timing.fixation_ms) + " ms", "fixation cross"});
+  std::string what = script.two_interval ? "two stimuli, in random order, " +
+                                               number(script.two_interval->between_ms) + " ms apart"
+                                         : "the stimulus";
+  if (script.clicks) {
+    what += "; clicks are recorded";
+  }
+  if (script.gaze) {
+    what += "; the gaze is followed";
+  }
+  const std::string span =
+      length.shortest_s == length.longest_s
+          ? number(length.longest_s) + " s"
+          : number(length.shortest_s) + " to " + number(length.longest_s) + " s";
+  return page + row({span, what}) + question_words(script);
+}
+
+std::string quoted(const Text& text) {
+  std::string page = "**" + text.title + "**\n\n";
+  for (const std::string& paragraph : text.paragraphs) {
+    page += "> " + paragraph + "\n>\n";
+  }
+  return text.paragraphs.empty() ? page : page.substr(0, page.size() - 2) + "\n";
+}
+
+std::string words_shown(const Script& script) {
+  std::string page = heading("What the participant reads");
+  page += quoted(script.welcome) + quoted(script.consent);
+  for (const Text& text : script.instructions) {
+    page += quoted(text);
+  }
+  for (const Demonstration& demonstration : script.demonstrations) {
+    page += quoted(demonstration.text);
+  }
+  if (script.break_every > 0) {
+    page += "Every " + std::to_string(script.break_every) + " trials: " + quoted(script.break_text);
+  }
+  for (const FreeQuestion& question : script.questions) {
+    page += "At the end: “" + question.text + "”\n\n";
+  }
+  return page + quoted(script.thanks);
+}
+
+std::string scene(const Protocol& protocol) {
+  const json& value = protocol.scene.value;
+  std::string page = heading("The scene");
+  page += value["title"].get<std::string>();
+  if (value.contains("source")) {
+    page += " (" + value["source"].get<std::string>() + ")";
+  }
+  page += ".\n\nThe engine, where no factor changes it:\n\n```json\n";
+  return page + value["engine"].dump(2) + "\n```\n";
+}
+
+std::string recorded(const Protocol& protocol) {
+  const std::vector<std::string> asked = responses_of(protocol.script);
+  std::string page = heading("What is recorded");
+  page +=
+      "Plan, seeds, every step's input and hash, every collision with its level and place, "
+      "every frame's flip";
+  page += protocol.script.gaze ? ", every gaze sample" : "";
+  page += "; and:\n\n" + table_head({"response", "when", "values"});
+  for (const ResponseKind& kind : response_kinds()) {
+    if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
+      std::string values;
+      for (const DeclaredValue& column : kind.columns) {
+        values += (values.empty() ? "`" : ", `") + column.name + "`";
+      }
+      page += row({kind.name, kind.when, values});
+    }
+  }
+  return page;
+}
+
+std::string commands(const Protocol& protocol) {
+  const std::string file = "protocols/" + protocol.name + ".json";
+  return heading("How to run it") + "```sh\nbuild/impetus run " + file +
+         " --db study.sqlite --participant P01\nbuild/impetus replay study.sqlite\n"
+         "Rscript analysis/" +
+         protocol.name + ".R study.sqlite --out figures/\n```\n";
+}
+
+}  // namespace
+
+std::string protocol_page(const Protocol& protocol) {
+  const Plan plan = plan_for(protocol, "P01", 1);
+  std::string page = "# " + protocol.title + "\n\n";
+  const json& document = protocol.document.value;
+  if (document.contains("source")) {
+    page += document["source"].get<std::string>() + ".\n\n";
+  }
+  return page + summary(protocol, plan) + factors(protocol) + order(protocol) + trial(protocol) +
+         words_shown(protocol.script) + scene(protocol) + recorded(protocol) + commands(protocol);
+}
+
+}  // namespace impetus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/series_file.hpp"
+
+#include "experiments/protocol/embedded_series_schema.hpp"
+#include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/validation.hpp"
+
+namespace impetus {
+
+using nlohmann::json;
+
+Series load_series(const std::filesystem::path& path) {
+  const JsonDocument document = read_json(path);
+  if (!document.value.is_object() || !document.value.contains("series")) {
+    return {"", "", {path}};
+  }
+  if (const auto problem = find_schema_problem(json::parse(kSeriesSchemaText), document.value)) {
+    refuse(document, problem->pointer, problem->message);
+  }
+  Series series{
+      document.value["series"].get<std::string>(), document.value["title"].get<std::string>(), {}};
+  const json& files = document.value["protocols"];
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto file = (path.parent_path() / files[i].get<std::string>()).lexically_normal();
+    if (!std::filesystem::exists(file)) {
+      refuse(document, "/protocols/" + std::to_string(i),
+             "expected a protocol's file, seen from this one, got " + files[i].dump() +
+                 ", but there is no " + file.string());
+    }
+    series.protocols.push_back(file);
+  }
+  return series;
+}
+
+}  // namespace impetus

@@ -1,0 +1,21 @@
+// A series: several protocols that the same participant goes through in a fixed order.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+struct Series {
+  std::string name;  ///< "": a single protocol
+  std::string title;
+  std::vector<std::filesystem::path> protocols;  ///< files that exist; their content is unchecked
+};
+
+/// The series in the file, or one of a single protocol when the file is that. Throws InputError
+/// with one sentence, "file:/pointer: expected ..., got ...".
+Series load_series(const std::filesystem::path& path);
+
+}  // namespace impetus

@@ -1,0 +1,24 @@
+// What the analysis is to leave out: said with a reason, taken back with one, never deleted.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "experiments/store/study_file.hpp"
+
+namespace impetus {
+
+struct Exclusion {
+  std::string participant;
+  std::optional<std::int64_t> trial_id{};  ///< none: all of the participant's
+  bool excluded{true};                     ///< false: taken back
+  std::string reason;
+};
+
+/// Adds a row; the study was opened for writing. Throws InputError when there is no such
+/// participant or trial of theirs, when it is excluded already, or not, for taking back.
+void exclude(StudyFile& study, const Exclusion& exclusion);
+
+}  // namespace impetus
