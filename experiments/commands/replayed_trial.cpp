@@ -3,6 +3,7 @@
 
 #include "build_info.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
@@ -17,8 +18,9 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
   const Protocol& source = protocol(attempt.protocol_id);
   const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0, shapes_);
   const auto condition = nlohmann::json::parse(attempt.trial.condition);
-  const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
-                             condition_from_json(condition, source.design), attempt.trial.seed};
+  PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
+                       condition_from_json(condition, source.design), attempt.trial.seed};
+  planned.solved = solved_values_from(attempt.trial.solved);
   return scenes.stage(planned, attempt.screen);
 }
 

@@ -15,10 +15,13 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/laboratory.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
@@ -58,6 +61,7 @@ std::vector<StoredTrial> stored(const Plan& plan) {
   for (const PlannedTrial& trial : plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
                       trial.seed});
+    trials.back().solved = to_text(trial.solved);
   }
   return trials;
 }
@@ -68,6 +72,7 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
     const auto condition = nlohmann::json::parse(trial.condition);
     plan.push_back({trial.slot, trial.phase, trial.repetition,
                     condition_from_json(condition, design), trial.seed});
+    plan.back().solved = solved_values_from(trial.solved);
   }
   return plan;
 }
@@ -86,14 +91,16 @@ std::optional<Enrolment> find_to_resume(StudyFile& study, const Protocol& protoc
 }
 
 /// A new enrolment with its whole plan.
-Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
+Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options,
+                     const std::vector<SolvedFor>& solved) {
   const ProtocolTexts texts = texts_of(protocol);
   for (const std::string& hash : other_versions(study, texts)) {
     std::fprintf(stderr, "note: %s also holds another version of %s (%s)\n", study.name().c_str(),
                  protocol.name.c_str(), hash.c_str());
   }
   const std::uint64_t seed = options.seed.value_or(1);
-  const Plan plan = plan_for(protocol, options.participant, seed);
+  Plan plan = plan_for(protocol, options.participant, seed);
+  put_solved(solved, plan);
   return enrol(study, options.participant, !options.observer.empty(), texts, seed, stored(plan));
 }
 
@@ -150,23 +157,33 @@ int conclude(const SessionResult& result, StudyWriter& writer) {
   }
 }
 
-/// Builds what takes long before a window opens.
-std::shared_ptr<ShapeLibrary> build_shapes(const Protocol& protocol, const LaboratoryOptions& lab) {
-  auto shapes = std::make_shared<ShapeLibrary>();
+/// What takes long and is done before a window opens.
+struct Prepared {
+  std::shared_ptr<ShapeLibrary> shapes{std::make_shared<ShapeLibrary>()};
+  std::vector<SolvedFor> solved;
+};
+
+void build_shapes(const Protocol& protocol, const LaboratoryOptions& lab,
+                  const std::shared_ptr<ShapeLibrary>& shapes) {
   ProgressLine line("building the bodies");
   shapes->tell([&line](double share) { line.tell(share); });
   ProtocolScenes(protocol, 0.0, shapes).build_shapes(expected_screen(lab));
   shapes->tell({});
-  return shapes;
+}
+
+std::vector<SolvedFor> solve_what_is_asked(const Protocol& protocol, ShapeLibrary& shapes) {
+  ProgressLine line("solving what the plan needs");
+  return solve(protocol, shapes, [&line](double share) { line.tell(share); });
 }
 
 int run_participant(const Protocol& protocol, const RunOptions& options, LaboratoryOptions lab,
-                    StudyFile& study, const std::shared_ptr<ShapeLibrary>& shapes) {
+                    StudyFile& study, const Prepared& prepared) {
   const std::optional<Enrolment> resumed = find_to_resume(study, protocol, options);
   lab.seed = resumed ? resumed->seed : options.seed.value_or(1);
   const std::unique_ptr<Laboratory> laboratory = open_laboratory(lab);
   const SyncTest sync = laboratory->sync_test();
-  const Enrolment enrolment = resumed ? *resumed : enrol_anew(study, protocol, options);
+  const Enrolment enrolment =
+      resumed ? *resumed : enrol_anew(study, protocol, options, prepared.solved);
   const Plan plan = planned(enrolment.trials, protocol.design);
 
   StudyWriter writer(study, enrolment, facts_of(*laboratory, options, lab, sync));
@@ -177,7 +194,7 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
                      sync.verdict + "; --override-sync-test goes on and marks every trial");
   }
   const double rounding_hz = options.allow_rounding ? laboratory->display().refresh_hz() : 0.0;
-  const ProtocolScenes scenes(protocol, rounding_hz, shapes);
+  const ProtocolScenes scenes(protocol, rounding_hz, prepared.shapes);
   const SteadyClock work_clock;
   const Ports ports{laboratory->display(), laboratory->input(),  scenes,     writer,
                     laboratory->gaze(),    &laboratory->clock(), &work_clock};
@@ -196,7 +213,7 @@ std::string simulated_name(std::int64_t number, std::int64_t count) {
 /// Runs those who have not finished: the same command goes on where it was stopped, and one with
 /// more participants adds to the group.
 int run_simulated_group(const Protocol& protocol, RunOptions options, LaboratoryOptions lab,
-                        StudyFile& study, const std::shared_ptr<ShapeLibrary>& shapes) {
+                        StudyFile& study, const Prepared& prepared) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   std::int64_t finished_before = 0;
   for (std::int64_t number = 1; number <= options.participants; ++number) {
@@ -204,7 +221,7 @@ int run_simulated_group(const Protocol& protocol, RunOptions options, Laboratory
     if (has_finished(study, options.participant, true, texts_of(protocol))) {
       ++finished_before;
     } else {
-      run_participant(protocol, options, lab, study, shapes);
+      run_participant(protocol, options, lab, study, prepared);
     }
     if (terminal || number == options.participants) {
       std::fprintf(stderr, "%ssimulated participant %lld of %lld", terminal ? "\r" : "",
@@ -234,10 +251,47 @@ void require_sensible(const RunOptions& options) {
   }
 }
 
+/// Who is stored as the participant of a protocol without any: a simulated one.
+constexpr const char* kNobody = "nobody";
+
+void require_nobody(const RunOptions& options) {
+  const std::pair<const char*, bool> given[] = {{"--participant", !options.participant.empty()},
+                                                {"--participants", options.participants > 0},
+                                                {"--observer", !options.observer.empty()},
+                                                {"--show", options.show}};
+  for (const auto& [name, is_given] : given) {
+    if (is_given) {
+      throw InputError(std::string(name) + ": expected none, for nobody takes part in " +
+                       options.protocol);
+    }
+  }
+}
+
+int run_without_participants(const Protocol& protocol, RunOptions options) {
+  require_nobody(options);
+  options.participant = options.observer = kNobody;
+  plan_for(protocol, options.participant, options.seed.value_or(1));
+  Prepared prepared;
+  prepared.solved = solve_what_is_asked(protocol, *prepared.shapes);
+  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  const std::optional<Enrolment> resumed = find_to_resume(study, protocol, options);
+  const Enrolment enrolment =
+      resumed ? *resumed : enrol_anew(study, protocol, options, prepared.solved);
+  StudyWriter writer(study, enrolment, facts_without_laboratory(kBuild, machine_name()));
+  const ProtocolScenes scenes(protocol, 0.0, prepared.shapes);
+  simulate_unattended(planned(enrolment.trials, protocol.design), enrolment.history, scenes,
+                      writer);
+  std::printf("Saved in %s\n", options.database.c_str());
+  return kDone;
+}
+
 /// Everything that can be refused is refused before a window opens or a row is written.
 int run(const RunOptions& options) {
-  require_sensible(options);
   const Protocol protocol = load_protocol(options.protocol);
+  if (!has_participants(protocol.document.value)) {
+    return run_without_participants(protocol, options);
+  }
+  require_sensible(options);
   LaboratoryOptions lab;
   if (!options.observer.empty()) {
     lab.observer = load_observer(options.observer, options.protocol);
@@ -250,13 +304,15 @@ int run(const RunOptions& options) {
   check_frames(protocol, refresh_hz_of(lab), options.allow_rounding);
   plan_for(protocol, options.participant, options.seed.value_or(1));
 
+  Prepared prepared;
+  prepared.solved = solve_what_is_asked(protocol, *prepared.shapes);
   StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
-  const std::shared_ptr<ShapeLibrary> shapes = build_shapes(protocol, lab);
+  build_shapes(protocol, lab, prepared.shapes);
   try {
     if (options.participants > 0) {
-      return run_simulated_group(protocol, options, lab, study, shapes);
+      return run_simulated_group(protocol, options, lab, study, prepared);
     }
-    const int status = run_participant(protocol, options, lab, study, shapes);
+    const int status = run_participant(protocol, options, lab, study, prepared);
     std::printf("Saved in %s\n", options.database.c_str());
     return status;
   } catch (const SQLite::Exception& error) {

@@ -78,6 +78,9 @@ void check_runs(const JsonDocument& protocol) {
 }
 
 void check_scale(const JsonDocument& protocol) {
+  if (!protocol.value.contains("rating")) {
+    return;
+  }
   const json& rating = protocol.value["rating"];
   if (rating["minimum"] >= rating["maximum"]) {
     refuse(protocol, "/rating/maximum",
@@ -92,7 +95,7 @@ void check_scale(const JsonDocument& protocol) {
 }
 
 void check_questions(const JsonDocument& protocol) {
-  const json& session = protocol.value["session"];
+  const json session = protocol.value.value("session", json::object());
   std::set<std::string> ids{"consent"};
   for (const char* list : {"demographics", "questions"}) {
     const json entries = session.value(list, json::array());

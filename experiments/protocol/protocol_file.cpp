@@ -7,10 +7,12 @@
 
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
+#include "experiments/protocol/solve_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 
 namespace impetus {
@@ -42,7 +44,8 @@ std::vector<std::string> mesh_files_of_design(const json& protocol) {
       add(factor["pointer"].get<std::string>(), level);
     }
   }
-  const json entries = protocol["session"].value("demonstrations", json::array());
+  const json entries =
+      protocol.value("session", json::object()).value("demonstrations", json::array());
   for (const json& entry : entries) {
     for (auto value = entry["set"].begin(); value != entry["set"].end(); ++value) {
       add(value.key(), value.value());
@@ -85,6 +88,7 @@ json demonstration_scene(const Protocol& protocol, const std::string& id) {
 
 Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   require_schema(document, protocol_schema());
+  check_participants(document);
   require_scene(scene);
   Protocol protocol;
   protocol.name = document.value["name"].get<std::string>();
@@ -101,6 +105,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
     protocol.pointers[name] = factor["pointer"].get<std::string>();
     protocol.labels[name] = factor.value("label", name);
   }
+  check_solve(protocol);
   check_levels(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);

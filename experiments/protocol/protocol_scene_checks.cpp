@@ -103,7 +103,8 @@ void check_levels(const Protocol& protocol) {
 }
 
 void check_demonstrations(const Protocol& protocol) {
-  const json entries = protocol.document.value["session"].value("demonstrations", json::array());
+  const json entries = protocol.document.value.value("session", json::object())
+                           .value("demonstrations", json::array());
   std::set<std::string> ids;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string place = item("/session/demonstrations", i);
@@ -152,6 +153,9 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
     if (!(allow_rounding && bound.may_round)) {
       check_frame_bound(protocol, bound, refresh_hz);
     }
+  }
+  if (!protocol.document.value.contains("timing")) {
+    return;
   }
   const json& fixation = protocol.document.value["timing"]["fixation_ms"];
   if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_scenes.hpp"
 
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
 namespace impetus {
@@ -15,8 +16,9 @@ std::string start_of(const PlannedTrial& trial) {
 }  // namespace
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, trial.condition), screen, round_hold_to_hz_, *shapes_,
-                     start_of(trial));
+  nlohmann::json scene = scene_under(*protocol_, trial.condition);
+  put_into_scene(trial.solved, scene);
+  return build_scene(scene, screen, round_hold_to_hz_, *shapes_, start_of(trial), trial.seed);
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,

@@ -35,9 +35,12 @@ RatingScale scale_from(const json& object) {
 }  // namespace
 
 Script script_from(const json& document) {
-  const json& session = document["session"];
   Script script;
   script.title = document["title"].get<std::string>();
+  if (!document.contains("session")) {
+    return script;
+  }
+  const json& session = document["session"];
   script.welcome = text_from(session["welcome"]);
   script.consent = text_from(session["consent"]);
   script.consent_statement = session["consent"]["statement"].get<std::string>();

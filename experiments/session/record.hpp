@@ -39,12 +39,6 @@ struct StepRecord {
   std::int64_t interval{1};       ///< of a two-interval trial, its first or second stimulus
 };
 
-/// A manipulation that is not physics: added to the angular velocity of both bodies (rad/s).
-struct ImposedSpin {
-  Eigen::Vector3d a{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d b{Eigen::Vector3d::Zero()};
-};
-
 /// One pair in contact, at the step in which that began.
 struct CollisionRecord {
   std::int64_t step{0};

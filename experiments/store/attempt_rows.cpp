@@ -20,6 +20,14 @@ void bind_or_null(SQLite::Statement& statement, int index, const std::optional<d
   }
 }
 
+void bind_imposed_spin(SQLite::Statement& statement, int first,
+                       const std::optional<ImposedSpin>& spin) {
+  for (int component = 0; spin && component < 3; ++component) {
+    statement.bind(first + component, spin->a[component]);
+    statement.bind(first + 3 + component, spin->b[component]);
+  }
+}
+
 const char* name_of(StopReason reason) {
   switch (reason) {
     case StopReason::kSeparated:
@@ -63,9 +71,12 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
       "INSERT INTO collision (attempt_id, step, body_a, body_b, level, stopped, point_x_m, "
       "point_y_m, point_z_m, normal_x, normal_y, normal_z, depth_m, approach_m_s, impulse_Ns, "
       "imposed_hold_ms, imposed_no_spin, eccentricity_deg, first_frame, list, time_s, "
-      "contacts, gaze_eccentricity_deg, region_eccentricity_deg) "
+      "contacts, gaze_eccentricity_deg, region_eccentricity_deg, distance_m, speed_deg_s, "
+      "collision_speed_deg_s, priority, imposed_spin_a_x_rad_s, imposed_spin_a_y_rad_s, "
+      "imposed_spin_a_z_rad_s, imposed_spin_b_x_rad_s, imposed_spin_b_y_rad_s, "
+      "imposed_spin_b_z_rad_s) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, ?, ?, "
-      "?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const CollisionRecord& collision : attempt.collisions) {
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
@@ -81,6 +92,11 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
                  report.list, collision.time_s, report.contact_count);
     bind_or_null(insert, 23, collision.gaze_eccentricity_deg);
     bind_or_null(insert, 24, collision.region_eccentricity_deg);
+    bind_or_null(insert, 25, collision.distance_m);
+    bind_or_null(insert, 26, collision.speed_deg_s);
+    bind_or_null(insert, 27, collision.collision_speed_deg_s);
+    bind_or_null(insert, 28, collision.priority);
+    bind_imposed_spin(insert, 29, collision.imposed_spin);
     insert.exec();
     insert.reset();
     insert.clearBindings();

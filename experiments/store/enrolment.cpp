@@ -47,9 +47,18 @@ void require_kind(StudyFile& study, const std::string& pseudonym, bool simulated
   }
 }
 
+void keep_solved(SQLite::Database& database, const StoredTrial& trial) {
+  if (!trial.solved.empty()) {
+    SQLite::Statement update(database, "UPDATE trial SET solved = ? WHERE id = ?");
+    SQLite::bind(update, trial.solved, trial.id);
+    update.exec();
+  }
+}
+
 std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment) {
   SQLite::Statement query(database,
-                          "SELECT id, slot, phase, repetition, condition, seed FROM trial "
+                          "SELECT id, slot, phase, repetition, condition, seed, "
+                          "coalesce(solved, '') FROM trial "
                           "WHERE enrolment_id = ? ORDER BY slot");
   query.bind(1, enrolment);
   std::vector<StoredTrial> trials;
@@ -59,6 +68,7 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t en
                       practice ? TrialPhase::kPractice : TrialPhase::kMain,
                       query.getColumn(3).getInt64(), query.getColumn(4).getString(),
                       static_cast<std::uint64_t>(query.getColumn(5).getInt64())});
+    trials.back().solved = query.getColumn(6).getString();
   }
   return trials;
 }
@@ -186,6 +196,7 @@ Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                         "seed) VALUES (?, ?, ?, ?, ?, ?)",
                         enrolment.id, trial.slot, phase_name(trial.phase), trial.repetition,
                         trial.condition, static_cast<std::int64_t>(trial.seed));
+      keep_solved(database, trial);
     }
     transaction.commit();
     enrolment.trials = std::move(trials);

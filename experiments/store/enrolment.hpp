@@ -28,6 +28,7 @@ struct StoredTrial {
   std::int64_t repetition{1};
   std::string condition;
   std::uint64_t seed{0};
+  std::string solved{};  ///< {"/pointer": number}; "": nothing was
 };
 
 struct Enrolment {

@@ -15,7 +15,7 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
       "(SELECT count(*) FROM trial AS planned WHERE planned.enrolment_id = enrolment.id), "
       "recording_format, build, screen_width_m, screen_height_m, screen_width_px, "
       "screen_height_px, viewing_distance_m, refresh_hz, rounding_allowed, onset_ns, rating, "
-      "coalesce(arrived_ns, 0) "
+      "coalesce(arrived_ns, 0), coalesce(trial.solved, '') "
       "FROM attempt JOIN trial ON trial.id = trial_id "
       "JOIN enrolment ON enrolment.id = trial.enrolment_id "
       "JOIN participant ON participant.id = participant_id "
@@ -55,6 +55,7 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
     }
     ++column;
     attempt.answered_ns = integer();
+    attempt.trial.solved = text();
     attempts.push_back(std::move(attempt));
   }
   return attempts;
