@@ -47,12 +47,36 @@ Entries<CausalityParameters> entries_of(const CausalityParameters& /*kind*/) {
           {"threshold_width_ms", 1e-3, kAny, &P::threshold_width_ms}};
 }
 
-Entries<GapParameters> entries_of(const GapParameters& /*kind*/) {
-  using P = GapParameters;
+template <typename P>
+Entries<P> gap_entries() {
   return {{"threshold_arcmin", 1e-3, kAny, &P::threshold_arcmin},
           {"width_log10", 1e-3, kAny, &P::width_log10},
           {"guess_rate", 0.0, 1.0, &P::guess_rate},
           {"miss_rate", 0.0, 1.0, &P::miss_rate}};
+}
+
+Entries<GapParameters> entries_of(const GapParameters& /*kind*/) {
+  return gap_entries<GapParameters>();
+}
+
+Entries<GapThresholdParameters> entries_of(const GapThresholdParameters& /*kind*/) {
+  using P = GapThresholdParameters;
+  Entries<P> entries = gap_entries<P>();
+  entries.push_back({"crowding_per_body", 0.0, kAny, &P::crowding_per_body});
+  entries.push_back({"threshold_sd_log10", 0.0, kAny, &P::threshold_sd_log10});
+  return entries;
+}
+
+Entries<ResponseParameters> entries_of(const ResponseParameters& /*kind*/) {
+  using P = ResponseParameters;
+  Entries<P> entries = gap_entries<P>();
+  const Entries<P> own{{"spin_weight", 0.0, 1.0, &P::spin_weight},
+                       {"spin_median_deg_s", 1e-3, kAny, &P::spin_median_deg_s},
+                       {"spin_width_log10", 1e-3, kAny, &P::spin_width_log10},
+                       {"speed_weight", 0.0, 1.0, &P::speed_weight},
+                       {"speed_scale_deg_s", 1e-3, kAny, &P::speed_scale_deg_s}};
+  entries.insert(entries.end(), own.begin(), own.end());
+  return entries;
 }
 
 void add_eye(Entries<GazeObserverParameters>& entries) {
@@ -210,7 +234,9 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> kinds{{"causality", read<CausalityParameters>},
                                        {"gap", read<GapParameters>},
-                                       {"gaze-contingent", read<GazeObserverParameters>}};
+                                       {"gap-thresholds", read<GapThresholdParameters>},
+                                       {"gaze-contingent", read<GazeObserverParameters>},
+                                       {"response", read<ResponseParameters>}};
   return kinds;
 }
 
