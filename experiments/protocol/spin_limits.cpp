@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/numerics/random_stream.hpp"
+#include "engine/numerics/trigonometry.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
