@@ -91,7 +91,7 @@ std::string response_list(const Script& script) {
 
 void print_design(const Protocol& protocol) {
   const Design& design = protocol.design;
-  const Plan plan = plan_for(protocol, "check", 1);
+  const Plan plan = plan_for(protocol, "P01", 1);
   const std::size_t cell_count = cells(design).size();
   const std::size_t practice = design.practice.size();
   std::printf("%s: valid\n", protocol.document.name.c_str());

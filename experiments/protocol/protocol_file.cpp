@@ -5,6 +5,7 @@
 
 #include <xxhash.h>
 
+#include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
@@ -40,6 +41,11 @@ std::vector<std::string> mesh_files_of_design(const json& protocol) {
   for (const json& factor : protocol["design"]["factors"]) {
     for (const json& level : factor["levels"]) {
       add(factor["pointer"].get<std::string>(), level);
+    }
+    for (const json& kind : protocol["design"].value("catch_trials", json::array())) {
+      const auto name = factor["name"].get<std::string>();
+      add(factor["pointer"].get<std::string>(),
+          kind["condition"].contains(name) ? kind["condition"][name] : json());
     }
   }
   const json entries = protocol["session"].value("demonstrations", json::array());
@@ -102,6 +108,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
     protocol.labels[name] = factor.value("label", name);
   }
   check_levels(protocol);
+  check_catch_scenes(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);
   check_demonstrations(protocol);

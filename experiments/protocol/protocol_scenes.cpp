@@ -35,6 +35,9 @@ void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   for (const Condition& cell : cells(protocol_->design)) {
     static_cast<void>(stage(cell, screen));
   }
+  for (const CatchTrials& kind : protocol_->design.catch_trials) {
+    static_cast<void>(stage(kind.condition, screen));
+  }
   for (const Demonstration& demonstration : protocol_->script.demonstrations) {
     static_cast<void>(stage_demonstration(demonstration.id, screen));
   }

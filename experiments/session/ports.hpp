@@ -134,6 +134,8 @@ class Recorder {
   virtual void save(QuestionRecord answer) = 0;
   /// Hands over a remark about the session ("pause", "quit", ...); returns at once.
   virtual void save(NoteRecord note) = 0;
+  /// Hands over an adaptive trial's level, before the trial is shown; returns at once.
+  virtual void save(ChosenLevel chosen) = 0;
   /// Marks that this participant has done everything the protocol asks; returns at once.
   virtual void mark_finished() = 0;
 

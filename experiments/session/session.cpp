@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/session/adaptive_levels.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/demonstration.hpp"
 #include "experiments/session/gaze_latency.hpp"
@@ -15,15 +16,32 @@ namespace {
 
 constexpr const char* kConsentId = "consent";
 
+/// The tracks as the answers of earlier sessions left them.
+AdaptiveLevels levels_after(const SessionHistory& history, const Plan& plan, const Design& design) {
+  AdaptiveLevels levels(design);
+  for (const PlannedTrial& trial : plan) {
+    if (history.completed_slots.contains(trial.slot)) {
+      const auto answer = history.counted_answers.find(trial.slot);
+      levels.take(trial, answer == history.counted_answers.end()
+                             ? std::nullopt
+                             : std::optional<bool>(answer->second));
+    }
+  }
+  return levels;
+}
+
 /// Every stage returns whether the session goes on; when it does not, `talk_` knows why.
 class Session {
  public:
-  Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports)
+  Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports,
+          const Design& design)
       : script_(script),
         history_(history),
         ports_(ports),
         standing_(plan, history),
-        talk_(ports.input, ports.recorder, standing_) {}
+        talk_(ports.input, ports.recorder, standing_),
+        design_(design),
+        levels_(levels_after(history, plan, design)) {}
 
   SessionResult run() {
     const bool finished = welcome() && ask_consent() && ask_demographics() && instruct() &&
@@ -164,8 +182,21 @@ class Session {
     return true;
   }
 
+  /// The trial as it is shown: an adaptive one gets its level, which is handed over to be stored
+  /// unless an earlier session did so.
+  PlannedTrial with_level(const PlannedTrial& planned) {
+    PlannedTrial trial = planned;
+    if (trial.track && !has_its_level(trial, design_)) {
+      ChosenLevel chosen = levels_.choose(trial);
+      trial.condition = chosen.condition;
+      ports_.recorder.save(std::move(chosen));
+    }
+    return trial;
+  }
+
   /// Shows a trial until it is completed; after a pause it starts again from the interval.
-  bool run_trial(const PlannedTrial& trial, const SessionProgress& here) {
+  bool run_trial(const PlannedTrial& planned, const SessionProgress& here) {
+    const PlannedTrial trial = with_level(planned);
     std::int64_t number = standing_.attempts_before(trial.slot);
     while (true) {
       AttemptResult attempt = run_attempt(trial, ++number, script_, here, ports_);
@@ -187,6 +218,7 @@ class Session {
     last_ = {trial.condition, record.ratings.front().rating,
              static_cast<std::int64_t>(record.clicks.size())};
     standing_.complete(trial, last_.rating, last_.clicks);
+    levels_.take(trial, counted_answer(record));
     const double latency_ms = record.gaze_latency_p95_ms.value_or(0.0);
     result_.slow_gaze_trials += latency_ms > kWarnedGazeLatency_ms ? 1 : 0;
     result_.late_gaze_trials += latency_ms > kMarkedGazeLatency_ms ? 1 : 0;
@@ -246,13 +278,15 @@ class Session {
   std::map<std::int64_t, std::int64_t> practice_use_;  ///< how often each rating was given
   PracticeResult last_;
   SessionResult result_;
+  const Design& design_;
+  AdaptiveLevels levels_;
 };
 
 }  // namespace
 
 SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
-                          const Ports& ports) {
-  return Session(script, plan, history, ports).run();
+                          const Ports& ports, const Design& design) {
+  return Session(script, plan, history, ports, design).run();
 }
 
 }  // namespace impetus

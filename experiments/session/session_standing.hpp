@@ -21,6 +21,7 @@ struct SessionHistory {
   std::set<std::string> answered;                   ///< ids of questions outside trials
   std::map<std::int64_t, PracticeResult> practice;  ///< of completed ones by slot; no conditions
   bool resumed{false};
+  std::map<std::int64_t, bool> counted_answers;  ///< to adaptive trials, by slot; none: timed out
 };
 
 /// The trials of one phase, or of one round of practice, in the order of the plan.
