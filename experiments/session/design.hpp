@@ -87,7 +87,8 @@ struct Design {
   std::int64_t practice_rounds{1};  ///< planned; later ones are for who needs them
   std::optional<Blocks> blocks{};
   std::vector<CatchTrials> catch_trials{};
-  std::optional<Adaptive> adaptive{};  ///< `repetitions` is then 1
+  std::optional<Adaptive> adaptive{};    ///< `repetitions` is then 1
+  std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
 
 /// Every cell of the design, the last factor varying fastest.

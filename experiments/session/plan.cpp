@@ -72,6 +72,10 @@ Plan make_plan(const Design& design, const PlanKey& key) {
       plan.push_back({0, TrialPhase::kPractice, round, condition, 0});
     }
   }
+  if (design.most_practice_trials > 0) {
+    const auto most = static_cast<std::size_t>(design.most_practice_trials);
+    plan.resize(std::min(plan.size(), most));
+  }
   std::vector<PlannedTrial> trials = main_trials(design);
   draw_order(trials, design.longest_runs, order);
   plan.insert(plan.end(), trials.begin(), trials.end());
