@@ -90,6 +90,12 @@ Design design_from(const json& object) {
   if (object.contains("practice_until")) {
     design.practice_rounds = object["practice_until"]["rounds"].get<std::int64_t>();
   }
+  if (object.contains("train_until")) {
+    const auto most = object["train_until"]["most_trials"].get<std::int64_t>();
+    const auto round = static_cast<std::int64_t>(object.value("practice", json::array()).size());
+    design.most_practice_trials = most;
+    design.practice_rounds = round > 0 ? (most + round - 1) / round : 0;
+  }
   for (const json& rule : object.value("longest_runs", json::array())) {
     design.longest_runs.push_back(
         {rule["factor"].get<std::string>(), rule["longest"].get<std::int64_t>()});
@@ -114,6 +120,15 @@ std::optional<PracticeRule> practice_rule_from(const json& design) {
   const json& rule = design["practice_until"];
   return PracticeRule{rule["factor"].get<std::string>(), level_value(rule["best"]),
                       level_value(rule["worst"])};
+}
+
+std::optional<TrainingRule> training_rule_from(const json& design) {
+  if (!design.contains("train_until")) {
+    return std::nullopt;
+  }
+  const json& rule = design["train_until"];
+  return TrainingRule{rule["right"].get<std::int64_t>(), rule["of"].get<std::int64_t>(),
+                      rule["most_trials"].get<std::int64_t>()};
 }
 
 json to_json(const Condition& condition) {

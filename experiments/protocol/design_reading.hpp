@@ -16,6 +16,9 @@ Design design_from(const nlohmann::json& object);
 /// When practice is understood, if the design says so.
 std::optional<PracticeRule> practice_rule_from(const nlohmann::json& design);
 
+/// When training is over, if the design says so.
+std::optional<TrainingRule> training_rule_from(const nlohmann::json& design);
+
 LevelValue level_value(const nlohmann::json& value);
 /// A whole number stays one, so that 100 is stored as 100 and not as 100.0.
 nlohmann::json to_json(const LevelValue& value);

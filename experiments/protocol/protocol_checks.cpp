@@ -110,6 +110,9 @@ void check_runs(const JsonDocument& protocol) {
 }
 
 void check_scale(const JsonDocument& protocol) {
+  if (!protocol.value.contains("rating")) {
+    return;
+  }
   const json& rating = protocol.value["rating"];
   if (rating["minimum"] >= rating["maximum"]) {
     refuse(protocol, "/rating/maximum",

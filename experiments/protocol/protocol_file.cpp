@@ -10,6 +10,7 @@
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/response_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/validation.hpp"
@@ -42,10 +43,14 @@ std::vector<std::string> mesh_files_of_design(const json& protocol) {
     for (const json& level : factor["levels"]) {
       add(factor["pointer"].get<std::string>(), level);
     }
+    const auto name = factor["name"].get<std::string>();
     for (const json& kind : protocol["design"].value("catch_trials", json::array())) {
-      const auto name = factor["name"].get<std::string>();
-      add(factor["pointer"].get<std::string>(),
-          kind["condition"].contains(name) ? kind["condition"][name] : json());
+      if (kind["condition"].contains(name)) {
+        add(factor["pointer"].get<std::string>(), kind["condition"][name]);
+      }
+    }
+    if (protocol.contains("two_interval") && protocol["two_interval"]["standard"].contains(name)) {
+      add(factor["pointer"].get<std::string>(), protocol["two_interval"]["standard"][name]);
     }
   }
   const json entries = protocol["session"].value("demonstrations", json::array());
@@ -101,6 +106,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
 
   const json& design = protocol.document.value["design"];
   check_design(protocol.document, protocol.scene);
+  check_responses(protocol.document);
   protocol.design = design_from(design);
   for (const json& factor : design["factors"]) {
     const auto name = factor["name"].get<std::string>();
@@ -111,12 +117,14 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   check_catch_scenes(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);
+  check_training(protocol.document);
   check_demonstrations(protocol);
   check_gaze(protocol);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
   protocol.script = script_from(protocol.document.value);
+  check_standard(protocol);
   return protocol;
 }
 

@@ -57,12 +57,27 @@ void check_catch_frames(const Protocol& protocol, const std::string& factor,
   }
 }
 
+/// Of a standard's level, which need not be one of the factor's.
+void check_standard_bound(const Protocol& protocol, const std::string& factor,
+                          const FrameBoundValue& bound, double hz) {
+  const json::json_pointer standard("/two_interval/standard");
+  const json& document = protocol.document.value;
+  if (!document.contains(standard) || !document[standard].contains(factor)) {
+    return;
+  }
+  const json& level = document[standard][factor];
+  if (!on_grid(level.get<double>() * bound.unit_s, hz)) {
+    refuse(protocol.document, (standard / factor).to_string(), off_grid_message(level, hz));
+  }
+}
+
 void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
   const json& factors = protocol.document.value["design"]["factors"];
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (factors[i]["pointer"] != bound.pointer) {
       continue;
     }
+    check_standard_bound(protocol, factors[i]["name"].get<std::string>(), bound, hz);
     const json& levels = factors[i]["levels"];
     for (std::size_t j = 0; j < levels.size(); ++j) {
       if (!on_grid(levels[j].get<double>() * bound.unit_s, hz)) {
@@ -177,6 +192,11 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
   const json& fixation = protocol.document.value["timing"]["fixation_ms"];
   if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
     refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
+  }
+  if (!allow_rounding && protocol.script.two_interval &&
+      !on_grid(protocol.script.two_interval->between_ms * 1e-3, refresh_hz)) {
+    refuse(protocol.document, "/two_interval/between_ms",
+           off_grid_message(json(protocol.script.two_interval->between_ms), refresh_hz));
   }
 }
 

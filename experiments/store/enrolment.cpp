@@ -92,15 +92,23 @@ SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) 
   }
   SQLite::Statement practice(database,
                              "SELECT slot, rating, (SELECT count(*) FROM click "
-                             "WHERE click.attempt_id = attempt.id) FROM trial "
+                             "WHERE click.attempt_id = attempt.id), "
+                             "(SELECT min(correct) FROM response "
+                             "WHERE response.attempt_id = attempt.id) FROM trial "
                              "JOIN attempt ON attempt.trial_id = trial.id "
-                             "JOIN rating ON rating.attempt_id = attempt.id "
+                             "LEFT JOIN rating ON rating.attempt_id = attempt.id "
                              "WHERE enrolment_id = ? AND phase = 'practice' "
                              "AND outcome = 'completed'");
   practice.bind(1, enrolment);
   while (practice.executeStep()) {
-    history.practice[practice.getColumn(0).getInt64()] = {
-        {}, practice.getColumn(1).getInt64(), practice.getColumn(2).getInt64()};
+    PracticeResult& result = history.practice[practice.getColumn(0).getInt64()];
+    if (!practice.getColumn(1).isNull()) {
+      result.rating = practice.getColumn(1).getInt64();
+    }
+    result.clicks = practice.getColumn(2).getInt64();
+    if (!practice.getColumn(3).isNull()) {
+      result.right = practice.getColumn(3).getInt64() != 0;
+    }
   }
   history.counted_answers = load_counted_answers(database, enrolment);
   SQLite::Statement answers(database,
