@@ -4,11 +4,16 @@
 #include "build_info.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
 
-StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
+std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
+  return protocol(attempt.protocol_id).script.two_interval ? 2 : 1;
+}
+
+StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
   if (attempt.recording_format != kRecordingFormat) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
                      " was recorded in format " + std::to_string(attempt.recording_format) +
@@ -21,11 +26,12 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
   PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
                        condition_from_json(condition, source.design), attempt.trial.seed};
   planned.solved = solved_values_from(attempt.trial.solved);
-  return scenes.stage(planned, attempt.screen);
+  const std::vector<PlannedTrial> shown = stimuli_of(source.script, planned);
+  return scenes.stage(shown[static_cast<std::size_t>(interval - 1)], attempt.screen);
 }
 
-std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt) {
-  return load_steps(study_.database(), attempt.id);
+std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt, std::int64_t interval) {
+  return load_steps(study_.database(), attempt.id, interval);
 }
 
 const Protocol& ReplayLibrary::protocol(std::int64_t id) {

@@ -60,7 +60,7 @@ std::vector<StoredTrial> stored(const Plan& plan) {
   std::vector<StoredTrial> trials;
   for (const PlannedTrial& trial : plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
-                      trial.seed});
+                      trial.seed, trial.block, trial.catch_trial, trial.track});
     trials.back().solved = to_text(trial.solved);
   }
   return trials;
@@ -71,7 +71,8 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
   for (const StoredTrial& trial : trials) {
     const auto condition = nlohmann::json::parse(trial.condition);
     plan.push_back({trial.slot, trial.phase, trial.repetition,
-                    condition_from_json(condition, design), trial.seed});
+                    condition_from_json(condition, design), trial.seed, trial.block,
+                    trial.catch_trial, trial.track});
     plan.back().solved = solved_values_from(trial.solved);
   }
   return plan;
@@ -198,7 +199,8 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
   const SteadyClock work_clock;
   const Ports ports{laboratory->display(), laboratory->input(),  scenes,     writer,
                     laboratory->gaze(),    &laboratory->clock(), &work_clock};
-  const SessionResult result = run_session(protocol.script, plan, enrolment.history, ports);
+  const SessionResult result =
+      run_session(protocol.script, plan, enrolment.history, ports, protocol.design);
   tell_gaze_latency(result);
   return conclude(result, writer);
 }
@@ -302,7 +304,9 @@ int run(const RunOptions& options) {
   lab.screen_file = options.screen_file;
   lab.window_size = options.window_size;
   check_frames(protocol, refresh_hz_of(lab), options.allow_rounding);
-  plan_for(protocol, options.participant, options.seed.value_or(1));
+  const bool group = options.participants > 0;
+  plan_for(protocol, group ? simulated_name(1, options.participants) : options.participant,
+           options.seed.value_or(1));
 
   Prepared prepared;
   prepared.solved = solve_what_is_asked(protocol, *prepared.shapes);

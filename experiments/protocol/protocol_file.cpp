@@ -5,11 +5,13 @@
 
 #include <xxhash.h>
 
+#include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/response_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/solve_checks.hpp"
@@ -42,6 +44,15 @@ std::vector<std::string> mesh_files_of_design(const json& protocol) {
   for (const json& factor : protocol["design"]["factors"]) {
     for (const json& level : factor["levels"]) {
       add(factor["pointer"].get<std::string>(), level);
+    }
+    const auto name = factor["name"].get<std::string>();
+    for (const json& kind : protocol["design"].value("catch_trials", json::array())) {
+      if (kind["condition"].contains(name)) {
+        add(factor["pointer"].get<std::string>(), kind["condition"][name]);
+      }
+    }
+    if (protocol.contains("two_interval") && protocol["two_interval"]["standard"].contains(name)) {
+      add(factor["pointer"].get<std::string>(), protocol["two_interval"]["standard"][name]);
     }
   }
   const json entries =
@@ -99,6 +110,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
 
   const json& design = protocol.document.value["design"];
   check_design(protocol.document, protocol.scene);
+  check_responses(protocol.document);
   protocol.design = design_from(design);
   for (const json& factor : design["factors"]) {
     const auto name = factor["name"].get<std::string>();
@@ -107,14 +119,17 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   }
   check_solve(protocol);
   check_levels(protocol);
+  check_catch_scenes(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);
+  check_training(protocol.document);
   check_demonstrations(protocol);
   check_gaze(protocol);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
   protocol.script = script_from(protocol.document.value);
+  check_standard(protocol);
   return protocol;
 }
 

@@ -3,6 +3,7 @@
 
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/intervals.hpp"
 
 namespace impetus {
 namespace {
@@ -36,6 +37,12 @@ StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeomet
 void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   for (const Condition& cell : cells(protocol_->design)) {
     static_cast<void>(stage(cell, screen));
+    if (protocol_->script.two_interval) {
+      static_cast<void>(stage(standard_of(cell, *protocol_->script.two_interval), screen));
+    }
+  }
+  for (const CatchTrials& kind : protocol_->design.catch_trials) {
+    static_cast<void>(stage(kind.condition, screen));
   }
   for (const Demonstration& demonstration : protocol_->script.demonstrations) {
     static_cast<void>(stage_demonstration(demonstration.id, screen));

@@ -48,6 +48,12 @@ void check_factors(const Protocol& protocol, const json& entry, const std::strin
       refuse(protocol.document, place + "/for_each/" + std::to_string(i),
              "expected the name of a factor, got " + names[i].dump());
     }
+    const auto& adaptive = protocol.design.adaptive;
+    if (adaptive && adaptive->factor == names[i].get<std::string>()) {
+      refuse(
+          protocol.document, place + "/for_each/" + std::to_string(i),
+          "expected a factor whose levels are planned, got the adaptive one, " + names[i].dump());
+    }
   }
 }
 
