@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -124,8 +125,12 @@ void print_design(const Protocol& protocol) {
                 static_cast<long long>(protocol.script.scale->maximum),
                 protocol.script.scale->high_anchor.c_str());
   }
-  std::printf("  duration     about %.0f minutes, at %.1f s for a rating\n",
-              std::ceil(expected_minutes(protocol, plan)), kAssumedRatingS);
+  if (has_participants(protocol.document.value)) {
+    std::printf("  duration     about %.0f minutes, at %.1f s for a rating\n",
+                std::ceil(expected_minutes(protocol, plan)), kAssumedRatingS);
+  } else {
+    std::printf("  participants none: every trial is simulated without a display\n");
+  }
   std::printf("  hash         %s\n", protocol.hash.c_str());
 }
 
