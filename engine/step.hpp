@@ -54,6 +54,8 @@ struct CollisionReport {
   double imposed_hold_s{0.0};            ///< the hold that this contact started
   std::int32_t first_contact{0};  ///< its contacts in StepReport::contacts: this and those after it
   std::int32_t contact_count{1};
+  bool imposed_spin{false};          ///< this contact got WorldSettings::imposed_spin
+  std::optional<double> measured{};  ///< by the schedule's metric, in its unit; none without one
 };
 
 struct StepReport {

@@ -273,13 +273,19 @@ void World::model() {
   StepReport& report = memory_.report;
   ModelledCollisions& modelled = memory_.modelled;
   modelled.clear();
+  const PriorityMetric* metric = settings_.schedule.metric.get();
+  std::size_t place = 0;  // pairs are refined in the order they were put in
   for (const RefinedPair& pair : memory_.refined.all()) {
+    const MeasuredPair& measured = memory_.order[place++];
     if (!pair.refinement.overlapping().empty()) {
       add_contacts_of(pair);
       CollisionReport collision;
       collision.list = pair.list;
       collision.level = pair.refinement.level();
       collision.stop = pair.refinement.stop_reason();
+      if (metric != nullptr) {
+        collision.measured = metric->priority(measured.priority);  // its sign turned back
+      }
       modelled.add_contacts_as(collision);
     }
   }
@@ -341,6 +347,7 @@ void World::respond(double dt_s) {
   report_response(result, report);
   for (CollisionReport& collision : report.collisions) {
     hold_where_imposed(collision);
+    spin_where_imposed(collision);
   }
   if (result.residual_approach_m_s > 0.0) {
     report.degradations |= kApproachRemains;
@@ -359,6 +366,20 @@ void World::hold_where_imposed(CollisionReport& collision) {
     if (!is_wall(body)) {
       states_[at(body)].held_s = settings_.imposed_hold_s;
     }
+  }
+}
+
+void World::spin_where_imposed(CollisionReport& collision) {
+  constexpr BodyPair kSpun{0, 1};
+  const std::optional<ImposedSpinRule>& rule = settings_.imposed_spin;
+  if (!rule || spin_was_imposed_ || !(collision.bodies == kSpun) || !(collision.impulse_Ns > 0.0)) {
+    return;
+  }
+  spin_was_imposed_ = true;
+  if (collision.level == rule->at_level) {
+    collision.imposed_spin = true;
+    add_spin(models_[at(kSpun.a)], rule->spin.a, states_[at(kSpun.a)]);
+    add_spin(models_[at(kSpun.b)], rule->spin.b, states_[at(kSpun.b)]);
   }
 }
 

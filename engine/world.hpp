@@ -82,6 +82,7 @@ class World {
   void respond(double dt_s);
   const ResponseResult& response_to_contacts(double dt_s);
   void hold_where_imposed(CollisionReport& collision);
+  void spin_where_imposed(CollisionReport& collision);
   void note_touching(const Viewer& viewer);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
@@ -92,6 +93,7 @@ class World {
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
+  bool spin_was_imposed_{false};
   std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies
   PriorityMemory priorities_;
   LevelMemory levels_;

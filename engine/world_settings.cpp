@@ -24,6 +24,10 @@ std::string problem_of(const WorldSettings& settings) {
     return "world: expected 0 or more tests of entry a step, got " +
            std::to_string(settings.most_entry_tests);
   }
+  if (settings.imposed_spin &&
+      !(settings.imposed_spin->spin.a.allFinite() && settings.imposed_spin->spin.b.allFinite())) {
+    return "world: an imposed spin must be finite";
+  }
   if (!settings.gravity_m_s2.allFinite()) {
     return "world: gravity must be finite";
   }

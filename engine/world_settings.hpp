@@ -9,6 +9,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/tunnelling.hpp"
+#include "engine/dynamics/imposed_spin.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
@@ -45,6 +46,7 @@ struct WorldSettings {
   /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
   /// are refined as if capped.
   std::int64_t most_entry_tests{kUnlimitedTests};
+  std::optional<ImposedSpinRule> imposed_spin{};  ///< an imposed manipulation, not physics
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.

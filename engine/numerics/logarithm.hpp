@@ -11,4 +11,8 @@ namespace impetus {
 /// not a number of a negative one.
 double log10_of(double x);
 
+/// Natural logarithm of a positive number, relative error below 1e-15; −∞ of zero, not a number of
+/// a negative one.
+double log_of(double x);
+
 }  // namespace impetus

@@ -4,6 +4,7 @@
 //   gap-bound      what the gap cannot exceed: both trees' fit errors, for a point of two nodes
 //                  that overlap lies within each tree's error of that tree's surface
 //   projected-gap  the visual angle of the bound at the place of the collision
+//   projected-centres  the visual angle between the two centres, the rough measure projected
 //
 // (Dingliana 2002, sec. 5.2.1 and footnote 1 of sec. 6.3.2)
 // SPDX-License-Identifier: MIT
@@ -46,6 +47,17 @@ class ProjectedGapMetric final : public PriorityMetric {
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return spanned_by_length_deg(bounds.fit_error_m, collision_place(bounds), viewer);
+  }
+};
+
+/// Degrees between the two centres as the eye sees them: gap on the image plane, foreshortening
+/// counted. Zero for a body and a wall.
+class ProjectedCentresMetric final : public PriorityMetric {
+ public:
+  ProjectedCentresMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
+                               const Fixation& /*fixation*/) const override {
+    return visual_angle_deg(viewer, bounds.a.centre, bounds.b.centre);
   }
 };
 

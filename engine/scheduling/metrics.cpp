@@ -53,6 +53,7 @@ constexpr NamedMetric kMetrics[] = {named<CollisionSpeedMetric>("collision-speed
                                     named<EccentricityMetric>("eccentricity"),
                                     named<GapMetric>("gap"),
                                     named<GapBoundMetric>("gap-bound"),
+                                    named<ProjectedCentresMetric>("projected-centres"),
                                     named<ProjectedGapMetric>("projected-gap"),
                                     named<SizeMetric>("size"),
                                     named<VelocityMetric>("velocity"),

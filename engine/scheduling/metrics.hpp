@@ -5,6 +5,7 @@
 //   eccentricity       degrees between the collision's place and the fixation    central first
 //   gap                metres between the centres of the two bounds              large first
 //   gap-bound          metres that the gap cannot exceed: the trees' fit error   large first
+//   projected-centres  degrees between the centres of the two bounds             large first
 //   projected-gap      degrees that the trees' fit error spans there             large first
 //   size               degrees that the two bounds' diameters span, mean         large first
 //   velocity           degrees per second of the two bodies, mean                slow first

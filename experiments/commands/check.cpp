@@ -9,6 +9,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_page.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
@@ -68,31 +69,33 @@ std::string response_list(const Script& script) {
 
 void print_design(const Protocol& protocol) {
   const Design& design = protocol.design;
-  const Plan plan = plan_for(protocol, "check", 1);
-  const std::size_t cell_count = cells(design).size();
-  const std::size_t practice = design.practice.size();
+  const Plan plan = plan_for(protocol, "P01", 1);
   std::printf("%s: valid\n", protocol.document.name.c_str());
   std::printf("  %s\n", protocol.title.c_str());
   std::printf("  scene        %s\n", protocol.scene.name.c_str());
   print_factors(protocol);
-  std::printf("  cells        %zu\n", cell_count);
-  std::printf("  repetitions  %lld\n", static_cast<long long>(design.repetitions));
-  const auto rounds = static_cast<std::size_t>(design.practice_rounds);
-  std::printf("  trials       %zu, after %zu of practice%s\n", plan.size() - rounds * practice,
-              practice, rounds > 1 ? (", up to " + std::to_string(rounds) + " times").c_str() : "");
-  for (const LongestRun& rule : design.longest_runs) {
-    std::printf("  order        random, at most %lld equal %s in a row\n",
-                static_cast<long long>(rule.longest), rule.factor.c_str());
+  const auto main_trials = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
+    return trial.phase == TrialPhase::kMain;
+  });
+  std::printf("  trials       %lld\n", static_cast<long long>(main_trials));
+  for (const std::string& line : design_lines(design)) {
+    std::printf("  design       %s\n", line.c_str());
   }
   print_exposure(protocol, plan);
   std::printf("  responses    %s\n", response_list(protocol.script).c_str());
-  std::printf("  rating       %lld (%s) to %lld (%s)\n",
-              static_cast<long long>(protocol.script.scale.minimum),
-              protocol.script.scale.low_anchor.c_str(),
-              static_cast<long long>(protocol.script.scale.maximum),
-              protocol.script.scale.high_anchor.c_str());
-  std::printf("  duration     about %.0f minutes, at %.1f s for a rating\n",
-              std::ceil(expected_minutes(protocol, plan)), kAssumedAnswer_s);
+  if (protocol.script.scale) {
+    std::printf("  rating       %lld (%s) to %lld (%s)\n",
+                static_cast<long long>(protocol.script.scale->minimum),
+                protocol.script.scale->low_anchor.c_str(),
+                static_cast<long long>(protocol.script.scale->maximum),
+                protocol.script.scale->high_anchor.c_str());
+  }
+  if (has_participants(protocol.document.value)) {
+    std::printf("  duration     about %.0f minutes, at %.1f s for an answer\n",
+                std::ceil(expected_minutes(protocol, plan)), kAssumedAnswer_s);
+  } else {
+    std::printf("  participants none: every trial is simulated without a display\n");
+  }
   std::printf("  hash         %s\n", protocol.hash.c_str());
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/participant_run.hpp"
 
-#include <sys/utsname.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
@@ -10,7 +8,9 @@
 #include <utility>
 
 #include "build_info.hpp"
-#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/commands/enrolling.hpp"
+#include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/stored_plan.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
@@ -18,56 +18,6 @@
 
 namespace impetus {
 namespace {
-
-std::string machine_name() {
-  utsname names{};
-  uname(&names);
-  return std::string(names.sysname) + " " + names.release + " " + names.machine;
-}
-
-std::vector<StoredTrial> stored(const Plan& plan) {
-  std::vector<StoredTrial> trials;
-  for (const PlannedTrial& trial : plan) {
-    trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
-                      trial.seed});
-  }
-  return trials;
-}
-
-Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
-  Plan plan;
-  for (const StoredTrial& trial : trials) {
-    const auto condition = nlohmann::json::parse(trial.condition);
-    plan.push_back({trial.slot, trial.phase, trial.repetition,
-                    condition_from_json(condition, design), trial.seed});
-  }
-  return plan;
-}
-
-/// The stored enrolment, to be resumed, if there is one.
-std::optional<Enrolment> find_to_resume(StudyFile& study, const Protocol& protocol,
-                                        const RunOptions& options) {
-  const bool simulated = !options.observers.empty();
-  auto found = find_enrolment(study, options.participant, simulated, texts_of(protocol));
-  if (found && options.seed && *options.seed != found->seed) {
-    throw InputError("--seed " + std::to_string(*options.seed) + ": expected " +
-                     std::to_string(found->seed) + ", with which " + options.participant +
-                     "'s trials were planned");
-  }
-  return found;
-}
-
-/// A new enrolment with its whole plan.
-Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
-  const ProtocolTexts texts = texts_of(protocol);
-  for (const std::string& hash : other_versions(study, texts)) {
-    std::fprintf(stderr, "note: %s also holds another version of %s (%s)\n", study.name().c_str(),
-                 protocol.name.c_str(), hash.c_str());
-  }
-  const std::uint64_t seed = options.seed.value_or(1);
-  const Plan plan = plan_for(protocol, options.participant, seed);
-  return enrol(study, options.participant, !options.observers.empty(), texts, seed, stored(plan));
-}
 
 /// In a series nobody is asked the same about themselves twice.
 void skip_told_demographics(StudyFile& study, const RunPart& part, const std::string& participant,
@@ -147,7 +97,7 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
                                std::shared_ptr<Laboratory> laboratory)
     : part_(part), options_(options), study_(study), laboratory_(std::move(laboratory)) {
   const std::lock_guard lock(study.transactions());
-  std::optional<Enrolment> resumed = find_to_resume(study, part.protocol, options_);
+  std::optional<Enrolment> resumed = find_to_resume(study, part, options_);
   if (!laboratory_) {
     LaboratoryOptions lab = part.lab;
     lab.participant = options_.participant;
@@ -155,7 +105,7 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     laboratory_ = open_laboratory(lab);
   }
   sync_ = laboratory_->sync_test();
-  enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part.protocol, options_);
+  enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_);
   if (!part.series.empty()) {
     skip_told_demographics(study, part, options_.participant, enrolment_.history);
   }
@@ -177,14 +127,11 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const SteadyClock work_clock;
   const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,     writer,
                     laboratory_->gaze(),    &laboratory_->clock(), &work_clock};
-  const SessionResult result = run_session(protocol.script, plan, enrolment_.history, ports);
+  const SessionResult result =
+      run_session(protocol.script, plan, enrolment_.history, ports, protocol.design);
   tell_gaze_latency(result);
   conclude(result, writer);
   return result.ending;
-}
-
-ProtocolTexts texts_of(const Protocol& protocol) {
-  return {protocol.name, protocol.hash, protocol.document.text, protocol.scene.text};
 }
 
 }  // namespace impetus

@@ -36,7 +36,4 @@ class ParticipantRun {
   Enrolment enrolment_;
 };
 
-/// As a study file keeps them.
-ProtocolTexts texts_of(const Protocol& protocol);
-
 }  // namespace impetus

@@ -43,11 +43,17 @@ std::vector<StoredAttempt> chosen_attempts(StudyFile& study, const ReplayOptions
   return attempts;
 }
 
-void print_divergence(const StoredAttempt& attempt, const Divergence& divergence) {
-  std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld",
+/// " of interval 2", where there are two.
+std::string of_interval(std::int64_t interval, std::int64_t intervals) {
+  return intervals == 1 ? "" : " of interval " + std::to_string(interval);
+}
+
+void print_divergence(const StoredAttempt& attempt, const Divergence& divergence,
+                      const std::string& where) {
+  std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld%s",
               static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
-              static_cast<long long>(divergence.step));
+              static_cast<long long>(divergence.step), where.c_str());
   if (divergence.body.empty()) {
     std::printf(", in the hash alone\n");
   } else {
@@ -55,27 +61,41 @@ void print_divergence(const StoredAttempt& attempt, const Divergence& divergence
   }
 }
 
+/// What was simulated again, and how long that is in the stimuli's own time.
+struct Compared {
+  std::int64_t steps{0};
+  double simulated_s{0.0};
+};
+
+/// Whether all of an attempt's intervals replay as they were. Only the first divergence is told:
+/// what follows in the same trial follows from it.
+bool replays(ReplayLibrary& library, const StoredAttempt& attempt, Compared& compared) {
+  const std::int64_t intervals = library.intervals(attempt);
+  for (std::int64_t interval = 1; interval <= intervals; ++interval) {
+    const StagedScene scene = library.stage(attempt, interval);
+    const ReplayResult result = replay(scene, library.steps(attempt, interval));
+    compared.steps += result.steps;
+    compared.simulated_s += static_cast<double>(result.steps) / scene.step_hz;
+    if (result.divergence) {
+      print_divergence(attempt, *result.divergence, of_interval(interval, intervals));
+      return false;
+    }
+  }
+  return true;
+}
+
 int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   using Seconds = std::chrono::duration<double>;
   ReplayLibrary library(study);
-  std::int64_t steps = 0;
+  Compared compared;
   std::int64_t diverged = 0;
-  double simulated_s = 0.0;
   const auto start = std::chrono::steady_clock::now();
   for (const StoredAttempt& attempt : attempts) {
-    const StagedScene scene = library.stage(attempt);
-    const ReplayResult result = replay(scene, library.steps(attempt));
-    steps += result.steps;
-    simulated_s += static_cast<double>(result.steps) / scene.step_hz;
-    if (result.divergence) {
-      // Only a trial's first is told: what follows in the same trial follows from it.
-      print_divergence(attempt, *result.divergence);
-      ++diverged;
-    }
+    diverged += replays(library, attempt, compared) ? 0 : 1;
   }
   const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
   std::printf("%zu trials, %lld steps, %.0f times real time, %lld divergent\n", attempts.size(),
-              static_cast<long long>(steps), simulated_s / took_s,
+              static_cast<long long>(compared.steps), compared.simulated_s / took_s,
               static_cast<long long>(diverged));
   return diverged == 0 ? kDone : kFound;
 }

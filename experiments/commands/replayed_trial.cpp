@@ -3,11 +3,17 @@
 
 #include "build_info.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/solved_values.hpp"
+#include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
 
-StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
+std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
+  return protocol(attempt.protocol_id).script.two_interval ? 2 : 1;
+}
+
+StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
   if (attempt.recording_format != kRecordingFormat) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
                      " was recorded in format " + std::to_string(attempt.recording_format) +
@@ -17,13 +23,15 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt) {
   const Protocol& source = protocol(attempt.protocol_id);
   const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0, shapes_);
   const auto condition = nlohmann::json::parse(attempt.trial.condition);
-  const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
-                             condition_from_json(condition, source.design), attempt.trial.seed};
-  return scenes.stage(planned, attempt.screen);
+  PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
+                       condition_from_json(condition, source.design), attempt.trial.seed};
+  planned.solved = solved_values_from(attempt.trial.solved);
+  const std::vector<PlannedTrial> shown = stimuli_of(source.script, planned);
+  return scenes.stage(shown[static_cast<std::size_t>(interval - 1)], attempt.screen);
 }
 
-std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt) {
-  return load_steps(study_.database(), attempt.id);
+std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt, std::int64_t interval) {
+  return load_steps(study_.database(), attempt.id, interval);
 }
 
 const Protocol& ReplayLibrary::protocol(std::int64_t id) {

@@ -18,11 +18,15 @@ class ReplayLibrary {
   /// `study` must outlive this.
   explicit ReplayLibrary(StudyFile& study) : study_(study) {}
 
-  /// The attempt's scene at its start. Throws InputError when it was recorded in a format that
-  /// this build does not replay, naming the build that does.
-  [[nodiscard]] StagedScene stage(const StoredAttempt& attempt);
+  /// How many stimuli the attempt's protocol shows in a trial: 1 or 2.
+  [[nodiscard]] std::int64_t intervals(const StoredAttempt& attempt);
 
-  [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt);
+  /// The scene of the attempt's interval at its start. Throws InputError when it was recorded in a
+  /// format that this build does not replay, naming the build that does.
+  [[nodiscard]] StagedScene stage(const StoredAttempt& attempt, std::int64_t interval = 1);
+
+  [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt,
+                                              std::int64_t interval = 1);
 
  private:
   const Protocol& protocol(std::int64_t id);

@@ -12,7 +12,10 @@
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
+#include "experiments/commands/stored_plan.hpp"
+#include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -25,7 +28,7 @@ namespace {
 constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
 
 void require_sensible(const RunOptions& options) {
-  const bool simulated = !options.observers.empty();
+  const bool simulated = options.simulated();
   if (!simulated && options.participants > 0) {
     throw InputError("--participants: expected --observer NAME with it; people come one by one");
   }
@@ -74,12 +77,13 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
   check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
-  plan_for(part.protocol, options.participant, options.seed.value_or(1));
+  const bool group = options.participants > 0;
+  plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
+           options.seed.value_or(1));
   return part;
 }
 
-std::vector<RunPart> parts_from(const RunOptions& options) {
-  const Series series = load_series(options.protocol);
+std::vector<RunPart> parts_from(const Series& series, const RunOptions& options) {
   const std::size_t count = series.protocols.size();
   std::vector<RunPart> parts;
   std::set<std::string> names;
@@ -100,24 +104,26 @@ std::vector<RunPart> parts_from(const RunOptions& options) {
   return parts;
 }
 
-/// Builds what takes long before a window opens.
-void build_shapes(const std::vector<RunPart>& parts) {
-  for (const RunPart& part : parts) {
-    ProgressLine line("building the bodies");
-    part.shapes->tell([&line](double share) { line.tell(share); });
-    ProtocolScenes(part.protocol, 0.0, part.shapes).build_shapes(expected_screen(part.lab));
-    part.shapes->tell({});
-  }
+void build_shapes(const RunPart& part) {
+  ProgressLine line("building the bodies");
+  part.shapes->tell([&line](double share) { line.tell(share); });
+  ProtocolScenes(part.protocol, 0.0, part.shapes).build_shapes(expected_screen(part.lab));
+  part.shapes->tell({});
+}
+
+void solve_what_is_asked(RunPart& part) {
+  ProgressLine line("solving what the plan needs");
+  part.solved = solve(part.protocol, *part.shapes, [&line](double share) { line.tell(share); });
 }
 
 /// One participant goes through the parts that are not finished, before one window.
 void run_participant(const std::vector<RunPart>& parts, const RunOptions& options,
                      StudyFile& study) {
-  const bool simulated = !options.observers.empty();
   std::shared_ptr<Laboratory> window;
   for (const RunPart& part : parts) {
     const bool last = &part == &parts.back();
-    if (!last && has_finished(study, options.participant, simulated, texts_of(part.protocol))) {
+    if (!last &&
+        has_finished(study, options.participant, options.simulated(), texts_of(part.protocol))) {
       std::fprintf(stderr, "note: %s has finished %s already\n", options.participant.c_str(),
                    part.protocol.name.c_str());
       continue;
@@ -126,16 +132,41 @@ void run_participant(const std::vector<RunPart>& parts, const RunOptions& option
     if (participant.run({}) != SessionEnding::kFinished) {
       return;
     }
-    window = simulated ? nullptr : participant.laboratory();
+    window = options.simulated() ? nullptr : participant.laboratory();
   }
+}
+
+bool nobody_takes_part(const Series& series) {
+  return series.protocols.size() == 1 &&
+         !has_participants(load_protocol(series.protocols.front()).document.value);
+}
+
+int run_without_participants(const std::filesystem::path& file, const RunOptions& options) {
+  RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
+  const RunOptions nobody = as_nobody(options);
+  plan_for(part.protocol, nobody.participant, nobody.seed.value_or(1));
+  solve_what_is_asked(part);
+  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  run_unattended_part(part, nobody, study);
+  std::printf("Saved in %s\n", options.database.c_str());
+  return kDone;
 }
 
 /// Everything that can be refused is refused before a window opens or a row is written.
 int run(const RunOptions& options) {
+  const Series series = load_series(options.protocol);
+  if (nobody_takes_part(series)) {
+    return run_without_participants(series.protocols.front(), options);
+  }
   require_sensible(options);
-  const std::vector<RunPart> parts = parts_from(options);
+  std::vector<RunPart> parts = parts_from(series, options);
+  for (RunPart& part : parts) {
+    solve_what_is_asked(part);
+  }
   StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
-  build_shapes(parts);
+  for (const RunPart& part : parts) {
+    build_shapes(part);
+  }
   try {
     if (options.participants > 0) {
       run_simulated_group(parts, options, study);

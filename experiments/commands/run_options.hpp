@@ -10,6 +10,7 @@
 
 #include "experiments/commands/laboratory.hpp"
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
 namespace impetus {
@@ -27,6 +28,8 @@ struct RunOptions {
   bool override_sync_test{false};
   std::string screen_file;
   std::string window_size;
+
+  [[nodiscard]] bool simulated() const { return !observers.empty(); }
 };
 
 /// One protocol of a run; a run of a series has several.
@@ -34,8 +37,9 @@ struct RunPart {
   Protocol protocol;
   LaboratoryOptions lab;  ///< without participant and seed
   std::shared_ptr<ShapeLibrary> shapes;
-  std::string series{};          ///< "": it is alone
-  std::int64_t series_place{1};  ///< from 1
+  std::vector<SolvedFor> solved{};  ///< for the plan of whoever comes
+  std::string series{};             ///< "": it is alone
+  std::int64_t series_place{1};     ///< from 1
 };
 
 }  // namespace impetus

@@ -17,7 +17,8 @@ Answer ShownObserver::ask(const Page& page) {
   Answer answer = observer_->ask(page);
   const double seconds = static_cast<double>(answer.arrived_ns - answer.shown_ns) / 1e9;
   answer.shown_ns = clock_.now_ns();
-  window_.show_page_for(page, seconds, answer.choice);
+  window_.show_page_for(page, seconds,
+                        answer.timed_out ? std::nullopt : std::optional(answer.choice));
   answer.arrived_ns = clock_.now_ns();
   answer.interruption = window_.interruption();
   return answer;

@@ -12,17 +12,11 @@
 
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/stored_plan.hpp"
 #include "experiments/store/enrolment.hpp"
 
 namespace impetus {
 namespace {
-
-/// S01, S02, ...: as many digits as the last one needs, two at least.
-std::string simulated_name(std::int64_t number, std::int64_t count) {
-  const auto digits = std::max<std::size_t>(2, std::to_string(count).size());
-  const std::string text = std::to_string(number);
-  return "S" + std::string(digits - text.size(), '0') + text;
-}
 
 /// What the threads share; each takes the next participant until there is none.
 class SimulatedGroup {
@@ -124,6 +118,12 @@ class SimulatedGroup {
 };
 
 }  // namespace
+
+std::string simulated_name(std::int64_t number, std::int64_t count) {
+  const auto digits = std::max<std::size_t>(2, std::to_string(count).size());
+  const std::string text = std::to_string(number);
+  return "S" + std::string(digits - text.size(), '0') + text;
+}
 
 void run_simulated_group(const std::vector<RunPart>& parts, const RunOptions& options,
                          StudyFile& study) {

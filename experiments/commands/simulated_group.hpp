@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "experiments/commands/run_options.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus {
+
+/// S01, S02, ...: as many digits as the last one needs, two at least.
+std::string simulated_name(std::int64_t number, std::int64_t count);
 
 /// Runs S01, S02, ... through all parts in order, those who have not finished: the same command
 /// goes on where it was stopped, and one with more participants adds to the group. Plans are stored

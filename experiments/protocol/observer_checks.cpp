@@ -5,7 +5,10 @@ namespace impetus {
 namespace {
 
 void check_scale(const Protocol& protocol, std::size_t observer_points) {
-  const RatingScale& scale = protocol.script.scale;
+  if (!protocol.script.scale) {
+    return;
+  }
+  const RatingScale& scale = *protocol.script.scale;
   const auto points = static_cast<std::size_t>(scale.maximum - scale.minimum + 1);
   if (points != observer_points) {
     refuse(protocol.document, "/rating",

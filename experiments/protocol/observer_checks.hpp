@@ -7,8 +7,8 @@
 
 namespace impetus {
 
-/// The observer rates on the protocol's scale, clicks where clicks are asked for, and has an eye
-/// where the gaze is followed. Throws InputError.
+/// The observer rates on the protocol's scale, where it has one, clicks where clicks are asked for,
+/// and has an eye where the gaze is followed. Throws InputError.
 void check_observer(const Protocol& protocol, const ObserverFile& observer);
 
 }  // namespace impetus

@@ -33,6 +33,12 @@ struct Making {
   std::unique_ptr<RatingObserver> operator()(const GapParameters& parameters) const {
     return std::make_unique<GapObserver>(parameters, seed, pseudonym, clock);
   }
+  std::unique_ptr<RatingObserver> operator()(const GapThresholdParameters& parameters) const {
+    return std::make_unique<GapObserver>(parameters, seed, pseudonym, clock, "gap-thresholds");
+  }
+  std::unique_ptr<RatingObserver> operator()(const ResponseParameters& parameters) const {
+    return std::make_unique<ResponseObserver>(parameters, seed, pseudonym, clock);
+  }
   std::unique_ptr<RatingObserver> operator()(const GazeObserverParameters& parameters) const {
     return std::make_unique<GazeObserver>(parameters, seed, pseudonym, clock, flip_clock);
   }

@@ -22,6 +22,7 @@ struct Entry {
   double minimum;
   double maximum;
   double Parameters::*place;
+  bool optional{false};  ///< left out, it stays what it is
 };
 
 template <typename Parameters>
@@ -40,19 +41,53 @@ void add_rating(Entries<Parameters>& entries) {
   entries.insert(entries.end(), rating.begin(), rating.end());
 }
 
-Entries<CausalityParameters> entries_of(const CausalityParameters& /*kind*/) {
-  using P = CausalityParameters;
-  return {{"threshold_mean_ms", -kAny, kAny, &P::threshold_mean_ms},
-          {"threshold_sd_ms", 0.0, kAny, &P::threshold_sd_ms},
-          {"threshold_width_ms", 1e-3, kAny, &P::threshold_width_ms}};
+/// Of answers by yes or no, for kinds in which what was seen has no such rates of its own.
+template <typename Parameters>
+void add_yes_no(Entries<Parameters>& entries) {
+  using P = Parameters;
+  entries.push_back({"guess_rate", 0.0, 1.0, &P::yes_guess_rate, true});
+  entries.push_back({"miss_rate", 0.0, 1.0, &P::yes_miss_rate, true});
 }
 
-Entries<GapParameters> entries_of(const GapParameters& /*kind*/) {
-  using P = GapParameters;
+Entries<CausalityParameters> entries_of(const CausalityParameters& /*kind*/) {
+  using P = CausalityParameters;
+  Entries<P> entries{{"threshold_mean_ms", -kAny, kAny, &P::threshold_mean_ms},
+                     {"threshold_sd_ms", 0.0, kAny, &P::threshold_sd_ms},
+                     {"threshold_width_ms", 1e-3, kAny, &P::threshold_width_ms}};
+  add_yes_no(entries);
+  return entries;
+}
+
+template <typename P>
+Entries<P> gap_entries() {
   return {{"threshold_arcmin", 1e-3, kAny, &P::threshold_arcmin},
           {"width_log10", 1e-3, kAny, &P::width_log10},
           {"guess_rate", 0.0, 1.0, &P::guess_rate},
           {"miss_rate", 0.0, 1.0, &P::miss_rate}};
+}
+
+Entries<GapParameters> entries_of(const GapParameters& /*kind*/) {
+  return gap_entries<GapParameters>();
+}
+
+Entries<GapThresholdParameters> entries_of(const GapThresholdParameters& /*kind*/) {
+  using P = GapThresholdParameters;
+  Entries<P> entries = gap_entries<P>();
+  entries.push_back({"crowding_per_body", 0.0, kAny, &P::crowding_per_body});
+  entries.push_back({"threshold_sd_log10", 0.0, kAny, &P::threshold_sd_log10});
+  return entries;
+}
+
+Entries<ResponseParameters> entries_of(const ResponseParameters& /*kind*/) {
+  using P = ResponseParameters;
+  Entries<P> entries = gap_entries<P>();
+  const Entries<P> own{{"spin_weight", 0.0, 1.0, &P::spin_weight},
+                       {"spin_median_deg_s", 1e-3, kAny, &P::spin_median_deg_s},
+                       {"spin_width_log10", 1e-3, kAny, &P::spin_width_log10},
+                       {"speed_weight", 0.0, 1.0, &P::speed_weight},
+                       {"speed_scale_deg_s", 1e-3, kAny, &P::speed_scale_deg_s}};
+  entries.insert(entries.end(), own.begin(), own.end());
+  return entries;
 }
 
 void add_eye(Entries<GazeObserverParameters>& entries) {
@@ -126,12 +161,19 @@ json number_schema(double minimum, double maximum) {
 template <typename Parameters>
 json observer_schema(const Entries<Parameters>& entries, const std::vector<std::string>& cuts) {
   json parameters{{"type", "object"}, {"additionalProperties", false}};
-  const auto require = [&](const std::string& name, double minimum, double maximum) {
-    parameters["required"].push_back(name);
+  const auto allow = [&](const std::string& name, double minimum, double maximum) {
     parameters["properties"][name] = number_schema(minimum, maximum);
   };
+  const auto require = [&](const std::string& name, double minimum, double maximum) {
+    parameters["required"].push_back(name);
+    allow(name, minimum, maximum);
+  };
   for (const auto& entry : entries) {
-    require(entry.name, entry.minimum, entry.maximum);
+    if (entry.optional) {
+      allow(entry.name, entry.minimum, entry.maximum);
+    } else {
+      require(entry.name, entry.minimum, entry.maximum);
+    }
   }
   for (const std::string& cut : cuts) {
     require(cut, -kAny, kAny);
@@ -189,7 +231,9 @@ ObserverParameters read(const JsonDocument& document) {
   const std::vector<std::string> cuts = cut_names(document.value);
   require_schema(document, observer_schema(entries, cuts));
   for (const auto& entry : entries) {
-    parameters.*entry.place = value_of(document, entry.name);
+    if (!entry.optional || document.value["parameters"].contains(entry.name)) {
+      parameters.*entry.place = value_of(document, entry.name);
+    }
   }
   for (const std::string& cut : cuts) {
     if (cut != cuts.front()) {
@@ -210,7 +254,9 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> kinds{{"causality", read<CausalityParameters>},
                                        {"gap", read<GapParameters>},
-                                       {"gaze-contingent", read<GazeObserverParameters>}};
+                                       {"gap-thresholds", read<GapThresholdParameters>},
+                                       {"gaze-contingent", read<GazeObserverParameters>},
+                                       {"response", read<ResponseParameters>}};
   return kinds;
 }
 

@@ -11,11 +11,13 @@
 #include "experiments/observers/causality_observer.hpp"
 #include "experiments/observers/gap_observer.hpp"
 #include "experiments/observers/gaze_observer.hpp"
+#include "experiments/observers/response_observer.hpp"
 #include "experiments/protocol/json_document.hpp"
 
 namespace impetus {
 
-using ObserverParameters = std::variant<CausalityParameters, GapParameters, GazeObserverParameters>;
+using ObserverParameters = std::variant<CausalityParameters, GapParameters, GazeObserverParameters,
+                                        GapThresholdParameters, ResponseParameters>;
 
 /// Reads the kind that the document names. Throws InputError: an unknown kind or number, one that
 /// is missing, out of its range or without its unit and source.

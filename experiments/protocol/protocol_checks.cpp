@@ -5,15 +5,30 @@
 #include <cstdio>
 #include <set>
 
+#include "experiments/protocol/adaptive_checks.hpp"
+#include "experiments/protocol/block_checks.hpp"
+#include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/threshold_checks.hpp"
+#include "experiments/protocol/training_checks.hpp"
+#include "experiments/session/adaptive_levels.hpp"
+#include "experiments/session/blocks.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
 
+constexpr double kMostTrials = 10'000;
+
 std::string item(const std::string& list, std::size_t index) {
   return list + "/" + std::to_string(index);
+}
+
+std::string count_text(double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.15g", count);
+  return text;
 }
 
 bool has_level(const json& factor, const json& level) {
@@ -29,18 +44,35 @@ bool has_factor(const json& design, const std::string& name) {
 
 /// Refuses a design that nobody could sit through before its cells fill the memory.
 void check_size(const JsonDocument& protocol) {
-  constexpr double kMostTrials = 10'000;
   const json& design = protocol.value["design"];
   auto trials = design["repetitions"].get<double>();
   for (const json& factor : design["factors"]) {
     trials *= static_cast<double>(factor["levels"].size());
   }
   if (trials > kMostTrials) {
-    char count[32];
-    std::snprintf(count, sizeof count, "%.15g", trials);
     refuse(protocol, "/design",
-           "expected at most 10000 trials, got " + std::string(count) +
+           "expected at most 10000 trials, got " + count_text(trials) +
                " (levels of all factors × repetitions)");
+  }
+}
+
+/// The same of the trials that are planned, blocks and tracks and catch trials counted.
+void check_planned_size(const JsonDocument& protocol) {
+  const Design design = design_from(protocol.value["design"]);
+  double trials =
+      static_cast<double>(design.repetitions) * static_cast<double>(cells(design).size());
+  if (design.adaptive) {
+    trials = static_cast<double>(design.adaptive->trials_per_track) *
+             static_cast<double>(adaptive_tracks(design).size());
+  }
+  for (const CatchTrials& kind : design.catch_trials) {
+    trials += static_cast<double>(kind.count) *
+              static_cast<double>(block_order(design, {"", "P01", 0}).size());
+  }
+  if (trials > kMostTrials) {
+    refuse(protocol, "/design",
+           "expected at most 10000 trials, got " + count_text(trials) +
+               " (all tracks and catch trials counted)");
   }
 }
 
@@ -78,6 +110,9 @@ void check_runs(const JsonDocument& protocol) {
 }
 
 void check_scale(const JsonDocument& protocol) {
+  if (!protocol.value.contains("rating")) {
+    return;
+  }
   const json& rating = protocol.value["rating"];
   if (rating["minimum"] >= rating["maximum"]) {
     refuse(protocol, "/rating/maximum",
@@ -92,7 +127,7 @@ void check_scale(const JsonDocument& protocol) {
 }
 
 void check_questions(const JsonDocument& protocol) {
-  const json& session = protocol.value["session"];
+  const json session = protocol.value.value("session", json::object());
   std::set<std::string> ids{"consent"};
   for (const char* list : {"demographics", "questions"}) {
     const json entries = session.value(list, json::array());
@@ -121,6 +156,12 @@ void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
   check_size(protocol);
   check_factors(protocol, scene);
   check_runs(protocol);
+  check_blocks(protocol);
+  check_catch_trials(protocol);
+  check_adaptive(protocol);
+  check_thresholds(protocol);
+  check_planned_size(protocol);
+  check_training_criterion(protocol);
   check_scale(protocol);
   check_questions(protocol);
 }
@@ -175,6 +216,8 @@ void check_practice_rule(const JsonDocument& protocol) {
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed) {
   try {
     return make_plan(protocol.design, {protocol.name, participant, seed});
+  } catch (const InputError&) {
+    throw;  // of the participant's code
   } catch (const std::runtime_error&) {
     refuse(protocol.document, "/design/longest_runs",
            "expected rules that some order of the trials keeps to, but none was found");

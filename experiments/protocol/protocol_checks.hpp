@@ -20,7 +20,8 @@ void check_practice(const JsonDocument& protocol);
 /// The levels that practice is judged by are practised. Throws InputError.
 void check_practice_rule(const JsonDocument& protocol);
 
-/// A participant's plan. Throws InputError when no order was found that keeps to the longest runs.
+/// A participant's plan. Throws InputError when no order was found that keeps to the longest runs,
+/// or the participant's code has no number for a Latin square.
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
 
 }  // namespace impetus

@@ -5,12 +5,16 @@
 
 #include <xxhash.h>
 
+#include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/response_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
+#include "experiments/protocol/solve_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 
 namespace impetus {
@@ -41,8 +45,18 @@ std::vector<std::string> mesh_files_of_design(const json& protocol) {
     for (const json& level : factor["levels"]) {
       add(factor["pointer"].get<std::string>(), level);
     }
+    const auto name = factor["name"].get<std::string>();
+    for (const json& kind : protocol["design"].value("catch_trials", json::array())) {
+      if (kind["condition"].contains(name)) {
+        add(factor["pointer"].get<std::string>(), kind["condition"][name]);
+      }
+    }
+    if (protocol.contains("two_interval") && protocol["two_interval"]["standard"].contains(name)) {
+      add(factor["pointer"].get<std::string>(), protocol["two_interval"]["standard"][name]);
+    }
   }
-  const json entries = protocol["session"].value("demonstrations", json::array());
+  const json entries =
+      protocol.value("session", json::object()).value("demonstrations", json::array());
   for (const json& entry : entries) {
     for (auto value = entry["set"].begin(); value != entry["set"].end(); ++value) {
       add(value.key(), value.value());
@@ -85,6 +99,7 @@ json demonstration_scene(const Protocol& protocol, const std::string& id) {
 
 Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   require_schema(document, protocol_schema());
+  check_participants(document);
   require_scene(scene);
   Protocol protocol;
   protocol.name = document.value["name"].get<std::string>();
@@ -95,21 +110,26 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
 
   const json& design = protocol.document.value["design"];
   check_design(protocol.document, protocol.scene);
+  check_responses(protocol.document);
   protocol.design = design_from(design);
   for (const json& factor : design["factors"]) {
     const auto name = factor["name"].get<std::string>();
     protocol.pointers[name] = factor["pointer"].get<std::string>();
     protocol.labels[name] = factor.value("label", name);
   }
+  check_solve(protocol);
   check_levels(protocol);
+  check_catch_scenes(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);
+  check_training(protocol.document);
   check_demonstrations(protocol);
   check_gaze(protocol);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
   protocol.script = script_from(protocol.document.value);
+  check_standard(protocol);
   return protocol;
 }
 

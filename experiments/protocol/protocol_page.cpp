@@ -7,6 +7,7 @@
 
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/session/response_kinds.hpp"
 
@@ -36,7 +37,13 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
   const auto main = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
     return trial.phase == TrialPhase::kMain;
   });
-  std::string words = std::to_string(main) + " trials";
+  std::string words = std::to_string(main) + (main == 1 ? " trial" : " trials");
+  if (!has_participants(protocol.document.value)) {
+    return words +
+           ", simulated without a display: nobody takes part. Everything below is read "
+           "from `" +
+           protocol.name + ".json` and its scene; a change there changes the study.\n";
+  }
   if (practice > 0) {
     words += " after " + std::to_string(practice) + " of practice";
   }
@@ -67,8 +74,8 @@ std::string order(const Protocol& protocol) {
 
 std::string question_words(const Script& script) {
   std::string words;
-  if (script.scale.maximum > script.scale.minimum) {
-    const RatingScale& scale = script.scale;
+  if (script.scale) {
+    const RatingScale& scale = *script.scale;
     words += row({"then", "“" + scale.question + "” " + std::to_string(scale.minimum) + " (" +
                               scale.low_anchor + ") to " + std::to_string(scale.maximum) + " (" +
                               scale.high_anchor + ")"});
@@ -151,16 +158,18 @@ std::string scene(const Protocol& protocol) {
 std::string recorded(const Protocol& protocol) {
   const std::vector<std::string> asked = responses_of(protocol.script);
   std::string page = heading("What is recorded");
-  page +=
-      "Plan, seeds, every step's input and hash, every collision with its level and place, "
-      "every frame's flip";
+  page += "Plan, seeds, every step's input and hash, every collision with its level and place";
+  if (asked.empty()) {
+    return page + ".\n";
+  }
+  page += ", every frame's flip";
   page += protocol.script.gaze ? ", every gaze sample" : "";
   page += "; and:\n\n" + table_head({"response", "when", "values"});
   for (const ResponseKind& kind : response_kinds()) {
     if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
       std::string values;
-      for (const DeclaredValue& column : kind.columns) {
-        values += (values.empty() ? "`" : ", `") + column.name + "`";
+      for (const DeclaredValue& value : kind.recorded) {
+        values += (values.empty() ? "`" : ", `") + value.name + "`";
       }
       page += row({kind.name, kind.when, values});
     }
@@ -169,9 +178,10 @@ std::string recorded(const Protocol& protocol) {
 }
 
 std::string commands(const Protocol& protocol) {
-  const std::string file = "protocols/" + protocol.name + ".json";
-  return heading("How to run it") + "```sh\nbuild/impetus run " + file +
-         " --db study.sqlite --participant P01\nbuild/impetus replay study.sqlite\n"
+  const std::string who = has_participants(protocol.document.value) ? " --participant P01" : "";
+  return heading("How to run it") + "```sh\nbuild/impetus run protocols/" + protocol.name +
+         ".json --db study.sqlite" + who +
+         "\nbuild/impetus replay study.sqlite\n"
          "Rscript analysis/" +
          protocol.name + ".R study.sqlite --out figures/\n```\n";
 }
@@ -185,8 +195,11 @@ std::string protocol_page(const Protocol& protocol) {
   if (document.contains("source")) {
     page += document["source"].get<std::string>() + ".\n\n";
   }
-  return page + summary(protocol, plan) + factors(protocol) + order(protocol) + trial(protocol) +
-         words_shown(protocol.script) + scene(protocol) + recorded(protocol) + commands(protocol);
+  page += summary(protocol, plan) + factors(protocol) + order(protocol);
+  if (has_participants(document)) {
+    page += trial(protocol) + words_shown(protocol.script);
+  }
+  return page + scene(protocol) + recorded(protocol) + commands(protocol);
 }
 
 }  // namespace impetus

@@ -18,13 +18,13 @@ std::string item(const std::string& list, std::size_t index) {
   return list + "/" + std::to_string(index);
 }
 
-/// The schema's or the scene's own complaint about `scene` at `pointer`; "" when there is none.
-std::string complaint(const json& scene) {
-  if (const auto problem = find_schema_problem(scene_schema(), scene)) {
-    return problem->message;
+/// Every cell, and every catch trial's condition.
+std::vector<Condition> shown_conditions(const Design& design) {
+  std::vector<Condition> conditions = cells(design);
+  for (const CatchTrials& kind : design.catch_trials) {
+    conditions.push_back(kind.condition);
   }
-  const auto problems = scene_problems(scene);
-  return problems.empty() ? "" : problems.front().message;
+  return conditions;
 }
 
 std::string milliseconds(double seconds) {
@@ -45,12 +45,39 @@ std::string off_grid_message(const json& value, double hz) {
          milliseconds(1.0 / hz) + "), got " + value.dump();
 }
 
+void check_catch_frames(const Protocol& protocol, const std::string& factor,
+                        const FrameBoundValue& bound, double hz) {
+  const json kinds = protocol.document.value["design"].value("catch_trials", json::array());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const json& level = kinds[i]["condition"][factor];
+    if (!on_grid(level.get<double>() * bound.unit_s, hz)) {
+      refuse(protocol.document, item("/design/catch_trials", i) + "/condition/" + factor,
+             off_grid_message(level, hz));
+    }
+  }
+}
+
+/// Of a standard's level, which need not be one of the factor's.
+void check_standard_bound(const Protocol& protocol, const std::string& factor,
+                          const FrameBoundValue& bound, double hz) {
+  const json::json_pointer standard("/two_interval/standard");
+  const json& document = protocol.document.value;
+  if (!document.contains(standard) || !document[standard].contains(factor)) {
+    return;
+  }
+  const json& level = document[standard][factor];
+  if (!on_grid(level.get<double>() * bound.unit_s, hz)) {
+    refuse(protocol.document, (standard / factor).to_string(), off_grid_message(level, hz));
+  }
+}
+
 void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
   const json& factors = protocol.document.value["design"]["factors"];
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (factors[i]["pointer"] != bound.pointer) {
       continue;
     }
+    check_standard_bound(protocol, factors[i]["name"].get<std::string>(), bound, hz);
     const json& levels = factors[i]["levels"];
     for (std::size_t j = 0; j < levels.size(); ++j) {
       if (!on_grid(levels[j].get<double>() * bound.unit_s, hz)) {
@@ -58,6 +85,7 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
                off_grid_message(levels[j], hz));
       }
     }
+    check_catch_frames(protocol, factors[i]["name"].get<std::string>(), bound, hz);
     return;
   }
   const json::json_pointer pointer(bound.pointer);
@@ -71,6 +99,14 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
 }
 
 }  // namespace
+
+std::string complaint(const json& scene) {
+  if (const auto problem = find_schema_problem(scene_schema(), scene)) {
+    return problem->message;
+  }
+  const auto problems = scene_problems(scene);
+  return problems.empty() ? "" : problems.front().message;
+}
 
 bool names_single_value(const json& scene, const std::string& pointer) {
   try {
@@ -103,7 +139,8 @@ void check_levels(const Protocol& protocol) {
 }
 
 void check_demonstrations(const Protocol& protocol) {
-  const json entries = protocol.document.value["session"].value("demonstrations", json::array());
+  const json entries = protocol.document.value.value("session", json::object())
+                           .value("demonstrations", json::array());
   std::set<std::string> ids;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string place = item("/session/demonstrations", i);
@@ -137,7 +174,7 @@ void check_gaze(const Protocol& protocol) {
   if (protocol.document.value.contains("gaze")) {
     return;
   }
-  for (const Condition& cell : cells(protocol.design)) {
+  for (const Condition& cell : shown_conditions(protocol.design)) {
     if (depends_on_gaze(scene_under(protocol, cell)["engine"])) {
       refuse(
           protocol.document, "",
@@ -153,9 +190,17 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
       check_frame_bound(protocol, bound, refresh_hz);
     }
   }
+  if (!protocol.document.value.contains("timing")) {
+    return;
+  }
   const json& fixation = protocol.document.value["timing"]["fixation_ms"];
   if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
     refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
+  }
+  if (!allow_rounding && protocol.script.two_interval &&
+      !on_grid(protocol.script.two_interval->between_ms * 1e-3, refresh_hz)) {
+    refuse(protocol.document, "/two_interval/between_ms",
+           off_grid_message(json(protocol.script.two_interval->between_ms), refresh_hz));
   }
 }
 

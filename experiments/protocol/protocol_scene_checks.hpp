@@ -11,6 +11,9 @@ namespace impetus {
 /// Whether `pointer` leads to a number, text or boolean of the scene.
 bool names_single_value(const nlohmann::json& scene, const std::string& pointer);
 
+/// What the scene's schema or the scene itself says against `scene`; "" when it can be shown.
+std::string complaint(const nlohmann::json& scene);
+
 /// Every level and every cell, put into the scene, leaves a scene that can be shown. Throws
 /// InputError.
 void check_levels(const Protocol& protocol);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_scenes.hpp"
 
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/intervals.hpp"
 
 namespace impetus {
 namespace {
@@ -15,8 +17,9 @@ std::string start_of(const PlannedTrial& trial) {
 }  // namespace
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  return build_scene(scene_under(*protocol_, trial.condition), screen, round_hold_to_hz_, *shapes_,
-                     start_of(trial));
+  nlohmann::json scene = scene_under(*protocol_, trial.condition);
+  put_into_scene(trial.solved, scene);
+  return build_scene(scene, screen, round_hold_to_hz_, *shapes_, start_of(trial), trial.seed);
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
@@ -34,6 +37,12 @@ StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeomet
 void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   for (const Condition& cell : cells(protocol_->design)) {
     static_cast<void>(stage(cell, screen));
+    if (protocol_->script.two_interval) {
+      static_cast<void>(stage(standard_of(cell, *protocol_->script.two_interval), screen));
+    }
+  }
+  for (const CatchTrials& kind : protocol_->design.catch_trials) {
+    static_cast<void>(stage(kind.condition, screen));
   }
   for (const Demonstration& demonstration : protocol_->script.demonstrations) {
     static_cast<void>(stage_demonstration(demonstration.id, screen));

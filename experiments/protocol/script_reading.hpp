@@ -8,7 +8,7 @@
 
 namespace impetus {
 
-/// `document` is the whole protocol.
+/// `document` is the whole protocol; where nobody takes part, only the title is read.
 Script script_from(const nlohmann::json& document);
 
 }  // namespace impetus

@@ -17,13 +17,14 @@ struct Node {
   Sphere bound;
 };
 
-std::vector<Node> nodes_at(const VolumeTree& tree, const Quaternion& orientation, int level) {
+std::vector<Node> nodes_at(const VolumeTree& tree, const Quaternion& orientation, int level,
+                           const Vector3& aside = Vector3::Zero()) {
   std::vector<Node> nodes;
   for (const std::int32_t index : tree.standing_at(level)) {
     const Volume volume = tree.volume(index);
     const Sphere bound = bounding_sphere(volume);
-    nodes.push_back({placed(volume, {Vector3::Zero(), orientation}),
-                     {orientation * bound.centre, bound.radius_m}});
+    nodes.push_back({placed(volume, {aside, orientation}),
+                     {orientation * bound.centre + aside, bound.radius_m}});
   }
   return nodes;
 }
@@ -79,14 +80,12 @@ std::optional<double> touching_separation(const Volume& a, const Volume& b, doub
   return std::nullopt;
 }
 
-}  // namespace
-
-MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_a,
-                             const VolumeTree& b, const Quaternion& orientation_b, int level) {
-  MeetingPlaces places{-a.bounding_radius_m(), b.bounding_radius_m()};
+/// The places at which the first of their nodes touch; none when all pass by.
+std::optional<MeetingPlaces> first_touch(const std::vector<Node>& nodes_a,
+                                         const std::vector<Node>& nodes_b) {
+  std::optional<MeetingPlaces> places;
   double furthest = -std::numeric_limits<double>::infinity();
-  const std::vector<Node> nodes_b = nodes_at(b, orientation_b, level);
-  for (const Node& node_a : nodes_at(a, orientation_a, level)) {
+  for (const Node& node_a : nodes_a) {
     for (const Node& node_b : nodes_b) {
       const double apart = touching_distance(node_a.bound, node_b.bound);
       const double separation = node_a.bound.centre.x() - node_b.bound.centre.x() + apart;
@@ -108,6 +107,21 @@ MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_
     }
   }
   return places;
+}
+
+}  // namespace
+
+MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_a,
+                             const VolumeTree& b, const Quaternion& orientation_b, int level,
+                             const Vector3& aside_b) {
+  return first_touch(nodes_at(a, orientation_a, level), nodes_at(b, orientation_b, level, aside_b))
+      .value_or(MeetingPlaces{-a.bounding_radius_m(), b.bounding_radius_m()});
+}
+
+bool can_meet(const VolumeTree& a, const Quaternion& orientation_a, const VolumeTree& b,
+              const Quaternion& orientation_b, int level, const Vector3& aside_b) {
+  return first_touch(nodes_at(a, orientation_a, level), nodes_at(b, orientation_b, level, aside_b))
+      .has_value();
 }
 
 }  // namespace impetus

@@ -17,8 +17,14 @@ struct MeetingPlaces {
 };
 
 /// Two trees with their centres of mass on the x axis, a on the negative side. Nodes without
-/// children stand in for deeper levels. When none can touch, the bounding spheres' places.
+/// children stand in for deeper levels. `aside_b` (its x is 0) moves b's line of approach away from
+/// the axis. When none can touch, the bounding spheres' places.
 MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_a,
-                             const VolumeTree& b, const Quaternion& orientation_b, int level);
+                             const VolumeTree& b, const Quaternion& orientation_b, int level,
+                             const Vector3& aside_b = Vector3::Zero());
+
+/// Whether any of their nodes touch on the way: otherwise they pass by.
+bool can_meet(const VolumeTree& a, const Quaternion& orientation_a, const VolumeTree& b,
+              const Quaternion& orientation_b, int level, const Vector3& aside_b);
 
 }  // namespace impetus

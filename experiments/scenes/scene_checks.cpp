@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "engine/starting_overlaps.hpp"
+#include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/scenes/scene_settings.hpp"
+#include "experiments/scenes/scene_spin.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 #include "experiments/scenes/shape_checks.hpp"
 #include "experiments/session/wall_names.hpp"
@@ -79,6 +82,7 @@ void add_crowd_problems(const json& scene, Problems& problems) {
   require_key(scene, "duration_s", "for a crowd", problems);
   refuse_key(scene, "bodies", "beside a crowd", problems);
   refuse_key(scene, "meeting", "beside a crowd", problems);
+  refuse_key(scene, "distractors", "beside a crowd", problems);
   if (problems.empty() && !crowd_has_room(scene)) {
     problems.push_back(
         {"/crowd/count", "expected as many bodies as the enclosure has room for, got " +
@@ -101,6 +105,9 @@ void add_free_problems(const json& scene, Problems& problems) {
             {place + "/" + key, "expected none for a body that is fixed, got " + body[key].dump()});
       }
     }
+  }
+  if (scene.contains("distractors")) {
+    problems.push_back({"/distractors", "expected none where no two bodies meet"});
   }
   if (scene.contains("enclosure") && scene["enclosure"].contains("edge_at_count")) {
     problems.push_back({"/enclosure/edge_at_count", "expected none without a crowd"});
@@ -130,6 +137,9 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   }
   add_enclosure_problems(scene, problems);
   add_tree_problems(scene["engine"], problems);
+  for (SceneProblem& problem : spin_problems(scene)) {
+    problems.push_back(std::move(problem));
+  }
   const json meshes = scene.value("meshes", json::object());
   if (scene.contains("crowd")) {
     add_shape_problems(scene["crowd"]["shape"], meshes, "/crowd/shape", problems);
@@ -149,6 +159,12 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   add_name_problems(scene, problems);
   if (scene.contains("meeting")) {
     add_meeting_problems(scene, problems);
+    if (problems.empty()) {
+      problems = meeting_problems(scene);
+    }
+    if (problems.empty()) {
+      problems = distractor_problems(scene);
+    }
     return problems;
   }
   add_free_problems(scene, problems);

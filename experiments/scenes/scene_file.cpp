@@ -10,57 +10,25 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
+#include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/embedded_schema.hpp"
-#include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/scenes/scene_settings.hpp"
+#include "experiments/scenes/scene_spin.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
 
-/// At contact the bodies overlap by this share of their distance: far below a pixel, far above what
-/// rounding could make of the way there, so contact falls on its step on every machine.
-constexpr double kTouchingOverlap = 1e-9;
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 double rounded_to_frames(double duration_s, double hz) {
   return std::floor(duration_s * hz + 0.5) / hz;
-}
-
-/// Starts a body `way_m` before the place where it touches, moving there along x.
-BodyState on_its_way(double mass_kg, const Quaternion& orientation, double touch_m, double way_m,
-                     double speed_m_s) {
-  const double side = touch_m < 0.0 ? -1.0 : 1.0;
-  BodyState state;
-  state.pose = {Vector3(touch_m * (1.0 - kTouchingOverlap) + side * way_m, 0.0, 0.0), orientation};
-  state.linear_momentum = Vector3(-side * speed_m_s * mass_kg, 0.0, 0.0);
-  return state;
-}
-
-double mass_of(const json& body, const BodyShape& shape) {
-  return body["density_kg_m3"].get<double>() * shape.unit_mass.mass_kg;
-}
-
-std::vector<BodyState> meeting_states(const json& scene, const SceneBodies& bodies,
-                                      double m_per_deg) {
-  const json& meeting = scene["meeting"];
-  const json& engine = scene["engine"];
-  const json& named = scene["bodies"];
-  const Quaternion turn_a = orientation_of(named[0]);
-  const Quaternion turn_b = orientation_of(named[1]);
-  const MeetingPlaces touch =
-      meeting_places(*bodies.models[0].tree, turn_a, *bodies.models[1].tree, turn_b,
-                     engine.value("level", engine.value("tree_depth", 0)));
-  const double speed_m_s = meeting["speed_deg_s"].get<double>() *
-                           meeting.value("speed_percent", 100.0) / 100.0 * m_per_deg;
-  const double way_m = speed_m_s * meeting["lead_s"].get<double>();
-  return {on_its_way(mass_of(named[0], *bodies.shapes[0]), turn_a, touch.a_m, way_m, speed_m_s),
-          on_its_way(mass_of(named[1], *bodies.shapes[1]), turn_b, touch.b_m, way_m, speed_m_s)};
 }
 
 std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies, double m_per_deg) {
@@ -92,11 +60,20 @@ std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const S
                        crowd["spin_deg_s"].get<double>() * kRadiansPerDegree});
 }
 
+/// The two that meet, then their distractors.
+std::vector<BodyState> meeting_states_of(const json& scene, const SceneBodies& bodies,
+                                         const Viewer& viewer, double hold_s, std::uint64_t seed) {
+  std::vector<BodyState> states = meeting_states(scene, viewer, bodies);
+  const auto others = distractor_states(scene, bodies, states, viewer, hold_s, seed);
+  if (!others) {
+    throw std::runtime_error("the distractors found no room");
+  }
+  states.insert(states.end(), others->begin(), others->end());
+  return states;
+}
+
 std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, double m_per_deg,
                                  const Viewer& viewer, const std::string& start) {
-  if (scene.contains("meeting")) {
-    return meeting_states(scene, bodies, m_per_deg);
-  }
   if (!scene.contains("crowd")) {
     return free_states(scene, bodies, m_per_deg);
   }
@@ -144,19 +121,26 @@ const std::vector<FrameBoundValue>& frame_bound_values() {
 }
 
 StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
-                        ShapeLibrary& library, const std::string& start) {
+                        ShapeLibrary& library, const std::string& start, std::uint64_t seed) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const json& engine = scene["engine"];
   const json imposed = scene.value("imposed", json::object());
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
   add_coarser_meshes(bodies.looks, library);
-  std::vector<BodyState> states = states_of(scene, bodies, m_per_deg, viewer, start);
-
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
+  std::vector<BodyState> states;
+  if (scene.contains("meeting")) {
+    add_distractors(scene, bodies);
+    add_shells(scene, viewer, bodies);
+    states = meeting_states_of(scene, bodies, viewer, realised_s, seed);
+  } else {
+    states = states_of(scene, bodies, m_per_deg, viewer, start);
+  }
   WorldSettings settings = engine_settings_of(scene);
+  settings.imposed_spin = imposed_spin_of(scene, seed);
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
   settings.schedule = schedule_of(engine, m_per_deg);

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -32,10 +33,11 @@ const std::vector<FrameBoundValue>& frame_bound_values();
 
 /// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
 /// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
-/// the same start. Precondition: `scene` is valid by schema and scene_problems() is empty.
+/// the same start. `seed` is the trial's: random spin and distractors are drawn with it.
+/// Precondition: `scene` is valid by schema and scene_problems() is empty.
 StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& screen,
                         double round_hold_to_hz, ShapeLibrary& library,
-                        const std::string& start = "preview");
+                        const std::string& start = "preview", std::uint64_t seed = 1);
 
 /// Whether a crowd finds room to start in, ten times out of ten. Precondition: the scene has a
 /// crowd and an enclosure.

@@ -61,7 +61,8 @@ struct Staircase {
 /// QUEST+ (Watson 2017): the level whose answer should take away most of the posterior's entropy.
 struct QuestPlus {
   enum class Function { kWeibull, kNormal };
-  /// The level's scale: as it is (p is Φ or Weibull of it), its decimal logarithm, or decibels.
+  /// What the level is counted in: as it is, its decimal logarithm, or decibels (20 log₁₀). Slopes
+  /// are exponents (Weibull) or standard deviations (normal). See session/psychometric.hpp.
   enum class Scale { kLinear, kLog10, kDecibel };
   Function function{Function::kWeibull};
   Scale scale{Scale::kLinear};
@@ -87,7 +88,8 @@ struct Design {
   std::int64_t practice_rounds{1};  ///< planned; later ones are for who needs them
   std::optional<Blocks> blocks{};
   std::vector<CatchTrials> catch_trials{};
-  std::optional<Adaptive> adaptive{};  ///< `repetitions` is then 1
+  std::optional<Adaptive> adaptive{};    ///< `repetitions` is then 1
+  std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
 
 /// Every cell of the design, the last factor varying fastest.

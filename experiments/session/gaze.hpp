@@ -25,6 +25,7 @@ struct GazeSample {
   std::int64_t taken_ns{0};  ///< of the session's clock
   Fixation at{};             ///< none: lost
   GazeLoss loss{GazeLoss::kNone};
+  std::int64_t interval{1};  ///< of a two-interval trial, during its first or second stimulus
 };
 
 class Gaze {

@@ -35,7 +35,8 @@ struct Field {
 struct Page {
   /// kText: paragraphs, then choices as buttons. kForm: fields to fill in as well. kScale: the
   /// choices are the points of a rating scale, side by side, with anchors under the two ends.
-  enum class Layout { kText, kForm, kScale };
+  /// kChoices: a question whose answers are large, side by side.
+  enum class Layout { kText, kForm, kScale, kChoices };
   Layout layout{Layout::kText};
   std::string title;
   std::vector<std::string> paragraphs;

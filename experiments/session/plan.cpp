@@ -2,39 +2,48 @@
 #include "experiments/session/plan.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <map>
+#include <utility>
 
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/session/adaptive_levels.hpp"
+#include "experiments/session/blocks.hpp"
+#include "experiments/session/catch_trials.hpp"
+#include "experiments/session/trial_order.hpp"
 
 namespace impetus {
 namespace {
 
-const LevelValue& level_of(const Condition& condition, const std::string& factor) {
-  return std::find_if(condition.begin(), condition.end(),
-                      [&](const FactorLevel& level) { return level.factor == factor; })
-      ->value;
-}
-
-bool respects(const std::vector<PlannedTrial>& trials, const LongestRun& rule) {
-  std::int64_t run = 0;
-  const LevelValue* previous = nullptr;
-  for (const PlannedTrial& trial : trials) {
-    const LevelValue& level = level_of(trial.condition, rule.factor);
-    run = previous != nullptr && *previous == level ? run + 1 : 1;
-    if (run > rule.longest) {
-      return false;
+Plan practice_trials(const Design& design) {
+  Plan plan;
+  for (std::int64_t round = 1; round <= design.practice_rounds; ++round) {
+    for (const Condition& condition : design.practice) {
+      plan.push_back({0, TrialPhase::kPractice, round, condition, 0});
     }
-    previous = &level;
   }
-  return true;
+  if (design.most_practice_trials > 0) {
+    const auto most = static_cast<std::size_t>(design.most_practice_trials);
+    plan.resize(std::min(plan.size(), most));
+  }
+  return plan;
 }
 
-bool respects_all(const std::vector<PlannedTrial>& trials, const std::vector<LongestRun>& rules) {
-  return std::all_of(rules.begin(), rules.end(),
-                     [&](const LongestRun& rule) { return respects(trials, rule); });
+std::vector<PlannedTrial> adaptive_trials(const Design& design) {
+  std::vector<PlannedTrial> trials;
+  const std::vector<TrackPlan> tracks = adaptive_tracks(design);
+  for (std::size_t track = 0; track < tracks.size(); ++track) {
+    for (std::int64_t trial = 1; trial <= design.adaptive->trials_per_track; ++trial) {
+      trials.push_back({0, TrialPhase::kMain, trial, tracks[track].condition, 0});
+      trials.back().track = static_cast<std::int64_t>(track);
+    }
+  }
+  return trials;
 }
 
 std::vector<PlannedTrial> main_trials(const Design& design) {
+  if (design.adaptive) {
+    return adaptive_trials(design);
+  }
   std::vector<PlannedTrial> trials;
   for (std::int64_t repetition = 1; repetition <= design.repetitions; ++repetition) {
     for (const Condition& cell : cells(design)) {
@@ -44,37 +53,35 @@ std::vector<PlannedTrial> main_trials(const Design& design) {
   return trials;
 }
 
-/// Shuffling until the rules hold draws every permitted order with the same probability, which
-/// repairing a bad order would not.
-void draw_order(std::vector<PlannedTrial>& trials, const std::vector<LongestRun>& rules,
-                RandomStream& stream) {
-  constexpr int kMostDraws = 100'000;
-  for (int draw = 0; draw < kMostDraws; ++draw) {
-    stream.shuffle(trials);
-    if (respects_all(trials, rules)) {
-      return;
+/// Trials of a track are alike until they are shown: the repetition is the number in the track.
+void number_tracks(TrialBlocks& blocks) {
+  std::map<std::int64_t, std::int64_t> shown;
+  for (std::vector<PlannedTrial>& block : blocks) {
+    for (PlannedTrial& trial : block) {
+      if (trial.track) {
+        trial.repetition = ++shown[*trial.track];
+      }
     }
   }
-  throw std::runtime_error("no order of the trials that keeps to the longest runs was found in " +
-                           std::to_string(kMostDraws) + " draws");
 }
 
 }  // namespace
 
 Plan make_plan(const Design& design, const PlanKey& key) {
   const std::string owner = key.protocol + "/" + key.participant;
-  RandomStream order(key.seed, "order/" + owner);
+  RandomStream order(key.seed, (design.adaptive ? "tracks/" : "order/") + owner);
+  RandomStream catches(key.seed, "catch trials/" + owner);
   RandomStream seeds(key.seed, "trial seeds/" + owner);
 
-  Plan plan;
-  for (std::int64_t round = 1; round <= design.practice_rounds; ++round) {
-    for (const Condition& condition : design.practice) {
-      plan.push_back({0, TrialPhase::kPractice, round, condition, 0});
-    }
+  TrialBlocks blocks = divided(main_trials(design), block_order(design, key));
+  draw_order(blocks, design.longest_runs, order);
+  number_tracks(blocks);
+  spread_catch_trials(blocks, design, catches);
+
+  Plan plan = practice_trials(design);
+  for (const std::vector<PlannedTrial>& block : blocks) {
+    plan.insert(plan.end(), block.begin(), block.end());
   }
-  std::vector<PlannedTrial> trials = main_trials(design);
-  draw_order(trials, design.longest_runs, order);
-  plan.insert(plan.end(), trials.begin(), trials.end());
   for (std::size_t index = 0; index < plan.size(); ++index) {
     plan[index].slot = static_cast<std::int64_t>(index) + 1;
     // 63 bits: an SQLite integer is signed.

@@ -46,9 +46,10 @@ struct PlanKey {
   std::uint64_t seed{0};
 };
 
-/// Practice in its given order, then every cell × repetition in an order drawn uniformly from
-/// those that satisfy the design's longest runs. Throws std::runtime_error when 100,000 draws
-/// found none.
+/// Practice in its given order, then every cell × repetition (or the trials of every adaptive
+/// track) block by block, in an order drawn uniformly from those that satisfy the design's longest
+/// runs, with the catch trials spread among them. Throws std::runtime_error when no such order was
+/// found, and InputError when the participant's code has no number for a Latin square.
 Plan make_plan(const Design& design, const PlanKey& key);
 
 }  // namespace impetus

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/dynamics/motion.hpp"
+#include "engine/scheduling/speed_metrics.hpp"
 
 namespace impetus {
 namespace {
@@ -20,6 +21,29 @@ std::optional<DeadlineWork> deadline_of(const WorkBudget& budget, const Clock* c
     throw std::invalid_argument("playback: a budget in milliseconds needs a clock");
   }
   return DeadlineWork(*clock, budget.ns_per_step);
+}
+
+/// The pair as schedulers measure it when its collision begins: where it is at the end of the step,
+/// as fast as it came.
+PairBounds bounds_of(const World& world, const std::vector<BodyState>& before,
+                     const BodyPair& bodies) {
+  const auto bound = [&](std::int32_t body) {
+    const auto index = static_cast<std::size_t>(body);
+    return Sphere{world.states()[index].pose.position,
+                  world.models()[index].tree->bounding_radius_m()};
+  };
+  const auto velocity_of = [&](std::int32_t body) {
+    const auto index = static_cast<std::size_t>(body);
+    return velocity(world.models()[index], before[index]);
+  };
+  const std::int32_t b = is_wall(bodies.b) ? bodies.a : bodies.b;
+  return {bodies, bound(bodies.a), bound(b), velocity_of(bodies.a), velocity_of(b)};
+}
+
+/// The mean projected speed of both bodies; a wall stands still.
+double mean_speed_deg_s(const PairBounds& pair, const Viewer& viewer) {
+  return is_wall(pair.pair.b) ? 0.5 * angular_speed_deg_s(viewer, pair.a.centre, pair.velocity_a)
+                              : mean_seen_speed_deg_s(pair, viewer);
 }
 
 }  // namespace
@@ -60,6 +84,9 @@ void Playback::step_once() {
       collisions_.push_back(record_of(step, collision));
     }
   }
+  if (!keeps_digests_) {
+    report.state.bodies = {};
+  }
   steps_.push_back(impetus::record_of(step, gaze_, std::move(report)));
 }
 
@@ -85,6 +112,14 @@ CollisionRecord Playback::record_of(std::int64_t step, const CollisionReport& co
   record.pose_b = pose_of(collision.bodies.b);
   record.no_spin = scene_.no_spin;
   record.eccentricity_deg = from({});
+  record.distance_m = (point - viewer.eye).norm();
+  const PairBounds pair = bounds_of(scene_.world, before_, collision.bodies);
+  record.speed_deg_s = mean_speed_deg_s(pair, viewer);
+  record.collision_speed_deg_s = CollisionSpeedMetric().measure(pair, viewer, gaze_.fixation);
+  record.priority = collision.measured;
+  if (collision.imposed_spin) {
+    record.imposed_spin = scene_.world.settings().imposed_spin->spin;
+  }
   if (gaze_.fixation) {
     record.gaze_eccentricity_deg = from(*gaze_.fixation);
   }

@@ -25,6 +25,9 @@ class Playback {
   /// What the participant looks at from the next step on; the region is the playback's own.
   void look_at(const GazeInput& gaze) { gaze_ = gaze; }
 
+  /// From now on the records of steps are without the digests of bodies; hashes stay.
+  void drop_digests() { keeps_digests_ = false; }
+
   /// The poses at `time_s` from onset. Time must not go back by more than a step.
   std::vector<Pose> poses_at(double time_s);
 
@@ -49,6 +52,7 @@ class Playback {
   std::vector<BodyState> before_;
   std::vector<StepRecord> steps_;
   std::vector<CollisionRecord> collisions_;
+  bool keeps_digests_{true};
 };
 
 /// The record of one step, from what it was told and what it reported.

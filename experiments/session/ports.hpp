@@ -85,14 +85,15 @@ struct Answer {
   std::int64_t arrived_ns{0};              ///< own stamp when the event was taken from the queue
   std::int64_t arrival_uncertainty_ns{0};  ///< the event may have arrived this much earlier
   std::int64_t late_frames{0};             ///< late flips while the page was up
+  bool timed_out{false};                   ///< nothing came in the page's time; device is "none"
 };
 
 class Input {
  public:
   virtual ~Input() = default;
 
-  /// Shows a page until it is answered, the pause key is pressed (where the page allows it) or
-  /// the display closes.
+  /// Shows a page until it is answered, its time is up, the pause key is pressed (where the page
+  /// allows it) or the display closes.
   virtual Answer ask(const Page& page) = 0;
 
   /// Whether a pause was asked for, or the display closed, since the last call. Called once per
@@ -100,11 +101,11 @@ class Input {
   virtual Interruption interruption() = 0;
 
   /// Clicks since the last call, in order. Called once per frame of a stimulus that asks for them
-  /// and once more after witnessed(); what was clicked before its first frame is forgotten.
+  /// and once more after witnessed(); what was clicked before the first stimulus is forgotten.
   virtual std::vector<ClickRecord> take_clicks() { return {}; }
 
-  /// Tells what a trial showed, before its question is asked. A simulated participant judges by
-  /// it; a person has seen it.
+  /// Tells what a trial showed, before its questions are asked; of two intervals, one after the
+  /// other (the frames say which). A simulated participant judges by it; a person has seen it.
   virtual void witnessed(const AttemptRecord& shown, const StagedScene& scene) {
     static_cast<void>(shown);
     static_cast<void>(scene);
@@ -134,6 +135,8 @@ class Recorder {
   virtual void save(QuestionRecord answer) = 0;
   /// Hands over a remark about the session ("pause", "quit", ...); returns at once.
   virtual void save(NoteRecord note) = 0;
+  /// Hands over an adaptive trial's level, before the trial is shown; returns at once.
+  virtual void save(ChosenLevel chosen) = 0;
   /// Marks that this participant has done everything the protocol asks; returns at once.
   virtual void mark_finished() = 0;
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "experiments/session/response_kinds.hpp"
+
 namespace impetus {
 namespace {
 
@@ -10,7 +12,9 @@ namespace {
 struct LevelTally {
   double ratings{0.0};
   std::int64_t clicks{0};
-  std::int64_t trials{0};
+  std::int64_t rated{0};
+
+  [[nodiscard]] double mean() const { return ratings / static_cast<double>(rated); }
 };
 
 LevelTally tally(const std::string& factor, const LevelValue& level,
@@ -21,15 +25,26 @@ LevelTally tally(const std::string& factor, const LevelValue& level,
         trial.condition.begin(), trial.condition.end(),
         [&](const FactorLevel& at) { return at.factor == factor && at.value == level; });
     if (counts) {
-      tally.ratings += static_cast<double>(trial.rating);
+      tally.ratings += static_cast<double>(trial.rating.value_or(0));
+      tally.rated += trial.rating ? 1 : 0;
       tally.clicks += trial.clicks;
-      ++tally.trials;
     }
   }
   return tally;
 }
 
 }  // namespace
+
+PracticeResult practice_result(const Condition& condition, const AttemptRecord& record) {
+  PracticeResult result;
+  result.condition = condition;
+  if (!record.ratings.empty()) {
+    result.rating = record.ratings.front().rating;
+  }
+  result.clicks = static_cast<std::int64_t>(record.clicks.size());
+  result.right = answered_right(record);
+  return result;
+}
 
 std::vector<std::string> missing_in_practice(const PracticeRule& rule, const Script& script,
                                              const std::vector<PracticeResult>& round) {
@@ -41,14 +56,26 @@ std::vector<std::string> missing_in_practice(const PracticeRule& rule, const Scr
         "You did not click in the simulations in which every collision was bad. Please click as "
         "soon as you see a bad collision.");
   }
-  const double best_mean = best.ratings / static_cast<double>(best.trials);
-  const double worst_mean = worst.ratings / static_cast<double>(worst.trials);
-  const bool high_is_good = script.scale.best == script.scale.maximum;
-  if (high_is_good ? best_mean <= worst_mean : best_mean >= worst_mean) {
+  const bool both_rated = best.rated > 0 && worst.rated > 0;
+  const bool high_is_good = script.scale->best == script.scale->maximum;
+  const double better = high_is_good ? best.mean() - worst.mean() : worst.mean() - best.mean();
+  if (!both_rated || better <= 0.0) {
     missing.push_back("You did not rate the best simulations better than the worst. " +
-                      std::to_string(script.scale.best) + " is for the best.");
+                      std::to_string(script.scale->best) + " is for the best.");
   }
   return missing;
+}
+
+std::int64_t right_of_last(std::int64_t of, const std::vector<PracticeResult>& results) {
+  const auto most = static_cast<std::ptrdiff_t>(results.size());
+  const auto last = std::min<std::ptrdiff_t>(of, most);
+  return std::count_if(results.end() - last, results.end(),
+                       [](const PracticeResult& trial) { return trial.right.value_or(false); });
+}
+
+bool is_trained(const TrainingRule& rule, const std::vector<PracticeResult>& results) {
+  return static_cast<std::int64_t>(results.size()) >= rule.of &&
+         right_of_last(rule.of, results) >= rule.right;
 }
 
 }  // namespace impetus

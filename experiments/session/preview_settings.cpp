@@ -126,6 +126,7 @@ ThresholdRange threshold_range(const std::string& scheduler) {
       {"eccentricity", {"°", 0.0, 30.0}},
       {"gap", {"m", 0.2, 0.0}},
       {"gap-bound", {"m", 0.1, 0.0}},
+      {"projected-centres", {"°", 15.0, 0.0}},
       {"projected-gap", {"°", 15.0, 0.0}},
       {"size", {"°", 15.0, 0.0}},
       {"velocity", {"°/s", 0.0, 60.0}},

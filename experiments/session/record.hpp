@@ -39,12 +39,6 @@ struct StepRecord {
   std::int64_t interval{1};       ///< of a two-interval trial, its first or second stimulus
 };
 
-/// A manipulation that is not physics: added to the angular velocity of both bodies (rad/s).
-struct ImposedSpin {
-  Eigen::Vector3d a{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d b{Eigen::Vector3d::Zero()};
-};
-
 /// One pair in contact, at the step in which that began.
 struct CollisionRecord {
   std::int64_t step{0};
@@ -103,7 +97,8 @@ struct ClickRecord {
   std::int64_t interval{1};
 };
 
-/// One answer to a question of a trial other than a rating. See experiments/session/responses/.
+/// One answer to a question of a trial other than a rating, or that none came, to any question.
+/// See experiments/session/responses/.
 struct ResponseRecord {
   std::string kind;
   std::string question;
@@ -125,13 +120,13 @@ struct AttemptRecord {
   std::int64_t slot{0};
   std::int64_t number{1};
   AttemptOutcome outcome{AttemptOutcome::kInterrupted};
-  std::int64_t onset_ns{0};             ///< flip of the first frame of the stimulus
+  std::int64_t onset_ns{0};             ///< flip of the first frame of the (first) stimulus
   std::vector<std::string> body_names;  ///< by index in the world
   WallNaming wall_naming{WallNaming::kAxes};
   std::vector<StepRecord> steps;
   std::vector<CollisionRecord> collisions;
   std::vector<FrameRecord> frames;
-  std::vector<RatingRecord> ratings;  ///< none when interrupted
+  std::vector<RatingRecord> ratings;  ///< none when interrupted before, or timed out
   std::vector<ClickRecord> clicks;
   std::string gaze_source;  ///< "" when gaze was not followed
   std::vector<GazeSample> gaze;

@@ -24,6 +24,7 @@ struct RatingScale {
   std::int64_t best{1};  ///< which end is good: minimum or maximum
   std::string low_anchor;
   std::string high_anchor;
+  double timeout_ms{0.0};  ///< 0: none
 };
 
 /// When practice is understood: something was clicked in a round's trials of the worst level (where
@@ -128,7 +129,7 @@ struct Script {
   std::int64_t break_every{0};  ///< main trials; 0: no breaks
   std::vector<FreeQuestion> questions;
   Text thanks;
-  RatingScale scale;
+  std::optional<RatingScale> scale{};
   TrialTiming timing;
   std::optional<ClickTask> clicks;
   std::optional<GazeTask> gaze;

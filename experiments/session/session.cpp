@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/session/adaptive_levels.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/demonstration.hpp"
 #include "experiments/session/gaze_latency.hpp"
@@ -15,15 +16,32 @@ namespace {
 
 constexpr const char* kConsentId = "consent";
 
+/// The tracks as the answers of earlier sessions left them.
+AdaptiveLevels levels_after(const SessionHistory& history, const Plan& plan, const Design& design) {
+  AdaptiveLevels levels(design);
+  for (const PlannedTrial& trial : plan) {
+    if (history.completed_slots.contains(trial.slot)) {
+      const auto answer = history.counted_answers.find(trial.slot);
+      levels.take(trial, answer == history.counted_answers.end()
+                             ? std::nullopt
+                             : std::optional<bool>(answer->second));
+    }
+  }
+  return levels;
+}
+
 /// Every stage returns whether the session goes on; when it does not, `talk_` knows why.
 class Session {
  public:
-  Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports)
+  Session(const Script& script, const Plan& plan, const SessionHistory& history, const Ports& ports,
+          const Design& design)
       : script_(script),
         history_(history),
         ports_(ports),
         standing_(plan, history),
-        talk_(ports.input, ports.recorder, standing_) {}
+        talk_(ports.input, ports.recorder, standing_),
+        design_(design),
+        levels_(levels_after(history, plan, design)) {}
 
   SessionResult run() {
     const bool finished = welcome() && ask_consent() && ask_demographics() && instruct() &&
@@ -79,15 +97,45 @@ class Session {
     return true;
   }
 
-  /// Demonstrations, then rounds of practice until one was understood; nothing once main trials
-  /// have begun.
+  /// Demonstrations, then practice; nothing once main trials have begun.
   bool practise() {
-    if (standing_.main_has_begun()) {
-      return true;
+    const bool goes_on = standing_.main_has_begun() ||
+                         (demonstrate() && (script_.training_rule ? train() : practise_rounds()));
+    if (goes_on) {
+      standing_.end_practice();
     }
-    if (!demonstrate()) {
+    return goes_on;
+  }
+
+  /// Practice trials until enough of the last ones were answered right, or none is left.
+  bool train() {
+    const TrainingRule& rule = *script_.training_rule;
+    const PhaseTrials trials = standing_.trials_of(TrialPhase::kPractice, 0);
+    std::int64_t done = trials.total - static_cast<std::int64_t>(trials.waiting.size());
+    if (is_trained(rule, standing_.practice_results(0))) {
+      return true;  // in an earlier session
+    }
+    if (!trials.waiting.empty() && !ask(training_intro(rule, progress()))) {
       return false;
     }
+    for (const PlannedTrial* trial : trials.waiting) {
+      standing_.begin_round(trial->repetition);
+      const SessionProgress here =
+          standing_.trial_progress(TrialPhase::kPractice, ++done, trials.total, true);
+      if (!run_trial(*trial, here) || !after_trial(TrialPhase::kPractice, done, trials.total)) {
+        return false;
+      }
+      if (is_trained(rule, standing_.practice_results(0))) {
+        return ask(training_over(right_of_last(rule.of, standing_.practice_results(0)), rule.of,
+                                 progress()))
+            .has_value();
+      }
+    }
+    return ask_whether_to_go_on();
+  }
+
+  /// Rounds of practice until one was understood.
+  bool practise_rounds() {
     const std::int64_t last_round = standing_.last_round();
     for (std::int64_t round = 1; round <= last_round; ++round) {
       standing_.begin_round(round);
@@ -164,8 +212,21 @@ class Session {
     return true;
   }
 
+  /// The trial as it is shown: an adaptive one gets its level, which is handed over to be stored
+  /// unless an earlier session did so.
+  PlannedTrial with_level(const PlannedTrial& planned) {
+    PlannedTrial trial = planned;
+    if (trial.track && !has_its_level(trial, design_)) {
+      ChosenLevel chosen = levels_.choose(trial);
+      trial.condition = chosen.condition;
+      ports_.recorder.save(std::move(chosen));
+    }
+    return trial;
+  }
+
   /// Shows a trial until it is completed; after a pause it starts again from the interval.
-  bool run_trial(const PlannedTrial& trial, const SessionProgress& here) {
+  bool run_trial(const PlannedTrial& planned, const SessionProgress& here) {
+    const PlannedTrial trial = with_level(planned);
     std::int64_t number = standing_.attempts_before(trial.slot);
     while (true) {
       AttemptResult attempt = run_attempt(trial, ++number, script_, here, ports_);
@@ -184,9 +245,15 @@ class Session {
   }
 
   void note_completed(const PlannedTrial& trial, const AttemptRecord& record) {
-    last_ = {trial.condition, record.ratings.front().rating,
-             static_cast<std::int64_t>(record.clicks.size())};
-    standing_.complete(trial, last_.rating, last_.clicks);
+    const PracticeResult result = practice_result(trial.condition, record);
+    if (trial.phase == TrialPhase::kPractice) {
+      feedback_ = practice_feedback(script_, record, progress());
+      if (result.rating) {
+        ++practice_use_[*result.rating];
+      }
+    }
+    standing_.complete(trial, result);
+    levels_.take(trial, counted_answer(record));
     const double latency_ms = record.gaze_latency_p95_ms.value_or(0.0);
     result_.slow_gaze_trials += latency_ms > kWarnedGazeLatency_ms ? 1 : 0;
     result_.late_gaze_trials += latency_ms > kMarkedGazeLatency_ms ? 1 : 0;
@@ -194,8 +261,10 @@ class Session {
 
   bool after_trial(TrialPhase phase, std::int64_t done, std::int64_t total) {
     if (phase == TrialPhase::kPractice) {
-      ++practice_use_[last_.rating];
-      return ask(practice_feedback(script_, last_.rating, last_.clicks, progress())).has_value();
+      if (feedback_) {
+        feedback_->progress = progress();
+      }
+      return !feedback_ || ask(*feedback_).has_value();
     }
     const bool break_due = script_.break_every > 0 && done % script_.break_every == 0;
     if (!break_due || done == total) {
@@ -207,9 +276,9 @@ class Session {
 
   bool summarise_practice() {
     if (practice_use_.empty()) {
-      return true;  // all of it was done in an earlier session
+      return true;  // all of it was done in an earlier session, or nothing was rated
     }
-    return ask(practice_summary(script_.scale, practice_use_, progress())).has_value();
+    return ask(practice_summary(*script_.scale, practice_use_, progress())).has_value();
   }
 
   bool ask_questions() {
@@ -244,15 +313,17 @@ class Session {
   SessionStanding standing_;
   Conversation talk_;
   std::map<std::int64_t, std::int64_t> practice_use_;  ///< how often each rating was given
-  PracticeResult last_;
+  std::optional<Page> feedback_;                       ///< on the last practice trial
   SessionResult result_;
+  const Design& design_;
+  AdaptiveLevels levels_;
 };
 
 }  // namespace
 
 SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
-                          const Ports& ports) {
-  return Session(script, plan, history, ports).run();
+                          const Ports& ports, const Design& design) {
+  return Session(script, plan, history, ports, design).run();
 }
 
 }  // namespace impetus

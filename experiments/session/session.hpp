@@ -19,11 +19,12 @@ struct SessionResult {
 };
 
 /// Welcomes, asks consent and demographics, instructs, demonstrates, practises (until it is
-/// understood, where the script says so, or a person decides), runs the trials with breaks,
-/// asks the questions, thanks. What `history` has is not asked or shown again; instructions are.
-/// Everything acknowledged is on disk before the next trial is shown. Throws what the recorder
+/// understood, or enough answers were right, where the script says so, or a person decides), runs
+/// the trials with breaks, asks the questions, thanks. What `history` has is not asked or shown
+/// again; instructions are. Everything acknowledged is on disk before the next trial is shown.
+/// `design`, of which `plan` was made, is needed where it is adaptive. Throws what the recorder
 /// throws.
 SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
-                          const Ports& ports);
+                          const Ports& ports, const Design& design = {});
 
 }  // namespace impetus

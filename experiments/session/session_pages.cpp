@@ -3,12 +3,19 @@
 
 #include <string>
 
+#include "experiments/session/response_kinds.hpp"
+
 namespace impetus {
 namespace {
 
 std::string quoted(const std::string& words) { return "“" + words + "”"; }
 
-/// "“Very believable”", or where the point lies between the two anchors.
+std::string times(std::int64_t count) {
+  return count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+}  // namespace
+
 std::string meaning_of(const RatingScale& scale, std::int64_t rating) {
   if (rating == scale.minimum) {
     return quoted(scale.low_anchor);
@@ -18,12 +25,6 @@ std::string meaning_of(const RatingScale& scale, std::int64_t rating) {
   }
   return "between " + quoted(scale.low_anchor) + " and " + quoted(scale.high_anchor);
 }
-
-std::string times(std::int64_t count) {
-  return count == 1 ? "once" : std::to_string(count) + " times";
-}
-
-}  // namespace
 
 Text welcome_back(std::int64_t completed_trials) {
   return {"Welcome back",
@@ -70,22 +71,42 @@ Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
       progress);
 }
 
+Page training_intro(const TrainingRule& rule, const SessionProgress& progress) {
+  return text_page(
+      {"Practice",
+       {"First, trials to get used to the task: they do not count. After each you are told whether "
+        "your answer was right.",
+        "Practice ends when " + std::to_string(rule.right) + " of the last " +
+            std::to_string(rule.of) + " answers were right."}},
+      progress);
+}
+
 Page demonstration_over(const Text& text, const SessionProgress& progress) {
   Page page = text_page({"That was: " + text.title, {}}, progress);
   page.choices = {{"Continue", "space"}, {"See it again", "a"}};
   return page;
 }
 
-Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
-                       const SessionProgress& progress) {
-  Text text{"You answered " + std::to_string(rating), {}};
-  if (script.clicks) {
-    text.paragraphs.push_back(clicks == 0 ? "You did not click."
-                                          : "You clicked " + times(clicks) + ".");
+std::optional<Page> practice_feedback(const Script& script, const AttemptRecord& record,
+                                      const SessionProgress& progress) {
+  Text text;
+  for (const ResponseKind& kind : response_kinds()) {
+    if (!kind.is_asked(script) || kind.feedback == nullptr) {
+      continue;
+    }
+    const Text words = kind.feedback(script, record);
+    if (text.title.empty()) {
+      text.title = words.title;
+    } else if (!words.title.empty()) {
+      text.paragraphs.push_back(words.title + ".");
+    }
+    text.paragraphs.insert(text.paragraphs.end(), words.paragraphs.begin(), words.paragraphs.end());
   }
-  text.paragraphs.push_back("On the scale, " + std::to_string(rating) + " means " +
-                            meaning_of(script.scale, rating) + ".");
-  if (!script.practice_rule) {  // which would ask for better ones
+  if (text.title.empty() && text.paragraphs.empty()) {
+    return std::nullopt;
+  }
+  text.title = text.title.empty() ? "Practice" : text.title;
+  if (!script.practice_rule && !has_right_answers(script)) {  // which would ask for better ones
     text.paragraphs.emplace_back(
         "There are no right or wrong answers: it is how it looked to you.");
   }
@@ -120,6 +141,13 @@ Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std
                                 ? "You used one point only. The whole scale is there for you."
                                 : "Use the whole scale in the same way from now on.");
   return text_page(text, progress);
+}
+
+Page training_over(std::int64_t right, std::int64_t of, const SessionProgress& progress) {
+  return text_page({"Practice is over",
+                    {"You answered " + std::to_string(right) + " of the last " +
+                     std::to_string(of) + " right."}},
+                   progress);
 }
 
 Page break_page(const Text& text, std::int64_t done, std::int64_t total,

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <string>
 
 #include "experiments/session/page.hpp"
 #include "experiments/session/plan.hpp"
+#include "experiments/session/record.hpp"
 #include "experiments/session/script.hpp"
 
 namespace impetus {
@@ -14,6 +17,9 @@ inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
 inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
 
+/// "“Very believable”", or where the point lies between the two anchors.
+std::string meaning_of(const RatingScale& scale, std::int64_t rating);
+
 Text welcome_back(std::int64_t completed_trials);
 Page text_page(const Text& text, const SessionProgress& progress);
 Page consent_page(const Text& text, const SessionProgress& progress);
@@ -21,14 +27,17 @@ Page demographics_page(const std::vector<Field>& fields, const SessionProgress& 
 /// Before the trials of a phase; `round` is of practice, 1 for the first.
 Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
                  const SessionProgress& progress);
+/// Before training.
+Page training_intro(const TrainingRule& rule, const SessionProgress& progress);
 
 /// After a demonstration: on, or the same again.
 Page demonstration_over(const Text& text, const SessionProgress& progress);
 
-/// After each practice trial: what the answer meant on the scale and how often was clicked (where
-/// clicks are asked for), never whether it was right.
-Page practice_feedback(const Script& script, std::int64_t rating, std::int64_t clicks,
-                       const SessionProgress& progress);
+/// After each practice trial: what was answered and what that meant, how often was clicked (where
+/// clicks are asked for), and right or wrong where there is a right answer. Nothing where nothing
+/// can be said, as of free words.
+std::optional<Page> practice_feedback(const Script& script, const AttemptRecord& record,
+                                      const SessionProgress& progress);
 
 /// After a round of practice that was not understood, with another to come: what was missing.
 Page practice_again(const std::vector<std::string>& missing, const SessionProgress& progress);
@@ -39,6 +48,9 @@ Page practice_not_understood(const SessionProgress& progress);
 /// After practice: how often each point was used, and a reminder when only one was.
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
                       const SessionProgress& progress);
+
+/// After training: how many of the last answers were right.
+Page training_over(std::int64_t right, std::int64_t of, const SessionProgress& progress);
 
 Page break_page(const Text& text, std::int64_t done, std::int64_t total,
                 const SessionProgress& progress);

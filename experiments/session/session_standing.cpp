@@ -5,11 +5,10 @@
 
 namespace impetus {
 
-void SessionStanding::complete(const PlannedTrial& trial, std::int64_t rating,
-                               std::int64_t clicks) {
+void SessionStanding::complete(const PlannedTrial& trial, const PracticeResult& result) {
   newly_completed_.insert(trial.slot);
   if (trial.phase == TrialPhase::kPractice) {
-    practice_[trial.slot] = {trial.condition, rating, clicks};
+    practice_[trial.slot] = result;
   }
 }
 
@@ -31,9 +30,10 @@ std::vector<PracticeResult> SessionStanding::practice_results(std::int64_t round
   std::vector<PracticeResult> results;
   for (const PlannedTrial& trial : plan_) {
     const auto found = practice_.find(trial.slot);
-    if (trial.phase == TrialPhase::kPractice && trial.repetition == round &&
+    if (trial.phase == TrialPhase::kPractice && (round == 0 || trial.repetition == round) &&
         found != practice_.end()) {
-      results.push_back({trial.condition, found->second.rating, found->second.clicks});
+      results.push_back(found->second);
+      results.back().condition = trial.condition;
     }
   }
   return results;
@@ -70,10 +70,10 @@ SessionProgress SessionStanding::progress() const {
 }
 
 SessionProgress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,
-                                                std::int64_t total) const {
+                                                std::int64_t total, bool at_most) const {
   SessionProgress here = progress();
   here.label = std::string(phase == TrialPhase::kPractice ? "Practice " : "Trial ") +
-               std::to_string(number) + " of " + std::to_string(total);
+               std::to_string(number) + (at_most ? " of at most " : " of ") + std::to_string(total);
   return here;
 }
 

@@ -21,6 +21,7 @@ struct SessionHistory {
   std::set<std::string> answered;                   ///< ids of questions outside trials
   std::map<std::int64_t, PracticeResult> practice;  ///< of completed ones by slot; no conditions
   bool resumed{false};
+  std::map<std::int64_t, bool> counted_answers;  ///< to adaptive trials, by slot; none: timed out
 };
 
 /// The trials of one phase, or of one round of practice, in the order of the plan.
@@ -35,16 +36,19 @@ class SessionStanding {
   SessionStanding(const Plan& plan, const SessionHistory& history)
       : plan_(plan), history_(history), practice_(history.practice) {}
 
-  /// The trial is done, with this rating and so many clicks.
-  void complete(const PlannedTrial& trial, std::int64_t rating, std::int64_t clicks);
+  /// The trial is done, with this result.
+  void complete(const PlannedTrial& trial, const PracticeResult& result);
 
   /// Practice has come to this round; later ones may never be needed.
   void begin_round(std::int64_t round) { round_ = round; }
 
+  /// What of practice is not done by now will not be.
+  void end_practice() { round_ = 0; }
+
   /// `round` of practice; 0 for all rounds, and for the main trials.
   [[nodiscard]] PhaseTrials trials_of(TrialPhase phase, std::int64_t round) const;
 
-  /// What was done in a round of practice, in whatever session.
+  /// What was done in a round of practice, 0 for all, in whatever session; in the plan's order.
   [[nodiscard]] std::vector<PracticeResult> practice_results(std::int64_t round) const;
 
   [[nodiscard]] bool main_has_begun() const;
@@ -54,9 +58,9 @@ class SessionStanding {
 
   /// Of the trials that are expected: rounds of practice after the present one are not.
   [[nodiscard]] SessionProgress progress() const;
-  /// The same, labelled "Practice 2 of 6" or "Trial 12 of 81".
+  /// The same, labelled "Practice 2 of 6" ("of at most 60", in training) or "Trial 12 of 81".
   [[nodiscard]] SessionProgress trial_progress(TrialPhase phase, std::int64_t number,
-                                               std::int64_t total) const;
+                                               std::int64_t total, bool at_most = false) const;
 
  private:
   [[nodiscard]] bool is_completed(std::int64_t slot) const;

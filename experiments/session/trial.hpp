@@ -1,4 +1,4 @@
-// One attempt at a trial: interval, fixation, stimulus, question.
+// One attempt at a trial: interval, one stimulus or two, questions.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -25,9 +25,10 @@ struct AttemptResult {
 };
 
 /// Shows the interval (during which the trial before is being saved), waits until it is saved,
-/// then shows fixation and stimulus and asks for the rating. Each frame shows the state for its
-/// scheduled time, so every participant sees the same frames. Where the script asks for it, clicks
-/// are kept and the gaze is followed during the stimulus. Throws what the recorder throws.
+/// then shows fixation and stimulus (where two intervals are asked for, both, with a blank between)
+/// and asks the script's questions. Each frame shows the state for its scheduled time, so every
+/// participant sees the same frames. Where the script asks for it, clicks are kept and the gaze is
+/// followed during the stimulus. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
                           const SessionProgress& progress, const Ports& ports);
 

@@ -75,6 +75,52 @@ std::optional<std::size_t> draw_points(const Page& page, const Column& column,
   return clicked;
 }
 
+float widest_label(const Page& page) {
+  float width_px = 0.0F;
+  for (const Choice& choice : page.choices) {
+    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
+  }
+  return width_px;
+}
+
+/// The largest letters in which every label fits its share of the column.
+ImFont* font_for_choices(const Gui& gui, const Page& page, float width_px) {
+  const Fonts& fonts = gui.fonts();
+  for (ImFont* font : {fonts.title[0], fonts.body[0], fonts.body[1]}) {
+    ImGui::PushFont(font);
+    const bool fits = widest_label(page) <= width_px;
+    ImGui::PopFont();
+    if (fits) {
+      return font;
+    }
+  }
+  return fonts.body[kReadingSizes - 1];
+}
+
+/// Side by side and of one size; one below the other when their words are long.
+std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
+                                              const Column& column, const ChoiceMarks& marks) {
+  const float gap_px = std::round(1.2F * ImGui::GetFontSize());
+  const auto count = static_cast<float>(page.choices.size());
+  const float share_px = std::floor((column.width - (count - 1.0F) * gap_px) / count);
+  ImGui::PushFont(font_for_choices(gui, page, share_px));
+  const bool abreast = widest_label(page) <= share_px;
+  const ImVec2 size_px(abreast ? share_px : column.width, std::round(3.0F * ImGui::GetFontSize()));
+  std::optional<std::size_t> clicked;
+  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    ImGui::SetCursorScreenPos(at);
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+    at.x += abreast ? size_px.x + gap_px : 0.0F;
+    at.y += abreast ? 0.0F : size_px.y + gap_px;
+  }
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos(ImVec2(column.left, abreast ? at.y + size_px.y : at.y - gap_px));
+  return clicked;
+}
+
 void draw_anchors(const Gui& gui, const Page& page, const Column& column) {
   ImFont* font = gui.fonts().body[1];
   const float width_px = 0.42F * column.width;
@@ -97,8 +143,9 @@ float part_gap() { return std::round(0.9F * ImGui::GetFontSize()); }
 
 void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
   const Column column = reading_column(gui);
-  const bool is_scale = page.layout == Page::Layout::kScale;
-  const Align align = is_scale ? Align::kCentre : Align::kLeft;
+  const bool is_centred =
+      page.layout == Page::Layout::kScale || page.layout == Page::Layout::kChoices;
+  const Align align = is_centred ? Align::kCentre : Align::kLeft;
   if (!page.title.empty()) {
     draw_text(page.title, gui.fonts().title[reading_size], palette::kText, column.width, align);
     move_down(part_gap());
@@ -113,6 +160,10 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
                                         const ChoiceMarks& marks) {
   const Column column = reading_column(gui);
   move_down(part_gap());
+  if (page.layout == Page::Layout::kChoices) {
+    move_down(part_gap());
+    return draw_large_choices(gui, page, column, marks);
+  }
   if (page.layout != Page::Layout::kScale) {
     return draw_rows(page, column, marks);
   }

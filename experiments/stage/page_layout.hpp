@@ -30,8 +30,8 @@ struct ChoiceMarks {
 /// Title and paragraphs, from the cursor down.
 void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
 
-/// The choices as buttons in rows, or as the points of a scale with its anchors. Returns the one
-/// that was clicked.
+/// The choices as buttons in rows, as the points of a scale with its anchors, or large and side by
+/// side. Returns the one that was clicked.
 std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
 
 }  // namespace impetus

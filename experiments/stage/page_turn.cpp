@@ -16,7 +16,7 @@ Answer PageTurn::ask() {
     return answer_;
   }
   while (!canvas_.events.closed()) {
-    if (take_events() || take_click(draw_and_flip())) {
+    if (take_events() || take_click(draw_and_flip()) || time_is_up()) {
       static_cast<void>(canvas_.events.take_pause_request());
       answer_.fields = view_.answers();
       return answer_;
@@ -24,6 +24,23 @@ Answer PageTurn::ask() {
   }
   answer_.interruption = Interruption::kDisplayClosed;
   return answer_;
+}
+
+double PageTurn::elapsed_ms() const {
+  return static_cast<double>(last_flip_ns_ - answer_.shown_ns) / 1e6;
+}
+
+/// What was pressed while the last frame was waited for still counts.
+bool PageTurn::time_is_up() {
+  if (page_.timeout_ms <= 0.0 || elapsed_ms() < page_.timeout_ms) {
+    return false;
+  }
+  if (!take_events()) {
+    answer_.timed_out = true;
+    answer_.device = "none";
+    answer_.arrived_ns = last_flip_ns_;
+  }
+  return true;
 }
 
 void PageTurn::show_first() {
@@ -34,15 +51,13 @@ void PageTurn::show_first() {
   canvas_.events.discard();
 }
 
-void PageTurn::show_for(double seconds, std::size_t choice) {
+void PageTurn::show_for(double seconds, std::optional<std::size_t> choice) {
   constexpr double kSeenUnanswered = 0.66;
   show_first();
-  const auto elapsed_s = [this] {
-    return static_cast<double>(last_flip_ns_ - answer_.shown_ns) / 1e9;
-  };
-  while (elapsed_s() < seconds && !canvas_.events.closed() && !canvas_.events.pause_requested()) {
-    if (elapsed_s() >= kSeenUnanswered * seconds) {
-      view_.mark_chosen(choice);
+  const double shown_ms = seconds * 1e3;
+  while (elapsed_ms() < shown_ms && !canvas_.events.closed() && !canvas_.events.pause_requested()) {
+    if (choice && elapsed_ms() >= kSeenUnanswered * shown_ms) {
+      view_.mark_chosen(*choice);
     }
     static_cast<void>(draw_and_flip());
     canvas_.events.discard();
@@ -108,6 +123,9 @@ bool PageTurn::answer_with(std::size_t choice, const char* device, const Stamped
 std::optional<std::size_t> PageTurn::draw_and_flip() {
   canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
   canvas_.gui.begin();
+  if (page_.timeout_ms > 0.0 && answer_.shown_ns > 0) {
+    view_.tell_time_left(1.0 - elapsed_ms() / page_.timeout_ms);
+  }
   const auto clicked = view_.draw();
   canvas_.gui.end();
   const Flip flip = canvas_.pacer.flip();

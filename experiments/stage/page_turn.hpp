@@ -23,11 +23,13 @@ class PageTurn {
 
   Answer ask();
 
-  /// Shows the page for this long; `choice` is drawn as chosen in the last third.
-  void show_for(double seconds, std::size_t choice);
+  /// Shows the page for this long; `choice` is drawn as chosen in the last third, if there is one.
+  void show_for(double seconds, std::optional<std::size_t> choice);
 
  private:
   void show_first();
+  [[nodiscard]] double elapsed_ms() const;
+  bool time_is_up();
   bool take_events();
   bool take_key(const StampedEvent& event);
   void note_mouse(const StampedEvent& event);

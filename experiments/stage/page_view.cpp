@@ -49,6 +49,7 @@ std::optional<std::size_t> PageView::draw() {
   draw_words(gui_, page_, reading_size_);
   draw_fields();
   const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
+  draw_time_left();
   content_px_ = ImGui::GetCursorScreenPos().y - top;
   ImGui::PopFont();
   draw_scroll_hint();
@@ -76,6 +77,24 @@ void PageView::draw_fields() {
     }
   }
   focus_moved_ = false;
+}
+
+/// Shrinks towards the middle, where the eyes are.
+void PageView::draw_time_left() const {
+  if (page_.timeout_ms <= 0.0) {
+    return;
+  }
+  const Column column = reading_column(gui_);
+  const float height = std::max(3.0F, std::round(0.12F * ImGui::GetFontSize()));
+  const float top = ImGui::GetCursorScreenPos().y + std::round(1.5F * part_gap());
+  const float left_px = column.width * static_cast<float>(std::clamp(time_left_, 0.0, 1.0));
+  const float middle = column.left + 0.5F * column.width;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(ImVec2(column.left, top), ImVec2(column.left + column.width, top + height),
+                     palette::kSurface);
+  draw.AddRectFilled(ImVec2(middle - 0.5F * left_px, top),
+                     ImVec2(middle + 0.5F * left_px, top + height), palette::kLine);
+  ImGui::SetCursorScreenPos(ImVec2(column.left, top + height));
 }
 
 void PageView::draw_scroll_hint() const {

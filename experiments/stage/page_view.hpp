@@ -44,10 +44,14 @@ class PageView {
   /// Draws a choice as chosen.
   void mark_chosen(std::size_t choice) { chosen_ = choice; }
 
+  /// Of a page with a time limit: the share that is left, drawn as a thin bar.
+  void tell_time_left(double share) { time_left_ = share; }
+
  private:
   float measure();
   void settle();
   void draw_fields();
+  void draw_time_left() const;
   void draw_scroll_hint() const;
   void move_focus(bool back);
   void focus_on(std::optional<std::size_t> stop);
@@ -63,6 +67,7 @@ class PageView {
   std::optional<std::size_t> focus_;
   bool focus_moved_{false};
   std::optional<std::size_t> chosen_;
+  double time_left_{1.0};
   std::size_t reading_size_{0};
   float content_px_{0.0F};
   float scroll_px_{0.0F};

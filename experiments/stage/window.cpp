@@ -107,7 +107,8 @@ Answer Window::ask(const Page& page) {
   return answer;
 }
 
-void Window::show_page_for(const Page& page, double seconds, std::size_t highlighted_choice) {
+void Window::show_page_for(const Page& page, double seconds,
+                           std::optional<std::size_t> highlighted_choice) {
   while_display_lasts([&] { PageTurn(*canvas_, page).show_for(seconds, highlighted_choice); });
 }
 

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiments/session/ports.hpp"
@@ -62,9 +63,10 @@ class Window final : public Display, public Input {
   /// Driver, renderer, size, refresh, and what a flip's stamp is anchored to.
   [[nodiscard]] std::string description() const;
 
-  /// Shows a page without asking it, for a simulated participant that is watched; the choice is
-  /// drawn as chosen at the end. Ends early when interrupted.
-  void show_page_for(const Page& page, double seconds, std::size_t highlighted_choice);
+  /// Shows a page without asking it, for a simulated participant that is watched; the choice, if
+  /// there is one, is drawn as chosen at the end. Ends early when interrupted.
+  void show_page_for(const Page& page, double seconds,
+                     std::optional<std::size_t> highlighted_choice);
 
   /// For this room's own screens.
   [[nodiscard]] Canvas& canvas() { return *canvas_; }

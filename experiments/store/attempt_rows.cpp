@@ -9,6 +9,7 @@
 
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/wall_names.hpp"
+#include "experiments/store/response_rows.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
@@ -17,6 +18,14 @@ namespace {
 void bind_or_null(SQLite::Statement& statement, int index, const std::optional<double>& value) {
   if (value) {
     statement.bind(index, *value);
+  }
+}
+
+void bind_imposed_spin(SQLite::Statement& statement, int first,
+                       const std::optional<ImposedSpin>& spin) {
+  for (int component = 0; spin && component < 3; ++component) {
+    statement.bind(first + component, spin->a[component]);
+    statement.bind(first + 3 + component, spin->b[component]);
   }
 }
 
@@ -63,9 +72,12 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
       "INSERT INTO collision (attempt_id, step, body_a, body_b, level, stopped, point_x_m, "
       "point_y_m, point_z_m, normal_x, normal_y, normal_z, depth_m, approach_m_s, impulse_Ns, "
       "imposed_hold_ms, imposed_no_spin, eccentricity_deg, first_frame, list, time_s, "
-      "contacts, gaze_eccentricity_deg, region_eccentricity_deg) "
+      "contacts, interval, gaze_eccentricity_deg, region_eccentricity_deg, distance_m, "
+      "speed_deg_s, collision_speed_deg_s, priority, imposed_spin_a_x_rad_s, "
+      "imposed_spin_a_y_rad_s, imposed_spin_a_z_rad_s, imposed_spin_b_x_rad_s, "
+      "imposed_spin_b_y_rad_s, imposed_spin_b_z_rad_s) "
       "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, ?, ?, "
-      "?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const CollisionRecord& collision : attempt.collisions) {
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
@@ -78,9 +90,14 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
                  touch.normal.x(), touch.normal.y(), touch.normal.z(), touch.depth_m,
                  report.approach_m_s, report.impulse_Ns, report.imposed_hold_s * 1e3,
                  collision.no_spin ? 1 : 0, collision.eccentricity_deg, collision.first_frame_shown,
-                 report.list, collision.time_s, report.contact_count);
-    bind_or_null(insert, 23, collision.gaze_eccentricity_deg);
-    bind_or_null(insert, 24, collision.region_eccentricity_deg);
+                 report.list, collision.time_s, report.contact_count, collision.interval);
+    bind_or_null(insert, 24, collision.gaze_eccentricity_deg);
+    bind_or_null(insert, 25, collision.region_eccentricity_deg);
+    bind_or_null(insert, 26, collision.distance_m);
+    bind_or_null(insert, 27, collision.speed_deg_s);
+    bind_or_null(insert, 28, collision.collision_speed_deg_s);
+    bind_or_null(insert, 29, collision.priority);
+    bind_imposed_spin(insert, 30, collision.imposed_spin);
     insert.exec();
     insert.reset();
     insert.clearBindings();
@@ -116,9 +133,10 @@ const char* name_of(GazeLoss loss) {
 
 void insert_gaze(SQLite::Database& database, std::int64_t id,
                  const std::vector<GazeSample>& samples) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO gaze (attempt_id, sample, taken_ns, x_m, y_m, loss) "
-                           "VALUES (?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(
+      database,
+      "INSERT INTO gaze (attempt_id, sample, taken_ns, x_m, y_m, loss, interval) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?)");
   std::int64_t number = 0;
   for (const GazeSample& sample : samples) {
     insert.bind(1, id);
@@ -130,35 +148,10 @@ void insert_gaze(SQLite::Database& database, std::int64_t id,
     } else {
       insert.bind(6, name_of(sample.loss));
     }
+    insert.bind(7, sample.interval);
     insert.exec();
     insert.reset();
     insert.clearBindings();
-  }
-}
-
-void insert_clicks(SQLite::Database& database, std::int64_t id,
-                   const std::vector<ClickRecord>& clicks) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO click (attempt_id, number, device, arrived_ns, "
-                           "arrival_uncertainty_ns) VALUES (?, ?, ?, ?, ?)");
-  std::int64_t number = 0;
-  for (const ClickRecord& click : clicks) {
-    SQLite::bind(insert, id, ++number, click.device, click.arrived_ns,
-                 click.arrival_uncertainty_ns);
-    insert.exec();
-    insert.reset();
-  }
-}
-
-void insert_ratings(SQLite::Database& database, std::int64_t id,
-                    const std::vector<RatingRecord>& ratings) {
-  SQLite::Statement insert(database, "INSERT INTO rating VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  for (const RatingRecord& rating : ratings) {
-    SQLite::bind(insert, id, rating.rating, rating.minimum, rating.maximum, rating.best,
-                 rating.low_anchor, rating.high_anchor, rating.device, rating.question_shown_ns,
-                 rating.arrived_ns, rating.arrival_uncertainty_ns);
-    insert.exec();
-    insert.reset();
   }
 }
 
@@ -171,8 +164,7 @@ void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
   insert_collisions(database, id, attempt);
   insert_frames(database, id, attempt.frames);
   insert_gaze(database, id, attempt.gaze);
-  insert_clicks(database, id, attempt.clicks);
-  insert_ratings(database, id, attempt.ratings);
+  insert_answers(database, id, attempt);
 }
 
 }  // namespace impetus

@@ -18,7 +18,7 @@ struct AttemptOwner {
   bool sync_overridden{false};
 };
 
-/// Inserts the attempt with its steps, collisions, frames, gaze, clicks and ratings. Throws
+/// Inserts the attempt with its steps, collisions, frames, gaze, clicks and answers. Throws
 /// SQLite::Exception.
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt);

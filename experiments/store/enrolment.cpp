@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/session/input_error.hpp"
+#include "experiments/store/adaptive_rows.hpp"
 
 namespace impetus {
 namespace {
@@ -47,10 +48,17 @@ void require_kind(StudyFile& study, const std::string& pseudonym, bool simulated
   }
 }
 
+std::optional<std::int64_t> number_or_none(SQLite::Statement& query, int column) {
+  const SQLite::Column value = query.getColumn(column);
+  return value.isNull() ? std::nullopt : std::optional(value.getInt64());
+}
+
 std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment) {
-  SQLite::Statement query(database,
-                          "SELECT id, slot, phase, repetition, condition, seed FROM trial "
-                          "WHERE enrolment_id = ? ORDER BY slot");
+  SQLite::Statement query(
+      database,
+      "SELECT id, slot, phase, repetition, condition, seed, block, catch, track, "
+      "coalesce(adaptive_state, ''), coalesce(solved, ''), yoked_trial_id "
+      "FROM trial WHERE enrolment_id = ? ORDER BY slot");
   query.bind(1, enrolment);
   std::vector<StoredTrial> trials;
   while (query.executeStep()) {
@@ -58,7 +66,10 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t en
     trials.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
                       practice ? TrialPhase::kPractice : TrialPhase::kMain,
                       query.getColumn(3).getInt64(), query.getColumn(4).getString(),
-                      static_cast<std::uint64_t>(query.getColumn(5).getInt64())});
+                      static_cast<std::uint64_t>(query.getColumn(5).getInt64()),
+                      query.getColumn(6).getInt64(), query.getColumn(7).getInt() != 0,
+                      number_or_none(query, 8), query.getColumn(9).getString(),
+                      query.getColumn(10).getString(), number_or_none(query, 11)});
   }
   return trials;
 }
@@ -81,16 +92,25 @@ SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) 
   }
   SQLite::Statement practice(database,
                              "SELECT slot, rating, (SELECT count(*) FROM click "
-                             "WHERE click.attempt_id = attempt.id) FROM trial "
+                             "WHERE click.attempt_id = attempt.id), "
+                             "(SELECT min(correct) FROM response "
+                             "WHERE response.attempt_id = attempt.id) FROM trial "
                              "JOIN attempt ON attempt.trial_id = trial.id "
-                             "JOIN rating ON rating.attempt_id = attempt.id "
+                             "LEFT JOIN rating ON rating.attempt_id = attempt.id "
                              "WHERE enrolment_id = ? AND phase = 'practice' "
                              "AND outcome = 'completed'");
   practice.bind(1, enrolment);
   while (practice.executeStep()) {
-    history.practice[practice.getColumn(0).getInt64()] = {
-        {}, practice.getColumn(1).getInt64(), practice.getColumn(2).getInt64()};
+    PracticeResult& result = history.practice[practice.getColumn(0).getInt64()];
+    if (!practice.getColumn(1).isNull()) {
+      result.rating = practice.getColumn(1).getInt64();
+    }
+    result.clicks = practice.getColumn(2).getInt64();
+    if (!practice.getColumn(3).isNull()) {
+      result.right = practice.getColumn(3).getInt64() != 0;
+    }
   }
+  history.counted_answers = load_counted_answers(database, enrolment);
   SQLite::Statement answers(database,
                             "SELECT DISTINCT question FROM answer JOIN session "
                             "ON session.id = session_id WHERE enrolment_id = ? "
@@ -119,6 +139,18 @@ std::int64_t find_or_insert_protocol(SQLite::Database& database, const ProtocolT
   return insert(database,
                 "INSERT INTO protocol (name, hash, protocol_json, scene_json) VALUES (?, ?, ?, ?)",
                 protocol.name, protocol.hash, protocol.protocol_json, protocol.scene_json);
+}
+
+/// A track or another trial that there is none of is stored as NULL: ids and tracks are not −1.
+std::int64_t insert_trial(SQLite::Database& database, std::int64_t enrolment,
+                          const StoredTrial& trial) {
+  return insert(database,
+                "INSERT INTO trial (enrolment_id, slot, phase, repetition, condition, seed, block, "
+                "catch, track, solved, yoked_trial_id) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), nullif(?, ''), nullif(?, -1))",
+                enrolment, trial.slot, phase_name(trial.phase), trial.repetition, trial.condition,
+                static_cast<std::int64_t>(trial.seed), trial.block, trial.catch_trial ? 1 : 0,
+                trial.track.value_or(-1), trial.solved, trial.yoked_trial_id.value_or(-1));
 }
 
 }  // namespace
@@ -181,11 +213,7 @@ Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                           "VALUES (?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))",
                           participant, version, static_cast<std::int64_t>(seed));
     for (StoredTrial& trial : trials) {
-      trial.id = insert(database,
-                        "INSERT INTO trial (enrolment_id, slot, phase, repetition, condition, "
-                        "seed) VALUES (?, ?, ?, ?, ?, ?)",
-                        enrolment.id, trial.slot, phase_name(trial.phase), trial.repetition,
-                        trial.condition, static_cast<std::int64_t>(trial.seed));
+      trial.id = insert_trial(database, enrolment.id, trial);
     }
     transaction.commit();
     enrolment.trials = std::move(trials);

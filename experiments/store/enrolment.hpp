@@ -29,6 +29,12 @@ struct StoredTrial {
   std::int64_t repetition{1};
   std::string condition;
   std::uint64_t seed{0};
+  std::int64_t block{1};
+  bool catch_trial{false};
+  std::optional<std::int64_t> track{};
+  std::string adaptive_state{};  ///< JSON text; "" until the level is chosen
+  std::string solved{};          ///< JSON text {"/pointer": number}; "": nothing
+  std::optional<std::int64_t> yoked_trial_id{};
 };
 
 struct Enrolment {

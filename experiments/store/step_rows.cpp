@@ -72,9 +72,9 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
                            "degradations, hash, digests, fixation_x_m, fixation_y_m, "
                            "fixation_taken_ns, fixation_age_ns, region_x_m, region_y_m, "
                            "region_radius_deg, shown_frame, pops, stopped_short, "
-                           "largest_pop_deg) "
+                           "largest_pop_deg, interval) "
                            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, "
-                           "?)");
+                           "?, ?)");
   for (const StepRecord& step : steps) {
     const std::string digests = pack(step.state.bodies);
     insert.bind(1, id);
@@ -91,20 +91,23 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
     if (step.pops > 0) {
       insert.bind(18, step.largest_pop_deg);
     }
+    insert.bind(19, step.interval);
     insert.exec();
     insert.reset();
     insert.clearBindings();
   }
 }
 
-std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id) {
+std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id,
+                                   std::int64_t interval) {
   SQLite::Statement query(database,
                           "SELECT step, work_granted, work_spent, degradations, hash, digests, "
                           "fixation_x_m, fixation_y_m, fixation_taken_ns, fixation_age_ns, "
                           "region_x_m, region_y_m, region_radius_deg, coalesce(shown_frame, -1), "
                           "pops, stopped_short, coalesce(largest_pop_deg, 0.0) "
-                          "FROM step WHERE attempt_id = ? ORDER BY step");
+                          "FROM step WHERE attempt_id = ? AND interval = ? ORDER BY step");
   query.bind(1, attempt_id);
+  query.bind(2, interval);
   std::vector<StepRecord> steps;
   while (query.executeStep()) {
     StepRecord step;
@@ -119,6 +122,7 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
     step.pops = query.getColumn(14).getInt64();
     step.stopped_short = query.getColumn(15).getInt64();
     step.largest_pop_deg = query.getColumn(16).getDouble();
+    step.interval = interval;
     steps.push_back(std::move(step));
   }
   return steps;

@@ -15,7 +15,9 @@ namespace impetus {
 void insert_steps(SQLite::Database& database, std::int64_t attempt_id,
                   const std::vector<StepRecord>& steps);
 
-/// In order. Throws SQLite::Exception.
-std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id);
+/// Those of one interval, in order; a trial with one stimulus has interval 1 alone. Throws
+/// SQLite::Exception.
+std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id,
+                                   std::int64_t interval = 1);
 
 }  // namespace impetus

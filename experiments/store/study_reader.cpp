@@ -15,7 +15,7 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
       "(SELECT count(*) FROM trial AS planned WHERE planned.enrolment_id = enrolment.id), "
       "recording_format, build, screen_width_m, screen_height_m, screen_width_px, "
       "screen_height_px, viewing_distance_m, refresh_hz, rounding_allowed, onset_ns, rating, "
-      "coalesce(arrived_ns, 0) "
+      "coalesce(arrived_ns, 0), coalesce(trial.solved, '') "
       "FROM attempt JOIN trial ON trial.id = trial_id "
       "JOIN enrolment ON enrolment.id = trial.enrolment_id "
       "JOIN participant ON participant.id = participant_id "
@@ -55,6 +55,7 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
     }
     ++column;
     attempt.answered_ns = integer();
+    attempt.trial.solved = text();
     attempts.push_back(std::move(attempt));
   }
   return attempts;
@@ -90,10 +91,13 @@ std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {
   return samples;
 }
 
-std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id) {
+std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,
+                                      std::int64_t interval) {
   SQLite::Statement query(study.database(),
-                          "SELECT arrived_ns FROM click WHERE attempt_id = ? ORDER BY number");
+                          "SELECT arrived_ns FROM click WHERE attempt_id = ? AND interval = ? "
+                          "ORDER BY number");
   query.bind(1, attempt_id);
+  query.bind(2, interval);
   std::vector<std::int64_t> arrived_ns;
   while (query.executeStep()) {
     arrived_ns.push_back(query.getColumn(0).getInt64());
@@ -101,11 +105,42 @@ std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id)
   return arrived_ns;
 }
 
-std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id) {
+std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id,
+                                       std::int64_t interval) {
+  SQLite::Statement query(study.database(),
+                          "SELECT flipped_ns FROM frame WHERE attempt_id = ? AND interval = ? "
+                          "AND phase = 'stimulus' ORDER BY frame LIMIT 1");
+  query.bind(1, attempt_id);
+  query.bind(2, interval);
+  return query.executeStep() ? std::optional(query.getColumn(0).getInt64()) : std::nullopt;
+}
+
+std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(study.database(),
+                          "SELECT kind, coalesce(answer, ''), timed_out, arrived_ns, positive, "
+                          "correct FROM response WHERE attempt_id = ? ORDER BY number");
+  query.bind(1, attempt_id);
+  const auto truth = [&](int column) {
+    return query.getColumn(column).isNull() ? std::nullopt
+                                            : std::optional(query.getColumn(column).getInt() != 0);
+  };
+  std::vector<StoredResponse> responses;
+  while (query.executeStep()) {
+    responses.push_back({query.getColumn(0).getString(), query.getColumn(1).getString(), truth(4),
+                         truth(5), query.getColumn(2).getInt() != 0,
+                         query.getColumn(3).getInt64()});
+  }
+  return responses;
+}
+
+std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
+                                        std::int64_t interval) {
   SQLite::Statement query(study.database(),
                           "SELECT shown_time_s, missed_slots FROM frame WHERE attempt_id = ? "
-                          "AND phase = 'stimulus' AND missed_slots > 0 ORDER BY frame");
+                          "AND interval = ? AND phase = 'stimulus' AND missed_slots > 0 "
+                          "ORDER BY frame");
   query.bind(1, attempt_id);
+  query.bind(2, interval);
   std::vector<LateFrame> frames;
   while (query.executeStep()) {
     frames.push_back({query.getColumn(0).getDouble(), query.getColumn(1).getInt64()});

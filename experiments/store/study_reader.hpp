@@ -42,14 +42,33 @@ ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id);
 /// The gaze of an attempt, in order.
 std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id);
 
-/// When each click of an attempt arrived (nanoseconds), in order.
-std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id);
+/// When each click of an attempt's interval arrived (nanoseconds), in order.
+std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,
+                                      std::int64_t interval = 1);
 
-/// Stimulus time (seconds) and missed slots of the frames of an attempt that were late.
+/// When the first frame of an interval's stimulus was flipped (nanoseconds); none: it was not.
+std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id,
+                                       std::int64_t interval);
+
+/// An answer to a question other than a rating; `answer` is "" when left empty.
+struct StoredResponse {
+  std::string kind;
+  std::string answer;
+  std::optional<bool> positive;
+  std::optional<bool> correct;
+  bool timed_out{false};
+  std::int64_t arrived_ns{0};
+};
+
+/// The responses of an attempt in the order asked.
+std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id);
+
+/// Stimulus time (seconds) and missed slots of the frames of an attempt's interval that were late.
 struct LateFrame {
   double shown_time_s{0.0};
   std::int64_t missed_slots{0};
 };
-std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id);
+std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
+                                        std::int64_t interval = 1);
 
 }  // namespace impetus

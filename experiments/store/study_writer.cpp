@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
 
 namespace impetus {
@@ -83,6 +84,12 @@ void StudyWriter::save(NoteRecord note) {
                              "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?)");
     SQLite::bind(insert, session_id_, note.kind, note.text);
     insert.exec();
+  });
+}
+
+void StudyWriter::save(ChosenLevel chosen) {
+  enqueue([this, chosen = std::move(chosen)](SQLite::Database& database) {
+    update_chosen_level(database, trial_ids_.at(chosen.slot), chosen);
   });
 }
 

@@ -25,11 +25,13 @@ std::optional<std::int32_t> body_of(const std::string& name,
 }  // namespace
 
 std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
-                                             const std::vector<std::string>& names) {
+                                             const std::vector<std::string>& names,
+                                             std::int64_t interval) {
   SQLite::Statement query(study.database(),
                           "SELECT id, step, body_a, body_b FROM collision WHERE attempt_id = ? "
-                          "ORDER BY id");
+                          "AND interval = ? ORDER BY id");
   query.bind(1, attempt_id);
+  query.bind(2, interval);
   std::vector<StoredCollision> collisions;
   while (query.executeStep()) {
     const auto a = body_of(query.getColumn(2).getString(), names);

@@ -23,9 +23,11 @@ struct MeasuredCollision {
   CollisionTruth truth;
 };
 
-/// The collisions of an attempt between bodies of `names` and walls, in order; others are left out.
+/// The collisions of an attempt's interval between bodies of `names` and walls, in order; others
+/// are left out.
 std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
-                                             const std::vector<std::string>& names);
+                                             const std::vector<std::string>& names,
+                                             std::int64_t interval = 1);
 
 /// Stores them in one transaction, in place of what was measured before. Throws StoreError.
 void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions);

@@ -98,6 +98,19 @@ TEST(Metrics, EccentricityTurnsWithTheViewer) {
   EXPECT_NEAR(metric->measure(aside, from_the_side, ScreenPoint{0.5, 0.0}), 0.0, kAngleError_deg);
 }
 
+TEST(Metrics, ProjectedCentresIsTheAngleBetweenTheCentresSoDepthAndForeshorteningCount) {
+  const auto apart = [](const Vector3& a, const Vector3& b) {
+    PairBounds pair = pair_at({0.0, 0.0, 0.0});
+    pair.a.centre = a;
+    pair.b.centre = b;
+    return measured("projected-centres", pair);
+  };
+  // The eye is at z = 0.5: 2 atan(0.5 / 1) at a distance of 1.
+  EXPECT_NEAR(apart({-0.5, 0, -0.5}, {0.5, 0, -0.5}), 53.13010235415598, kAngleError_deg);
+  EXPECT_LT(apart({-0.5, 0, -1.5}, {0.5, 0, -1.5}), apart({-0.5, 0, -0.5}, {0.5, 0, -0.5}));
+  EXPECT_NEAR(apart({0, 0, -1.0}, {0, 0, -0.5}), 0.0, kAngleError_deg) << "along the line of sight";
+}
+
 TEST(Metrics, ProjectedGapIsTheAngleOfTheFitErrorAndLargeIsHigh) {
   PairBounds pair = pair_at({0.0, 0.0, -0.5});
   pair.fit_error_m = 2.0;
@@ -250,7 +263,8 @@ TEST(Metrics, EveryNameMakesAMetricAndOthersAreRefused) {
   }
   EXPECT_EQ(refusal("loudness"),
             "scheduler: expected one of collision-speed, distance, eccentricity, gap, gap-bound, "
-            "projected-gap, size, velocity, visible-frequency, weighted, got \"loudness\"");
+            "projected-centres, projected-gap, size, velocity, visible-frequency, weighted, got "
+            "\"loudness\"");
 }
 
 TEST(Metrics, OptionsWithoutAUseAreRefused) {

@@ -141,8 +141,9 @@ TEST(Check, PrintsTheDesign) {
        {"  factor       delay_ms = 0, 100, 300",
         "               Delay at contact (ms); overrides /imposed/contact_hold_ms",
         "  factor       speed_deg_s = 5, 10, 15", "  factor       viewpoint_deg = 0, 45, 85",
-        "  cells        27", "  repetitions  3", "  trials       81, after 6 of practice",
-        "  order        random, at most 3 equal delay_ms in a row",
+        "  trials       81", "  design       3 × 3 × 3 cells, 3 repetitions of each.",
+        "  design       Practice: 6 trials.",
+        "  design       At most 3 trials in a row with equal `delay_ms`.",
         "  shown        delay_ms 0: 27 times, 100: 27 times, 300: 27 times",
         "  rating       1 (very believable) to 3 (very unbelievable)"}) {
     EXPECT_EQ(std::count(lines.begin(), lines.end(), line), 1) << line;

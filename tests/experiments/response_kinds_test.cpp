@@ -7,11 +7,13 @@
 
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/session/response_kinds.hpp"
-#include "tests/experiments/refusals.hpp"
+#include "tests/experiments/asked_study.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus {
 namespace {
+
+constexpr const char* kSharedTable = "response";
 
 std::vector<std::string> sorted_names(const std::vector<DeclaredValue>& values) {
   std::vector<std::string> names;
@@ -32,9 +34,11 @@ TEST(ResponseKinds, ParametersAreThoseOfTheProtocolsSchema) {
       known.push_back(entry.key());
     }
     EXPECT_EQ(sorted_names(kind.parameters), known) << kind.name;
+    std::vector<DeclaredValue> needed = kind.parameters;
+    std::erase_if(needed, [](const DeclaredValue& value) { return value.optional; });
     auto required = block["required"].get<std::vector<std::string>>();
     std::sort(required.begin(), required.end());
-    EXPECT_EQ(required, known) << kind.name;
+    EXPECT_EQ(required, sorted_names(needed)) << kind.name;
   }
 }
 
@@ -42,20 +46,46 @@ TEST(ResponseKinds, ColumnsAreThoseOfTheStudyFilesTables) {
   const TemporaryFolder folder;
   StudyFile study = opened(folder / "a.sqlite");
   for (const ResponseKind& kind : response_kinds()) {
+    if (kind.table == kSharedTable) {
+      continue;
+    }
     SQLite::Statement query(study.database(),
                             "SELECT name FROM pragma_table_info(?) WHERE name <> 'attempt_id' "
                             "ORDER BY name");
-    query.bind(1, kind.name);
+    query.bind(1, kind.table);
     std::vector<std::string> columns;
     while (query.executeStep()) {
       columns.push_back(query.getColumn(0).getString());
     }
-    EXPECT_EQ(sorted_names(kind.columns), columns) << kind.name;
+    EXPECT_EQ(sorted_names(kind.recorded), columns) << kind.name;
+  }
+}
+
+TEST(ResponseKinds, DetailsAreThoseThatARecordHas) {
+  TestLab lab(60.0, asked({kAskYesNo, kAskTwoInterval, kAskFreeText}));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), 0);
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.table != kSharedTable) {
+      continue;
+    }
+    const ResponseRecord* response = response_to(kind.name, record);
+    ASSERT_NE(response, nullptr) << kind.name;
+    std::vector<std::string> names;
+    for (const FactorLevel& detail : response->detail) {
+      names.push_back(detail.factor);
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, sorted_names(kind.recorded)) << kind.name;
   }
 }
 
 TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
-  const Protocol protocol = load_protocol(source_file("protocols/gaze-contingent.json"));
+  json document = json::parse(shipped("protocols/gaze-contingent.json"));
+  document.merge_patch(json::parse(R"({"yes_no": {"question": "?"}, "free_text": {"question": "?"},
+    "two_interval": {"question": "?", "standard": {"scheduling": "all-good"}}})"));
+  const Protocol protocol =
+      make_protocol(parse_json(source_file("protocols/gaze-contingent.json"), document.dump()),
+                    parse_json("cube.json", shipped("stimuli/l-blocks-in-a-cube.json")));
   const ObserverFile file = load_observer("gaze-contingent", protocol.document.name);
   EXPECT_NO_THROW(check_observer(protocol, file));
   TestLab lab(60.0, protocol);
@@ -70,7 +100,8 @@ TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
   EXPECT_GT(record.clicks.size(), 0U);
   EXPECT_EQ(record.clicks.front().device, "simulated");
   EXPECT_EQ(record.ratings.size(), 1U);
-  EXPECT_GT(record.gaze.size(), 1000U);  // 10 s at 250 Hz
+  EXPECT_EQ(record.responses.size(), 3U);
+  EXPECT_GT(record.gaze.size(), 2000U);  // twice 10 s at 250 Hz
 }
 
 TEST(ResponseKinds, AnObserverThatCannotDoWhatIsAskedIsRefused) {

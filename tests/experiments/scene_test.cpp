@@ -95,7 +95,8 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
 TEST(Scene, AnUnknownSchedulerIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/schedule/scheduler", "nearest")),
             "/engine/schedule/scheduler: expected one of \"collision-speed\", \"distance\", "
-            "\"eccentricity\", \"gap\", \"gap-bound\", \"projected-gap\", \"region\", "
+            "\"eccentricity\", \"gap\", \"gap-bound\", \"projected-centres\", \"projected-gap\", "
+            "\"region\", "
             "\"size\", \"velocity\", \"visible-frequency\", \"weighted\", got \"nearest\"");
 }
 

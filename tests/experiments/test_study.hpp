@@ -104,7 +104,7 @@ inline std::vector<StoredTrial> stored(const Plan& plan) {
   std::vector<StoredTrial> trials;
   for (const PlannedTrial& trial : plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
-                      trial.seed});
+                      trial.seed, trial.block, trial.catch_trial, trial.track});
   }
   return trials;
 }

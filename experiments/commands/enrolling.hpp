@@ -1,0 +1,20 @@
+// A participant's enrolment in one protocol of a run: found again, or planned and stored.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "experiments/commands/run_options.hpp"
+#include "experiments/store/enrolment.hpp"
+
+namespace impetus {
+
+/// The stored enrolment, to be resumed, if there is one. Throws InputError when it is finished, or
+/// another seed is asked for than its own.
+std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
+                                        const RunOptions& options);
+
+/// A new enrolment with its whole plan and the part's solved values.
+Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options);
+
+}  // namespace impetus

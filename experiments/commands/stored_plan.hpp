@@ -1,0 +1,20 @@
+// A plan as a study file keeps it, and back.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/plan.hpp"
+#include "experiments/store/enrolment.hpp"
+
+namespace impetus {
+
+/// Conditions and solved values become JSON; ids are still to come.
+std::vector<StoredTrial> stored(const Plan& plan);
+Plan planned(const std::vector<StoredTrial>& trials, const Design& design);
+
+/// The protocol and its scene as they were read.
+ProtocolTexts texts_of(const Protocol& protocol);
+
+}  // namespace impetus

@@ -1,0 +1,42 @@
+// Values of a scene that are solved before a plan is stored, and how they get into trials.
+//
+//   /solve of the protocol ──for each level of its factors──> simulations ──> values
+//   values ──put_solved()──> every trial of the plan ──> stored ──> the scene, whenever it is
+//   staged
+//
+// Protocol and scene alone decide them: the screen is an assumed one, random streams have names of
+// their own, and nothing is kept between runs. A replay takes what was stored and solves nothing.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/scenes/shape_library.hpp"
+#include "experiments/session/plan.hpp"
+
+namespace impetus {
+
+/// Of the trials that have these levels.
+struct SolvedFor {
+  Condition condition;
+  std::vector<SolvedValue> values;
+};
+
+/// Everything the protocol asks to be solved. Throws InputError, naming the entry, when there is no
+/// solution.
+std::vector<SolvedFor> solve(const Protocol& protocol, ShapeLibrary& shapes,
+                             const Progress& progress = {});
+
+/// Gives each trial of the plan the values of its condition.
+void put_solved(const std::vector<SolvedFor>& solved, Plan& plan);
+
+/// The scene with the values put in.
+void put_into_scene(const std::vector<SolvedValue>& values, nlohmann::json& scene);
+
+/// {"/pointer": number} as text, "" for none; and back.
+std::string to_text(const std::vector<SolvedValue>& values);
+std::vector<SolvedValue> solved_values_from(const std::string& text);
+
+}  // namespace impetus

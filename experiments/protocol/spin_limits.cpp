@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/spin_limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "engine/numerics/random_stream.hpp"
+#include "engine/numerics/trigonometry.hpp"
+#include "engine/scheduling/work_meter.hpp"
+#include "experiments/protocol/design_reading.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_bodies.hpp"
+#include "experiments/scenes/scene_file.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kBodies = 2;
+/// From the start to the collision, and after its last contact.
+constexpr int kLeadSteps = 4;
+constexpr int kClearSteps = 30;
+constexpr int kMostSteps = 2000;
+
+double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
+
+/// The scene with accurate collisions that begin soon, nothing imposed, and nobody looking on.
+json accurate_scene(const SolveTask& task) {
+  json scene = task.scene;
+  scene["engine"]["level"] = task.entry["accurate_level"];
+  scene["imposed"]["random_spin"]["on"] = false;
+  scene["imposed"]["contact_hold_ms"] = 0;
+  scene["meeting"]["lead_s"] = kLeadSteps / scene["engine"]["step_hz"].get<double>();
+  scene.erase("distractors");
+  return scene;
+}
+
+void jitter(const json& entry, double size_deg, RandomStream& stream, json& scene) {
+  for (std::size_t body = 0; body < kBodies; ++body) {
+    json& turns = scene["bodies"][body]["orientation"];
+    for (const char* axis : {"x", "y", "z"}) {
+      turns.push_back(
+          {{"axis", axis}, {"angle_deg", entry["turn_deg"].get<double>() * symmetric(stream)}});
+    }
+  }
+  auto offset_deg = scene["meeting"].value("offset_deg", std::vector<double>{0.0, 0.0});
+  for (double& component : offset_deg) {
+    component += entry["size_share"].get<double>() * size_deg * symmetric(stream);
+  }
+  scene["meeting"]["offset_deg"] = offset_deg;
+}
+
+/// How the collision changed both angular velocities, over all its contacts; none without one.
+std::optional<ImposedSpin> spin_change(StagedScene scene) {
+  World& world = scene.world;
+  FixedWork meter(kUnlimitedTests);
+  std::array<Quaternion, kBodies> at_contact;
+  std::array<Vector3, kBodies> momentum{world.states()[0].angular_momentum,
+                                        world.states()[1].angular_momentum};
+  int last_contact = -1;
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (last_contact >= 0 ? step - last_contact > kClearSteps : step > 2 * kLeadSteps) {
+      break;
+    }
+    const StepReport& report = world.step({1.0 / scene.step_hz, scene.viewer}, meter);
+    if (!report.collisions.empty()) {
+      for (std::size_t body = 0; body < kBodies && last_contact < 0; ++body) {
+        at_contact[body] = world.states()[body].pose.orientation;
+      }
+      last_contact = step;
+    }
+  }
+  if (last_contact < 0) {
+    return std::nullopt;
+  }
+  const auto change = [&](std::size_t body) {
+    BodyState turned = world.states()[body];
+    turned.pose.orientation = at_contact[body];
+    turned.angular_momentum -= momentum[body];
+    return angular_velocity(world.models()[body], turned);
+  };
+  return ImposedSpin{change(0), change(1)};
+}
+
+/// Both bodies' components, in the order of the limits.
+using Components = std::array<std::vector<double>, 3 * kBodies>;
+
+Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progress& progress) {
+  const json base = accurate_scene(task);
+  const ScreenGeometry screen = assumed_screen();
+  const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
+  const double size_deg = 2.0 * bodies_of(base, m_per_deg, shapes).shapes[0]->radius_m / m_per_deg;
+  const auto runs = task.entry["runs"].get<std::size_t>();
+  RandomStream stream(1, "random spin limits");
+  Components components;
+  for (std::size_t start = 0; start < 2 * runs && components[0].size() < runs; ++start) {
+    json scene = base;
+    jitter(task.entry, size_deg, stream, scene);
+    const auto change = spin_change(build_scene(scene, screen, 0.0, shapes));
+    for (std::size_t i = 0; change && i < components.size(); ++i) {
+      const Vector3& spin = i < 3 ? change->a : change->b;
+      components[i].push_back(spin[static_cast<Eigen::Index>(i % 3)]);
+    }
+    progress(static_cast<double>(components[0].size()) / static_cast<double>(runs));
+  }
+  if (components[0].size() < runs) {
+    refuse(*task.document, task.place + "/runs",
+           "expected " + std::to_string(runs) + " accurate collisions, but of " +
+               std::to_string(2 * runs) + " starts under " + to_json(task.condition).dump() +
+               " only " + std::to_string(components[0].size()) + " led to one");
+  }
+  return components;
+}
+
+}  // namespace
+
+double percentile(std::vector<double> values, double percent) {
+  std::sort(values.begin(), values.end());
+  const double place = percent / 100.0 * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(place));
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
+}
+
+std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& shapes,
+                                           const Progress& progress) {
+  const Components components = changes_of(task, shapes, progress);
+  const json& percentiles = task.entry["percentiles"];
+  const auto pointer = task.entry["pointer"].get<std::string>();
+  std::vector<SolvedValue> values;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const std::string body = pointer + (i < 3 ? "/a/" : "/b/");
+    const std::string component = "/" + std::to_string(i % 3);
+    values.push_back({body + "least_rad_s" + component,
+                      percentile(components[i], percentiles[0].get<double>())});
+    values.push_back(
+        {body + "most_rad_s" + component, percentile(components[i], percentiles[1].get<double>())});
+  }
+  return values;
+}
+
+}  // namespace impetus

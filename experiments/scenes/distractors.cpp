@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/scenes/distractors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/numerics/random_stream.hpp"
+#include "engine/numerics/trigonometry.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_meeting.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMeeting = 2;
+
+std::size_t count_of(const json& scene) {
+  return scene.contains("distractors") ? scene["distractors"]["count"].get<std::size_t>() : 0;
+}
+
+/// A body that moves at one velocity for some time.
+struct Leg {
+  double start_s{0.0};
+  double end_s{0.0};
+  Vector3 place{Vector3::Zero()};  ///< at start_s
+  Vector3 velocity{Vector3::Zero()};
+};
+
+struct Path {
+  double radius_m{0.0};
+  std::vector<Leg> legs;
+};
+
+Vector3 place_at(const Leg& leg, double time_s) {
+  return leg.place + (time_s - leg.start_s) * leg.velocity;
+}
+
+/// The least distance of two legs' bodies while both last; infinite when they never both do.
+double least_distance_m(const Leg& a, const Leg& b) {
+  const double start_s = std::max(a.start_s, b.start_s);
+  const double end_s = std::min(a.end_s, b.end_s);
+  if (start_s > end_s) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Vector3 apart = place_at(b, start_s) - place_at(a, start_s);
+  const Vector3 relative = b.velocity - a.velocity;
+  const double square = relative.squaredNorm();
+  const double nearest_s =
+      square > 0.0 ? std::clamp(-apart.dot(relative) / square, 0.0, end_s - start_s) : 0.0;
+  return (apart + nearest_s * relative).norm();
+}
+
+bool keep_apart(const Path& a, const Path& b, double apart_m) {
+  return std::all_of(a.legs.begin(), a.legs.end(), [&](const Leg& leg_a) {
+    return std::all_of(b.legs.begin(), b.legs.end(), [&](const Leg& leg_b) {
+      return least_distance_m(leg_a, leg_b) >= a.radius_m + b.radius_m + apart_m;
+    });
+  });
+}
+
+/// One of the two: there, held, and straight back.
+Path there_and_back(const json& meeting, const BodyState& start, const Vector3& velocity,
+                    double radius_m, double hold_s) {
+  const auto lead_s = meeting["lead_s"].get<double>();
+  const double release_s = lead_s + hold_s;
+  const Vector3 turn = start.pose.position + lead_s * velocity;
+  return {radius_m,
+          {{0.0, lead_s, start.pose.position, velocity},
+           {lead_s, release_s, turn, Vector3::Zero()},
+           {release_s, release_s + meeting["follow_s"].get<double>(), turn, -velocity}}};
+}
+
+/// What a distractor may do.
+struct Room {
+  double half_width_m{0.0};
+  double half_height_m{0.0};
+  double apart_m{0.0};
+  double speed_m_s{0.0};
+  double duration_s{0.0};
+};
+
+double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
+
+/// A straight way within the room, or none when the draw left it.
+std::optional<Leg> drawn_leg(const Room& room, const Viewer& viewer, RandomStream& stream) {
+  const double x = room.half_width_m * symmetric(stream);
+  const double y = room.half_height_m * symmetric(stream);
+  const double right = symmetric(stream);
+  const double up = symmetric(stream);
+  const double square = right * right + up * up;
+  if (square > 1.0 || square < 1e-4) {
+    return std::nullopt;  // a direction uniform over the circle, by rejection
+  }
+  const double speed_m_s = room.speed_m_s / std::sqrt(square);
+  const double end_x = x + room.duration_s * speed_m_s * right;
+  const double end_y = y + room.duration_s * speed_m_s * up;
+  if (std::abs(end_x) > room.half_width_m || std::abs(end_y) > room.half_height_m) {
+    return std::nullopt;
+  }
+  return Leg{0.0, room.duration_s, on_screen(viewer, {x, y}),
+             speed_m_s * (right * viewer.right + up * viewer.up)};
+}
+
+/// Draws paths one after the other, each apart from all before it.
+bool draw_paths(const Room& room, const Viewer& viewer, const std::vector<double>& radii_m,
+                std::vector<Path>& paths, RandomStream& stream) {
+  constexpr int kMostDraws = 10'000;
+  for (const double radius_m : radii_m) {
+    bool found = false;
+    for (int draw = 0; draw < kMostDraws && !found; ++draw) {
+      const auto leg = drawn_leg(room, viewer, stream);
+      if (!leg) {
+        continue;
+      }
+      const Path path{radius_m, {*leg}};
+      found = std::all_of(paths.begin(), paths.end(),
+                          [&](const Path& other) { return keep_apart(path, other, room.apart_m); });
+      if (found) {
+        paths.push_back(path);
+      }
+    }
+    if (!found) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<BodyState> states_of(const std::vector<Path>& paths, const SceneBodies& bodies) {
+  std::vector<BodyState> states;
+  for (std::size_t i = kMeeting; i < paths.size(); ++i) {
+    BodyState state;
+    state.pose = {paths[i].legs.front().place, Quaternion::Identity()};
+    state.linear_momentum = paths[i].legs.front().velocity / bodies.models[i].inverse_mass;
+    states.push_back(state);
+  }
+  return states;
+}
+
+Room room_of(const json& scene, double m_per_deg, double speed_m_s, double hold_s) {
+  const json& distractors = scene["distractors"];
+  const json& meeting = scene["meeting"];
+  return {m_per_deg * distractors["within_deg"][0].get<double>(),
+          m_per_deg * distractors["within_deg"][1].get<double>(),
+          m_per_deg * distractors["apart_deg"].get<double>(), speed_m_s,
+          meeting["lead_s"].get<double>() + hold_s + meeting["follow_s"].get<double>()};
+}
+
+/// Whether the two turn straight back, so that their paths are known before they meet.
+bool turn_straight_back(const json& scene) {
+  const json& a = scene["bodies"][0];
+  const json& b = scene["bodies"][1];
+  return a["shape"]["kind"].get<std::string>() == std::string("sphere") &&
+         a["shape"] == b["shape"] && a["density_kg_m3"] == b["density_kg_m3"] &&
+         !scene["meeting"].contains("offset_deg") &&
+         scene["engine"]["restitution"].get<double>() == 1.0 &&
+         !scene["engine"].contains("materials") && !scene["engine"].contains("gravity_m_s2");
+}
+
+}  // namespace
+
+void add_distractors(const json& scene, SceneBodies& bodies) {
+  for (std::size_t i = 0; i < count_of(scene); ++i) {
+    const std::string name = "distractor " + std::to_string(i + 1);
+    bodies.models.push_back(bodies.models[i % kMeeting]);
+    bodies.models.back().name = name;
+    bodies.looks.push_back(bodies.looks[i % kMeeting]);
+    bodies.looks.back().name = name;
+    bodies.shapes.push_back(bodies.shapes[i % kMeeting]);
+  }
+}
+
+std::optional<std::vector<BodyState>> distractor_states(const json& scene,
+                                                        const SceneBodies& bodies,
+                                                        const std::vector<BodyState>& meeting,
+                                                        const Viewer& viewer, double hold_s,
+                                                        std::uint64_t seed) {
+  if (count_of(scene) == 0) {
+    return std::vector<BodyState>{};
+  }
+  std::vector<Path> pair;
+  std::vector<double> radii_m;
+  for (std::size_t body = 0; body < bodies.models.size(); ++body) {
+    const double radius_m = bodies.models[body].tree->bounding_radius_m();
+    if (body >= kMeeting) {
+      radii_m.push_back(radius_m);
+      continue;
+    }
+    pair.push_back(there_and_back(scene["meeting"], meeting[body],
+                                  velocity(bodies.models[body], meeting[body]), radius_m, hold_s));
+  }
+  const double m_per_deg = metres_per_degree(viewer.screen.viewing_distance_m);
+  const Room room =
+      room_of(scene, m_per_deg, velocity(bodies.models[0], meeting[0]).norm(), hold_s);
+  RandomStream stream(seed, "distractors");
+  constexpr int kMostTries = 100;
+  for (int attempt = 0; attempt < kMostTries; ++attempt) {
+    std::vector<Path> paths = pair;
+    if (draw_paths(room, viewer, radii_m, paths, stream)) {
+      return states_of(paths, bodies);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<SceneProblem> distractor_problems(const json& scene) {
+  if (count_of(scene) == 0) {
+    return {};
+  }
+  if (!turn_straight_back(scene)) {
+    return {{"/distractors/count",
+             "expected 0 unless two equal spheres meet head-on, without loss, and turn straight "
+             "back, got " +
+                 scene["distractors"]["count"].dump()}};
+  }
+  const ScreenGeometry screen = screen_for_checks();
+  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  ShapeLibrary library;
+  SceneBodies bodies = bodies_of(scene, metres_per_degree(screen.viewing_distance_m), library);
+  add_distractors(scene, bodies);
+  add_shells(scene, viewer, bodies);
+  const auto meeting = meeting_states(scene, viewer, bodies);
+  const double hold_s = scene["imposed"]["contact_hold_ms"].get<double>() / 1e3;
+  constexpr std::uint64_t kTries = 5;
+  for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
+    if (!distractor_states(scene, bodies, meeting, viewer, hold_s, seed)) {
+      return {{"/distractors/count", "expected as many as there is room for beside the two, got " +
+                                         scene["distractors"]["count"].dump()}};
+    }
+  }
+  return {};
+}
+
+}  // namespace impetus

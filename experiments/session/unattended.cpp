@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/unattended.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/session/playback.hpp"
+
+namespace impetus {
+
+AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
+                                   const std::function<void(double share)>& progress) {
+  constexpr double kTell_s = 1.0;  // of simulated time, between words of progress
+  Playback playback(std::move(scene), trial.seed);
+  playback.drop_digests();
+  const double duration_s = playback.scene().duration_s;
+  for (double time_s = 0.0; time_s < duration_s;) {
+    time_s = std::min(time_s + kTell_s, duration_s);
+    playback.poses_at(time_s);
+    if (progress) {
+      progress(time_s / duration_s);
+    }
+  }
+  AttemptRecord record;
+  record.slot = trial.slot;
+  record.outcome = AttemptOutcome::kCompleted;
+  for (const BodyModel& body : playback.scene().world.models()) {
+    record.body_names.push_back(body.name);
+  }
+  record.wall_naming = wall_naming(playback.scene().world.settings().enclosure);
+  record.intended_hold_s = playback.scene().intended_hold_s;
+  record.realised_hold_s = playback.scene().realised_hold_s;
+  record.steps = playback.take_steps();
+  for (StepRecord& step : record.steps) {
+    step.shown_frame = -1;
+  }
+  record.collisions = playback.take_collisions();
+  return record;
+}
+
+void run_unattended(const Plan& plan, const SessionHistory& history, const Scenes& scenes,
+                    const ScreenGeometry& screen, Recorder& recorder,
+                    const std::function<void(double share)>& progress) {
+  double done = 0.0;
+  for (const PlannedTrial& trial : plan) {
+    if (!history.completed_slots.contains(trial.slot)) {
+      const auto tell = [&](double share) {
+        if (progress) {
+          progress((done + share) / static_cast<double>(plan.size()));
+        }
+      };
+      const auto before = history.attempts.find(trial.slot);
+      AttemptRecord record = run_unattended_trial(trial, scenes.stage(trial, screen), tell);
+      record.number = (before == history.attempts.end() ? 0 : before->second) + 1;
+      recorder.save(std::move(record));
+      recorder.await_saved();
+    }
+    done += 1.0;
+  }
+  recorder.mark_finished();
+  recorder.await_saved();
+}
+
+}  // namespace impetus

@@ -1,0 +1,26 @@
+// Trials that nobody watches: simulated to their end without a display, and recorded.
+//
+// Every step's work and hash are kept, so that a replay compares all of them; which body a step
+// diverged in cannot be told, for digests of bodies are not kept: they would be most of the file.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "experiments/session/ports.hpp"
+#include "experiments/session/session_standing.hpp"
+
+namespace impetus {
+
+/// One trial from start to end. No frame shows it: its onset is 0. `progress` hears of the share
+/// that is done.
+AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
+                                   const std::function<void(double share)>& progress = {});
+
+/// All trials that `history` lacks, each on disk before the next begins; then marks the enrolment
+/// as finished. `progress` hears of the share of all. Throws what the recorder throws.
+void run_unattended(const Plan& plan, const SessionHistory& history, const Scenes& scenes,
+                    const ScreenGeometry& screen, Recorder& recorder,
+                    const std::function<void(double share)>& progress = {});
+
+}  // namespace impetus

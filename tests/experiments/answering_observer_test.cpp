@@ -1,0 +1,147 @@
+// How the simulated participants answer yes or no and choose between two intervals.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/observers/causality_observer.hpp"
+#include "experiments/protocol/observer_file.hpp"
+#include "tests/experiments/asked_study.hpp"
+
+namespace impetus {
+namespace {
+
+CausalityParameters without_spread() {
+  const auto file = source_file("experiments/observers/causality.json").string();
+  auto parameters = std::get<CausalityParameters>(load_observer(file, "x").parameters);
+  parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
+  return parameters;
+}
+
+Page question(const std::string& response) {
+  Page page;
+  page.layout = Page::Layout::kChoices;
+  page.response = response;
+  page.choices = {{"a", "1"}, {"b", "2"}};
+  return page;
+}
+
+/// Shows a freeze of so many milliseconds in an interval.
+void show(CausalityObserver& observer, double delay_ms, std::int64_t interval) {
+  AttemptRecord shown;
+  shown.collisions.resize(1);
+  shown.collisions[0].report.imposed_hold_s = delay_ms / 1e3;
+  shown.frames.resize(1);
+  shown.frames[0].interval = interval;
+  observer.witnessed(shown, StagedScene{World({}, {}, {}), {}, {}});
+}
+
+/// Share of 4,000 answers that are the first choice; the delays of one interval or of two.
+double share_of_first(const CausalityParameters& parameters, const Page& page,
+                      const std::vector<double>& delays_ms) {
+  constexpr int kAnswers = 4000;
+  VirtualClock clock;
+  CausalityObserver observer(parameters, 1, "S01", clock);
+  int first = 0;
+  for (int i = 0; i < kAnswers; ++i) {
+    std::int64_t interval = 0;
+    for (const double delay_ms : delays_ms) {
+      show(observer, delay_ms, ++interval);
+    }
+    first += observer.ask(page).choice == 0 ? 1 : 0;
+  }
+  return static_cast<double>(first) / kAnswers;
+}
+
+constexpr double kFourErrors = 4.0 * 0.0079;  // √(.25 / 4000), at most
+
+// P(yes) = γ + (1 − γ − λ) Φ((τ − 110) / 45)
+TEST(AnsweringObserver, SaysYesAsOftenAsItSawSomething) {
+  CausalityParameters parameters = without_spread();
+  parameters.yes_guess_rate = 0.1;
+  parameters.yes_miss_rate = 0.05;
+  for (const double delay_ms : {0.0, 80.0, 110.0, 300.0}) {
+    const double seen = 0.5 * std::erfc(-(delay_ms - 110.0) / 45.0 / std::sqrt(2.0));
+    EXPECT_NEAR(share_of_first(parameters, question("yes_no"), {delay_ms}), 0.1 + 0.85 * seen,
+                kFourErrors);
+  }
+}
+
+TEST(AnsweringObserver, YesIsThePositiveChoiceWhereverItStands) {
+  Page page = question("yes_no");
+  page.positive_choice = 1;
+  EXPECT_EQ(share_of_first(without_spread(), page, {1000.0}), 0.0);
+}
+
+// A high-threshold observer, enumerated: seen in the first alone, it is chosen; in both or neither,
+// it is guessed.
+TEST(AnsweringObserver, ChoosesOfTwoAsTheHighThresholdObserverDoes) {
+  VirtualClock clock;
+  const CausalityObserver observer(without_spread(), 1, "S01", clock);
+  for (double first = 0.0; first <= 1.0; first += 0.1) {
+    for (double second = 0.0; second <= 1.0; second += 0.1) {
+      double chosen = 0.0;
+      for (const bool in_first : {false, true}) {
+        for (const bool in_second : {false, true}) {
+          const double chance =
+              (in_first ? first : 1.0 - first) * (in_second ? second : 1.0 - second);
+          chosen += chance * (in_first == in_second ? 0.5 : in_first ? 1.0 : 0.0);
+        }
+      }
+      EXPECT_NEAR(observer.first_probability(first, second), chosen, 1e-12);
+    }
+  }
+}
+
+TEST(AnsweringObserver, ComparesWhatWasShownInTheTwoIntervalsOfTheSameTrial) {
+  const CausalityParameters parameters = without_spread();
+  const Page page = question("two_interval");
+  EXPECT_EQ(share_of_first(parameters, page, {1000.0, -1000.0}), 1.0);
+  EXPECT_EQ(share_of_first(parameters, page, {-1000.0, 1000.0}), 0.0);
+  EXPECT_NEAR(share_of_first(parameters, page, {110.0, -1000.0}), 0.75, kFourErrors);
+  EXPECT_NEAR(share_of_first(parameters, page, {110.0, 110.0}), 0.5, kFourErrors);
+  CausalityParameters lapsing = parameters;
+  lapsing.lapse_rate = 0.2;
+  EXPECT_NEAR(share_of_first(lapsing, page, {1000.0, -1000.0}), 0.9, kFourErrors);
+}
+
+TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
+  CausalityParameters parameters = without_spread();
+  parameters.reaction_median_ms = 1000.0;
+  parameters.reaction_sigma_log = 0.5;
+  VirtualClock clock;
+  CausalityObserver observer(parameters, 1, "S01", clock);
+  Page page = question("yes_no");
+  page.timeout_ms = 1000.0;
+  int timed_out = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Answer answer = observer.ask(page);
+    const std::int64_t took_ns = answer.arrived_ns - answer.shown_ns;
+    EXPECT_LE(took_ns, 1'000'000'000);
+    EXPECT_EQ(answer.timed_out, took_ns == 1'000'000'000);
+    EXPECT_EQ(answer.device, answer.timed_out ? "none" : "simulated");
+    timed_out += answer.timed_out ? 1 : 0;
+  }
+  EXPECT_NEAR(timed_out, 500, 4 * 16);  // the median; √(1000 · ¼) = 16
+}
+
+TEST(AnsweringObserver, RatesOfGuessesAndMissesMayStandInItsFile) {
+  const TemporaryFolder folder;
+  json file = json::parse(shipped("experiments/observers/causality.json"));
+  const auto loaded = [&] {
+    return std::get<CausalityParameters>(
+        load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
+  };
+  EXPECT_EQ(loaded().yes_guess_rate, 0.0);
+  file["parameters"]["guess_rate"] = {{"value", 0.03}, {"unit", "probability"}, {"source", "x"}};
+  file["parameters"]["miss_rate"] = {{"value", 0.02}, {"unit", "probability"}, {"source", "x"}};
+  EXPECT_EQ(loaded().yes_guess_rate, 0.03);
+  EXPECT_EQ(loaded().yes_miss_rate, 0.02);
+  file["parameters"]["miss_rate"]["value"] = 2;
+  const std::string refused = refusal([&] { loaded(); });
+  EXPECT_TRUE(refused.ends_with("o.json:/parameters/miss_rate/value: expected at most 1, got 2"))
+      << refused;
+}
+
+}  // namespace
+}  // namespace impetus

@@ -1,0 +1,130 @@
+// The other studies as the program runs them: solved, simulated, stored, replayed.
+// SPDX-License-Identifier: MIT
+#include <SQLiteCpp/Database.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/program.hpp"
+#include "tests/experiments/refusals.hpp"
+
+namespace impetus {
+namespace {
+
+/// A folder with copies of a protocol and its scene, to be cut short.
+struct Copied {
+  Copied(const std::string& protocol_file, const std::string& scene_file)
+      : protocol(json::parse(shipped("protocols/" + protocol_file))),
+        scene(json::parse(shipped("stimuli/" + scene_file))) {}
+
+  ProgramResult run(const std::vector<std::string>& more) const {
+    json beside = protocol;
+    beside["scene"] = "scene.json";
+    folder.write("protocol.json", beside.dump());
+    folder.write("scene.json", scene.dump());
+    std::vector<std::string> words{"run", "protocol.json", "--db", "a.sqlite"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(folder, words);
+  }
+
+  [[nodiscard]] std::string asked(const std::string& sql) const {
+    SQLite::Database database((folder / "a.sqlite").string(), SQLite::OPEN_READONLY);
+    return database.execAndGet(sql).getString();
+  }
+
+  TemporaryFolder folder;
+  json protocol;
+  json scene;
+};
+
+Copied short_distribution() {
+  Copied study("scheduler-distribution.json", "spheres-in-view.json");
+  study.protocol["design"]["factors"][0]["levels"] = {"distance", "gap"};
+  study.protocol["solve"][0]["pilot_s"] = 20;
+  study.protocol["solve"][0]["within"] = 0.05;
+  study.scene["duration_s"] = 10;
+  return study;
+}
+
+TEST(UnattendedRun, StoresNobodysTrialsWithTheirThresholdsAndReplays) {
+  const Copied study = short_distribution();
+  const ProgramResult ran = study.run({});
+  ASSERT_EQ(ran.status, 0) << ran.errors;
+  EXPECT_EQ(ran.output, "Saved in a.sqlite\n");
+  EXPECT_EQ(study.asked("SELECT group_concat(pseudonym || simulated) FROM participant"), "nobody1");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM enrolment WHERE finished_utc IS NOT NULL"), "1");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM trial WHERE solved LIKE "
+                        "'{\"/engine/schedule/thresholds/0\":%}'"),
+            "2");
+  EXPECT_EQ(study.asked("SELECT sum(length(digests)) || ',' || count(*) FROM step"), "0,1202");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM collision WHERE priority IS NULL OR distance_m IS "
+                        "NULL OR speed_deg_s IS NULL OR collision_speed_deg_s IS NULL"),
+            "0");
+  EXPECT_EQ(study.asked("SELECT count(*) > 100 FROM seen_collision"), "1");
+  const ProgramResult replayed = run_program(study.folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_TRUE(replayed.output.starts_with("2 trials, 1200 steps, ")) << replayed.output;
+}
+
+TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
+  const Copied study = short_distribution();
+  for (const std::string option : {"--participant", "--observer"}) {
+    const ProgramResult ran = study.run({option, "P01"});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(ran.errors, "impetus: " + option +
+                              ": expected none, for nobody takes part in protocol.json\n");
+  }
+  EXPECT_FALSE(std::filesystem::exists(study.folder / "a.sqlite"));
+}
+
+TEST(UnattendedRun, AThresholdThatCannotReachItsShareIsRefusedBeforeARowIsWritten) {
+  Copied study = short_distribution();
+  study.protocol["design"]["factors"][0]["levels"] = {"gap-bound", "gap"};
+  const ProgramResult ran = study.run({});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.errors.find("protocol.json:/solve/0: expected a threshold that parts"),
+            std::string::npos)
+      << ran.errors;
+  EXPECT_FALSE(std::filesystem::exists(study.folder / "a.sqlite"));
+}
+
+TEST(ResponseRun, FromConsentToThanksWithItsObserverAndReplays) {
+  Copied study("response.json", "two-l-blocks-off-centre.json");
+  study.protocol["design"]["repetitions"] = 1;
+  study.protocol["solve"][0]["runs"] = 20;
+  const std::string observer = IMPETUS_SOURCE_DIR "/experiments/observers/response.json";
+  const ProgramResult ran = study.run({"--observer", observer, "--participant", "S01"});
+  ASSERT_EQ(ran.status, 0) << ran.errors;
+  EXPECT_EQ(study.asked("SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "27");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM answer WHERE question = 'strategy'"), "1");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM trial WHERE solved IS NULL"), "0");
+  EXPECT_EQ(study.asked("SELECT group_concat(DISTINCT level) FROM collision "
+                        "WHERE imposed_spin_a_x_rad_s IS NOT NULL"),
+            "0");
+  EXPECT_EQ(study.asked("SELECT count(*) FROM collision "
+                        "WHERE imposed_spin_b_z_rad_s IS NOT NULL"),
+            "11")
+      << "nine main trials and two of practice at the root, each once";
+  const ProgramResult replayed = run_program(study.folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_NE(replayed.output.find(" 0 divergent"), std::string::npos);
+}
+
+TEST(GapThresholdsRun, FromConsentToThanksWithItsObserverAndTheTruthIsWhatWasSet) {
+  Copied study("gap-thresholds.json", "shells.json");
+  study.protocol["design"]["adaptive"]["trials_per_track"] = 3;
+  const std::string observer = IMPETUS_SOURCE_DIR "/experiments/observers/gap-thresholds.json";
+  const ProgramResult ran = study.run({"--observer", observer, "--participant", "S01"});
+  ASSERT_EQ(ran.status, 0) << ran.errors;
+  EXPECT_EQ(study.asked("SELECT count(*) FROM trial_response WHERE phase = 'main'"), "12");
+  const ProgramResult replayed = run_program(study.folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  ASSERT_EQ(run_program(study.folder, {"replay", "a.sqlite", "--truth"}).status, 0);
+  // Half a pixel of this screen is .9 minutes of arc.
+  EXPECT_EQ(study.asked("SELECT count(*) FROM collision_truth "
+                        "JOIN collision ON collision.id = collision_id "
+                        "JOIN attempt ON attempt.id = attempt_id JOIN trial ON trial.id = trial_id "
+                        "WHERE abs(gap_arcmin - json_extract(condition, '$.gap_arcmin')) < 0.001"),
+            "18");
+}
+
+}  // namespace
+}  // namespace impetus
