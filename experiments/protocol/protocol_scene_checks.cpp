@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <set>
 
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
@@ -171,8 +172,8 @@ void check_demonstrations(const Protocol& protocol) {
 }
 
 void check_gaze(const Protocol& protocol) {
-  if (protocol.document.value.contains("gaze")) {
-    return;
+  if (protocol.document.value.contains("gaze") || !has_participants(protocol.document.value)) {
+    return;  // nobody's gaze is the screen's centre
   }
   for (const Condition& cell : shown_conditions(protocol.design)) {
     if (depends_on_gaze(scene_under(protocol, cell)["engine"])) {

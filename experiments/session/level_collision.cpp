@@ -107,6 +107,7 @@ World alone(const Approach& approach, const StagedScene& scene, int level) {
   WorldSettings settings = scene.world.settings();
   settings.schedule = only_level(level);
   settings.imposed_hold_s = 0.0;
+  settings.imposed_spin.reset();
   if (approach.bodies.size() > 1) {
     settings.enclosure.reset();
   }

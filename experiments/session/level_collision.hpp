@@ -5,7 +5,7 @@
 //   those two alone ──level 0──> ... ──level 1──> ... ──finest──> ...      from there, each anew
 //
 // A coarser level touches earlier, for its volumes reach further. Two bodies come before a body and
-// a wall; an imposed hold is left out. (Dingliana 2002, figures 6.1 to 6.3)
+// a wall; what is imposed, a hold or a spin, is left out. (Dingliana 2002, figures 6.1 to 6.3)
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -3,6 +3,8 @@
 #include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/refusals.hpp"
 
@@ -69,8 +71,8 @@ TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
   for (const std::string option : {"--participant", "--observer"}) {
     const ProgramResult ran = study.run({option, "P01"});
     EXPECT_EQ(ran.status, 2);
-    EXPECT_EQ(ran.errors, "impetus: " + option +
-                              ": expected none, for nobody takes part in protocol.json\n");
+    EXPECT_EQ(ran.errors,
+              "impetus: " + option + ": expected none, for nobody takes part in protocol.json\n");
   }
   EXPECT_FALSE(std::filesystem::exists(study.folder / "a.sqlite"));
 }
@@ -124,6 +126,34 @@ TEST(GapThresholdsRun, FromConsentToThanksWithItsObserverAndTheTruthIsWhatWasSet
                         "JOIN attempt ON attempt.id = attempt_id JOIN trial ON trial.id = trial_id "
                         "WHERE abs(gap_arcmin - json_extract(condition, '$.gap_arcmin')) < 0.001"),
             "18");
+}
+
+TEST(GapThresholdsRun, QuestFindsThePlantedThresholdsWithinTwoOfItsStandardDeviations) {
+  const Copied study("gap-thresholds.json", "shells.json");
+  json observer = json::parse(shipped("experiments/observers/gap-thresholds.json"));
+  observer["parameters"]["threshold_sd_log10"]["value"] = 0;
+  study.folder.write("observer.json", observer.dump());
+  ASSERT_EQ(study.run({"--observer", "observer.json", "--participant", "S01"}).status, 0);
+  for (const double above_deg : {0.0, 8.0}) {
+    for (const double distractors : {0.0, 8.0}) {
+      const std::string track =
+          " FROM trial WHERE track IS NOT NULL AND json_extract(condition, "
+          "'$.eccentricity_deg') = " +
+          std::to_string(above_deg) +
+          " AND json_extract(condition, '$.distractors') = " + std::to_string(distractors) +
+          " ORDER BY slot DESC LIMIT 1";
+      const auto known = [&](const std::string& name) {
+        return std::stod(
+            study.asked("SELECT json_extract(adaptive_state, '$." + name + "')" + track));
+      };
+      // 10′ (1 + e/2.3)(60 / G(8°/s))(1 + .05 (N − 2)), G(8) = 57.69 − 27.78 log₁₀ 8 = 32.60
+      const double planted =
+          std::log10(10.0 * (1.0 + above_deg / 2.3) * 60.0 / 32.602 * (1.0 + 0.05 * distractors));
+      EXPECT_NEAR(known("threshold"), planted, 2.0 * known("threshold_sd"))
+          << above_deg << "°, " << distractors << " distractors";
+      EXPECT_LT(known("threshold_sd"), 0.12);
+    }
+  }
 }
 
 }  // namespace
