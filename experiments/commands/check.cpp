@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/design_print.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -56,17 +57,21 @@ void print_factors(const Protocol& protocol) {
   }
 }
 
-/// How often each level of each factor is shown in the main trials.
+/// How often each level of each factor is shown in the main trials, catch trials apart; nobody
+/// knows it of adaptive levels.
 void print_exposure(const Protocol& protocol, const Plan& plan) {
   std::map<std::string, std::int64_t> shown;
   for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kMain) {
+    if (trial.phase == TrialPhase::kMain && !trial.catch_trial) {
       for (const FactorLevel& level : trial.condition) {
         ++shown[level.factor + " " + to_text(level.value)];
       }
     }
   }
   for (const Factor& factor : protocol.design.factors) {
+    if (protocol.design.adaptive && protocol.design.adaptive->factor == factor.name) {
+      continue;
+    }
     std::string text;
     for (const LevelValue& level : factor.levels) {
       const std::string value = to_text(level);
@@ -109,12 +114,13 @@ void print_design(const Protocol& protocol) {
           ? ", again and again, at most " + std::to_string(design.most_practice_trials) + " in all"
       : rounds > 1 ? ", up to " + std::to_string(rounds) + " times"
                    : "";
-  std::printf("  trials       %lld, after %zu of practice%s\n", static_cast<long long>(main_trials),
-              practice, again.c_str());
-  for (const LongestRun& rule : design.longest_runs) {
-    std::printf("  order        random, at most %lld equal %s in a row\n",
-                static_cast<long long>(rule.longest), rule.factor.c_str());
-  }
+  const auto catches = std::count_if(plan.begin(), plan.end(),
+                                     [](const PlannedTrial& trial) { return trial.catch_trial; });
+  const std::string caught =
+      catches > 0 ? ", of which " + std::to_string(catches) + " are catch trials" : "";
+  std::printf("  trials       %lld%s, after %zu of practice%s\n",
+              static_cast<long long>(main_trials), caught.c_str(), practice, again.c_str());
+  print_order(design);
   print_exposure(protocol, plan);
   std::printf("  responses    %s\n", response_list(protocol.script).c_str());
   if (protocol.script.scale) {
