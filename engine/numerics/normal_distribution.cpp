@@ -30,9 +30,10 @@ double above_the_middle(double z) {
 
 /// 1 − Φ(z) = φ(z) / (z + 1/(z + 2/(z + 3/(z + …)))) for z > 0 (Laplace), from the inside out.
 double upper_tail(double z) {
-  constexpr int kTerms = 200;
+  // What is left out after n terms is about exp(−2 z √n) of the whole.
+  const int terms = 10 + static_cast<int>(360.0 / (z * z));
   double fraction = z;
-  for (int term = kTerms; term >= 1; --term) {
+  for (int term = terms; term >= 1; --term) {
     fraction = z + term / fraction;
   }
   return density(z) / fraction;
@@ -42,8 +43,12 @@ double upper_tail(double z) {
 
 double cumulative_normal(double z) {
   constexpr double kTail = 1.0;
+  constexpr double kEnd = 40.0;  // where doubles end, too
   if (std::isnan(z)) {
     return z;
+  }
+  if (std::abs(z) >= kEnd) {
+    return z > 0.0 ? 1.0 : 0.0;
   }
   if (z >= kTail) {
     return 1.0 - upper_tail(z);

@@ -34,17 +34,21 @@ void print_factors(const Protocol& protocol) {
   }
 }
 
-/// How often each level of each factor is shown in the main trials.
+/// How often each level of each factor is shown in the main trials, catch trials apart; nobody
+/// knows it of adaptive levels.
 void print_exposure(const Protocol& protocol, const Plan& plan) {
   std::map<std::string, std::int64_t> shown;
   for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kMain) {
+    if (trial.phase == TrialPhase::kMain && !trial.catch_trial) {
       for (const FactorLevel& level : trial.condition) {
         ++shown[level.factor + " " + to_text(level.value)];
       }
     }
   }
   for (const Factor& factor : protocol.design.factors) {
+    if (protocol.design.adaptive && protocol.design.adaptive->factor == factor.name) {
+      continue;
+    }
     std::string text;
     for (const LevelValue& level : factor.levels) {
       const std::string value = to_text(level);

@@ -8,6 +8,7 @@
 
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/replay_levels.hpp"
 #include "experiments/commands/replay_truth.hpp"
 #include "experiments/commands/replayed_trial.hpp"
 #include "experiments/session/input_error.hpp"
@@ -93,6 +94,7 @@ int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   for (const StoredAttempt& attempt : attempts) {
     diverged += replays(library, attempt, compared) ? 0 : 1;
   }
+  diverged += compare_levels(study, attempts, library);
   const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
   std::printf("%zu trials, %lld steps, %.0f times real time, %lld divergent\n", attempts.size(),
               static_cast<long long>(compared.steps), compared.simulated_s / took_s,

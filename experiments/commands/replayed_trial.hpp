@@ -28,9 +28,10 @@ class ReplayLibrary {
   [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt,
                                               std::int64_t interval = 1);
 
- private:
+  /// A protocol of the study, as it was stored.
   const Protocol& protocol(std::int64_t id);
 
+ private:
   StudyFile& study_;
   std::map<std::int64_t, Protocol> protocols_;
   std::shared_ptr<ShapeLibrary> shapes_ = std::make_shared<ShapeLibrary>();

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/design_words.hpp"
 
+#include <cstdio>
+
+#include "experiments/session/adaptive_levels.hpp"
+#include "experiments/session/blocks.hpp"
+
 namespace impetus {
 namespace {
 
@@ -9,50 +14,72 @@ std::string count_of(std::int64_t count, const std::string& one, const std::stri
 }
 
 std::string cells_line(const Design& design) {
+  if (design.adaptive) {
+    const auto tracks = static_cast<std::int64_t>(adaptive_tracks(design).size());
+    return count_of(tracks, "track", "tracks, interleaved at random") + ", of " +
+           count_of(design.adaptive->trials_per_track, "trial", "trials each") + ".";
+  }
   std::string product;
   for (const Factor& factor : design.factors) {
-    if (!design.adaptive || factor.name != design.adaptive->factor) {
-      product += (product.empty() ? "" : " × ") + std::to_string(factor.levels.size());
-    }
-  }
-  if (design.adaptive) {
-    return product.empty() ? "One track." : "Tracks: " + product + ", interleaved at random.";
+    product += (product.empty() ? "" : " × ") + std::to_string(factor.levels.size());
   }
   return product + (design.factors.size() > 1 ? " cells, " : " levels, ") +
          count_of(design.repetitions, "repetition", "repetitions") + " of each.";
 }
 
-std::string blocks_line(const Blocks& blocks) {
+std::string blocks_line(const Design& design) {
+  const Blocks& blocks = *design.blocks;
+  const std::size_t count = block_order(design, {"", "P01", 1}).size();
   std::string names;
   for (const std::string& factor : blocks.factors) {
     names += (names.empty() ? "`" : " × `") + factor + "`";
   }
+  const std::string each = std::to_string(count) + " blocks, one for each " + names + ", ";
   switch (blocks.order) {
     case Blocks::Order::kFixed:
-      return "A block for each " + names + ", in the order listed.";
+      return each + "in the order listed.";
     case Blocks::Order::kLatinSquare:
-      return "A block for each " + names +
-             ", counterbalanced by a Latin square over the number that the participant's code ends "
-             "in.";
+      return each + "by the " + std::to_string(williams_square(count).size()) +
+             " rows of a Latin square (Williams 1949): the row goes by the number that the "
+             "participant's code ends in.";
     default:
-      return "A block for each " + names + ", in random order.";
+      return each + "in random order.";
   }
 }
 
 std::string staircase_words(const Staircase& staircase) {
-  return "by " +
-         count_of(static_cast<std::int64_t>(staircase.starts.size()), "staircase",
-                  "interleaved staircases") +
-         ": harder after " + count_of(staircase.down, "positive answer", "positive answers") +
-         ", easier after " + count_of(staircase.up, "negative one", "negative ones");
+  char share[32];
+  std::snprintf(share, sizeof share, "%.1f", 100.0 * settling_share(staircase));
+  return "by a staircase, harder after " +
+         count_of(staircase.down, "positive answer", "positive answers in a row") +
+         " and easier after " + count_of(staircase.up, "negative one", "negative ones in a row") +
+         ", which settles at " + share + " % positive answers";
+}
+
+std::string quest_plus_words(const QuestPlus& quest_plus) {
+  return "by QUEST+ (Watson 2017), among " + std::to_string(candidates_of(quest_plus).size()) +
+         (quest_plus.function == QuestPlus::Function::kNormal ? " normal" : " Weibull") +
+         " functions";
 }
 
 std::string adaptive_line(const Adaptive& adaptive) {
   const auto* staircase = std::get_if<Staircase>(&adaptive.method);
-  const std::string method =
-      staircase != nullptr ? staircase_words(*staircase) : "by QUEST+ (Watson 2017)";
-  return "The level of `" + adaptive.factor + "` is chosen trial by trial, " + method + "; " +
-         count_of(adaptive.trials_per_track, "trial", "trials") + " to a track.";
+  return "The level of `" + adaptive.factor + "` is chosen trial by trial " +
+         (staircase != nullptr ? staircase_words(*staircase)
+                               : quest_plus_words(std::get<QuestPlus>(adaptive.method))) +
+         ".";
+}
+
+std::string practice_line(const Design& design) {
+  const auto trials = static_cast<std::int64_t>(design.practice.size());
+  std::string line = "Practice: " + count_of(trials, "trial", "trials");
+  if (design.most_practice_trials > 0) {
+    line += ", again and again until it is learnt, at most " +
+            std::to_string(design.most_practice_trials) + " in all";
+  } else if (design.practice_rounds > 1) {
+    line += ", up to " + std::to_string(design.practice_rounds) + " times until it is understood";
+  }
+  return line + ".";
 }
 
 }  // namespace
@@ -78,7 +105,7 @@ std::vector<std::string> design_lines(const Design& design) {
   if (design.adaptive) {
     lines.push_back(adaptive_line(*design.adaptive));
   }
-  lines.push_back(design.blocks ? blocks_line(*design.blocks) : "In random order.");
+  lines.push_back(design.blocks ? blocks_line(design) : "In random order.");
   for (const LongestRun& rule : design.longest_runs) {
     lines.push_back("At most " + std::to_string(rule.longest) + " trials in a row with equal `" +
                     rule.factor + "`.");
@@ -89,12 +116,7 @@ std::vector<std::string> design_lines(const Design& design) {
                     ", outside the design: " + condition_words(trials.condition) + ".");
   }
   if (!design.practice.empty()) {
-    const auto trials = static_cast<std::int64_t>(design.practice.size());
-    lines.push_back("Practice: " + count_of(trials, "trial", "trials") +
-                    (design.practice_rounds > 1
-                         ? ", up to " + std::to_string(design.practice_rounds) + " times"
-                         : "") +
-                    ".");
+    lines.push_back(practice_line(design));
   }
   return lines;
 }

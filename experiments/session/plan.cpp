@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/numerics/random_stream.hpp"
@@ -65,6 +67,23 @@ void number_tracks(TrialBlocks& blocks) {
   }
 }
 
+/// Where an order of the main trials leaves no places for the catch trials, another is drawn.
+void order_main_trials(TrialBlocks& blocks, const Design& design, RandomStream& order,
+                       RandomStream& catches) {
+  constexpr int kMostOrders = 500;
+  for (int draw = 0; draw < kMostOrders; ++draw) {
+    draw_order(blocks, design.longest_runs, order);
+    if (spread_catch_trials(blocks, design, catches)) {
+      number_tracks(blocks);
+      return;
+    }
+  }
+  throw std::runtime_error(
+      "no order of the trials and the catch trials that keeps to the longest "
+      "runs was found in " +
+      std::to_string(kMostOrders) + " draws");
+}
+
 }  // namespace
 
 Plan make_plan(const Design& design, const PlanKey& key) {
@@ -74,9 +93,7 @@ Plan make_plan(const Design& design, const PlanKey& key) {
   RandomStream seeds(key.seed, "trial seeds/" + owner);
 
   TrialBlocks blocks = divided(main_trials(design), block_order(design, key));
-  draw_order(blocks, design.longest_runs, order);
-  number_tracks(blocks);
-  spread_catch_trials(blocks, design, catches);
+  order_main_trials(blocks, design, order, catches);
 
   Plan plan = practice_trials(design);
   for (const std::vector<PlannedTrial>& block : blocks) {

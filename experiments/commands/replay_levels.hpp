@@ -1,0 +1,14 @@
+// The adaptive levels of a study, derived anew from its answers.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/commands/replayed_trial.hpp"
+
+namespace impetus {
+
+/// Compares the adaptive levels of these attempts' trials with what their tracks choose anew,
+/// prints each that differs, and returns how many there are.
+std::int64_t compare_levels(StudyFile& study, const std::vector<StoredAttempt>& attempts,
+                            ReplayLibrary& library);
+
+}  // namespace impetus
