@@ -25,6 +25,7 @@ struct ViewedStimulus {
   std::int64_t interval{1};
   std::int64_t intervals{1};
   std::int64_t onset_ns{0};
+  bool standard{false};
 };
 
 std::string title_of(const ViewedStimulus& viewed) {
@@ -33,7 +34,11 @@ std::string title_of(const ViewedStimulus& viewed) {
                       " of " + std::to_string(attempt.trials_planned) + " · ";
   title += attempt.trial.phase == TrialPhase::kPractice ? "practice" : "main";
   title += attempt.number > 1 ? " · attempt " + std::to_string(attempt.number) : "";
-  return viewed.intervals == 1 ? title : title + " · interval " + std::to_string(viewed.interval);
+  if (viewed.intervals == 1) {
+    return title;
+  }
+  return title + " · interval " + std::to_string(viewed.interval) +
+         (viewed.standard ? ", standard" : "");
 }
 
 /// What was answered, in the order asked.
@@ -43,8 +48,9 @@ std::vector<ViewedAnswer> answers_of(StudyFile& study, const StoredAttempt& atte
     answers.push_back({"rated " + std::to_string(*attempt.rating), attempt.answered_ns});
   }
   for (const StoredResponse& response : load_responses(study, attempt.id)) {
-    answers.push_back({response.timed_out ? response.kind + ": no answer in time"
-                                          : response.kind + " " + response.answer,
+    answers.push_back({response.kind + (response.timed_out        ? ": no answer in time"
+                                        : response.answer.empty() ? ": left empty"
+                                                                  : " " + response.answer),
                        response.arrived_ns});
   }
   return answers;
@@ -108,7 +114,8 @@ std::vector<ViewedStimulus> shown_stimuli(StudyFile& study, ReplayLibrary& libra
     const std::int64_t intervals = library.intervals(attempt);
     for (std::int64_t interval = 1; interval <= intervals; ++interval) {
       if (const auto onset_ns = load_onset(study, attempt.id, interval)) {
-        shown.push_back({attempt, interval, intervals, *onset_ns});
+        shown.push_back({attempt, interval, intervals, *onset_ns,
+                         intervals > 1 && library.shows_standard(attempt, interval)});
       }
     }
   }

@@ -13,6 +13,12 @@ std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
   return protocol(attempt.protocol_id).script.two_interval ? 2 : 1;
 }
 
+bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t interval) {
+  PlannedTrial trial;
+  trial.seed = attempt.trial.seed;
+  return interval != test_interval(protocol(attempt.protocol_id).script, trial);
+}
+
 StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
   if (attempt.recording_format != kRecordingFormat) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +

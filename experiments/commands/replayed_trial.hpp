@@ -21,6 +21,9 @@ class ReplayLibrary {
   /// How many stimuli the attempt's protocol shows in a trial: 1 or 2.
   [[nodiscard]] std::int64_t intervals(const StoredAttempt& attempt);
 
+  /// Whether the interval showed the standard, and not the condition's own stimulus.
+  [[nodiscard]] bool shows_standard(const StoredAttempt& attempt, std::int64_t interval);
+
   /// The scene of the attempt's interval at its start. Throws InputError when it was recorded in a
   /// format that this build does not replay, naming the build that does.
   [[nodiscard]] StagedScene stage(const StoredAttempt& attempt, std::int64_t interval = 1);

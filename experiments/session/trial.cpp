@@ -90,6 +90,9 @@ class Attempt {
   }
 
   bool ask_questions() {
+    if (stimuli_.size() > 1) {
+      stimuli_.back().take_clicks();  // before the first is asked for its own
+    }
     for (Stimulus& stimulus : stimuli_) {
       stimulus.be_witnessed();
     }

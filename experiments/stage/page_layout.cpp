@@ -83,8 +83,8 @@ float widest_label(const Page& page) {
   return width_px;
 }
 
-/// The largest letters in which every label fits its share of the column.
-ImFont* font_for_choices(const Gui& gui, const Page& page, float width_px) {
+/// The largest letters in which every label fits the width; none when not even the smallest do.
+ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
   const Fonts& fonts = gui.fonts();
   for (ImFont* font : {fonts.title[0], fonts.body[0], fonts.body[1]}) {
     ImGui::PushFont(font);
@@ -94,7 +94,7 @@ ImFont* font_for_choices(const Gui& gui, const Page& page, float width_px) {
       return font;
     }
   }
-  return fonts.body[kReadingSizes - 1];
+  return nullptr;
 }
 
 /// Side by side and of one size; one below the other when their words are long.
@@ -103,8 +103,12 @@ std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
   const float gap_px = std::round(1.2F * ImGui::GetFontSize());
   const auto count = static_cast<float>(page.choices.size());
   const float share_px = std::floor((column.width - (count - 1.0F) * gap_px) / count);
-  ImGui::PushFont(font_for_choices(gui, page, share_px));
-  const bool abreast = widest_label(page) <= share_px;
+  ImFont* font = font_within(gui, page, share_px);
+  const bool abreast = font != nullptr;
+  if (!abreast) {
+    font = font_within(gui, page, column.width);
+  }
+  ImGui::PushFont(font != nullptr ? font : gui.fonts().body[kReadingSizes - 1]);
   const ImVec2 size_px(abreast ? share_px : column.width, std::round(3.0F * ImGui::GetFontSize()));
   std::optional<std::size_t> clicked;
   ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);

@@ -41,17 +41,17 @@ inline json asked_scene() {
   return scene;
 }
 
-inline Protocol asked(const json& protocol) {
+inline Protocol study_of(const json& protocol) {
   return make_protocol(parse_json("asked.json", protocol.dump()),
                        parse_json("spheres.json", asked_scene().dump()));
 }
 
 inline Protocol asked(const std::vector<std::string>& questions) {
-  return asked(asked_protocol(questions));
+  return study_of(asked_protocol(questions));
 }
 
 inline std::string asked_refusal(const json& protocol) {
-  return refusal([&] { static_cast<void>(asked(protocol)); });
+  return refusal([&] { static_cast<void>(study_of(protocol)); });
 }
 
 inline PlannedTrial trial_with_delay(double delay_ms, std::uint64_t seed = 1) {

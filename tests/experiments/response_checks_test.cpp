@@ -10,7 +10,7 @@ namespace {
 
 TEST(ResponseChecks, SomethingMustBeAsked) {
   EXPECT_EQ(asked_refusal(asked_protocol({})),
-            "asked.json: expected something that participants answer, a key \"rating\", "
+            "asked.json:/: expected something that participants answer, a key \"rating\", "
             "\"yes_no\", \"two_interval\", \"free_text\" or \"clicks\", but there is none");
   for (const char* question : {kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText, kAskClicks}) {
     EXPECT_EQ(asked_refusal(asked_protocol({question})), "accepted") << question;
@@ -42,9 +42,11 @@ TEST(ResponseChecks, TheStandardNamesFactorsAndHasLevelsThatTheSceneCanShow) {
             "asked.json:/two_interval/standard: expected at least one level, or both intervals "
             "show the same, got {}");
   EXPECT_EQ(refused({{"delay_ms", "long"}}),
-            "asked.json:/two_interval/standard/delay_ms: expected a number, got \"long\"");
-  EXPECT_EQ(refused({{"delay_ms", -100}}),
-            "asked.json:/two_interval/standard/delay_ms: expected at least 0, got -100");
+            "asked.json:/two_interval/standard/delay_ms: expected a number ≥ 0 and ≤ 60000, got "
+            "\"long\"");
+  EXPECT_EQ(
+      refused({{"delay_ms", -100}}),
+      "asked.json:/two_interval/standard/delay_ms: expected a number ≥ 0 and ≤ 60000, got -100");
   EXPECT_EQ(refused({{"delay_ms", 100}}), "accepted");
 }
 
@@ -53,7 +55,7 @@ TEST(ResponseChecks, TheStandardAndTheBlankFallOnFrames) {
     json protocol = asked_protocol({kAskTwoInterval});
     protocol["two_interval"]["standard"] = standard;
     protocol["two_interval"]["between_ms"] = between_ms;
-    return refusal([&] { check_frames(asked(protocol), 60.0, allow_rounding); });
+    return refusal([&] { check_frames(study_of(protocol), 60.0, allow_rounding); });
   };
   EXPECT_EQ(refused({{"delay_ms", 90}}, 500, false),
             "asked.json:/two_interval/standard/delay_ms: expected a whole number of 60 Hz frames "
@@ -105,7 +107,8 @@ TEST(ResponseChecks, ATimeLimitIsPositive) {
     json protocol = asked_protocol({kAskRating, kAskYesNo, kAskTwoInterval});
     protocol[kind]["timeout_ms"] = 0;
     EXPECT_EQ(asked_refusal(protocol),
-              std::string("asked.json:/") + kind + "/timeout_ms: expected more than 0, got 0");
+              std::string("asked.json:/") + kind +
+                  "/timeout_ms: expected a number > 0 and ≤ 600000, got 0");
   }
 }
 

@@ -35,7 +35,7 @@ TEST(Responses, YesIsPositiveAndRightOnlyWhereTheLevelIsAboveTheRule) {
 TEST(Responses, WithoutARuleNothingIsRightOrWrong) {
   json protocol = asked_protocol({kAskYesNo});
   protocol["yes_no"].erase("right_when");
-  TestLab lab(60.0, asked(protocol));
+  TestLab lab(60.0, study_of(protocol));
   const AttemptRecord record = answered_trial(lab, trial_with_delay(300), kYes);
   EXPECT_EQ(record.responses.front().positive, true);
   EXPECT_FALSE(record.responses.front().correct);

@@ -18,7 +18,8 @@ json training_protocol() {
 
 /// A participant who answers practice trials right from the given one on, and never before.
 struct TrainingLab : TestLab {
-  explicit TrainingLab(std::int64_t right_from) : TestLab(60.0, asked(training_protocol())) {
+  explicit TrainingLab(std::int64_t right_from, const json& study = training_protocol())
+      : TestLab(60.0, study_of(study)) {
     input.on_page = [this, right_from](const Page& page) {
       pages.push_back(page);
       Answer answer;
@@ -116,6 +117,26 @@ TEST(Training, ProgressCountsNoPracticeThatNobodyNeeds) {
   EXPECT_EQ(result.expected_trials, 3 + 4);
   EXPECT_EQ(lab.display.pictures.front().progress.label, "Practice 1 of at most 7");
   EXPECT_EQ(lab.pages.back().progress.done, lab.pages.back().progress.total);
+}
+
+TEST(Training, NamedExtremesAreShownBeforeItAndAgainOnRequest) {
+  json protocol = training_protocol();
+  protocol["session"]["demonstrations"] = json::parse(R"([
+    {"id": "best", "title": "No delay", "paragraphs": [], "set": {"/imposed/contact_hold_ms": 0}},
+    {"id": "worst", "title": "Delay", "paragraphs": [], "set": {"/imposed/contact_hold_ms": 300}}])");
+  TrainingLab lab(1, protocol);
+  int asked_again = 0;
+  lab.on_other_page = [&](const Page& page, Answer answer) {
+    answer.choice = page.title == "That was: Delay" && asked_again++ < 2 ? 1 : answer.choice;
+    return answer;
+  };
+  EXPECT_EQ(lab.run().ending, SessionEnding::kFinished);
+  std::vector<std::string> shown;
+  for (const NoteRecord& note : lab.recorder.notes) {
+    shown.push_back(note.kind + " " + note.text);
+  }
+  EXPECT_EQ(shown, (std::vector<std::string>{"demonstration best", "demonstration worst",
+                                             "demonstration worst", "demonstration worst"}));
 }
 
 TEST(Training, AnswersThatCameTooLateAreNotRight) {
