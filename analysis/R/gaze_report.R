@@ -29,7 +29,7 @@ report_gaze_study <- function(study) {
   for (name in names(tables)) write_table(tables[[name]], path(paste0("-", name, ".csv")))
   write_report(path(".md"), "Gaze-contingent scheduling: ratings and clicks", results, data,
     tests$remarks, scheduling_captions(study),
-    gaze_sections(clicks, exposure, tables))
+    gaze_sections(clicks, exposure, tables), left_out_section(study))
   say(c(files, path(".csv"), path(paste0("-", names(tables), ".csv")), path(".md"), "",
     paste(data, collapse = " "), "", results, "", clicks, "", exposure, tests$remarks))
 }

@@ -32,7 +32,8 @@ report_rating_study <- function(study, title, main, others, interactions = FALSE
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   figures <- write_rating_figure(trials, study$scale, main, others, study$all_simulated, path(""))
   write_test_table(tests, path(".csv"))
-  write_report(path(".md"), title, results, data, tests$remarks, caption, shown$section)
+  write_report(path(".md"), title, results, data, tests$remarks, caption, shown$section,
+    left_out_section(study))
   say(c(figures, path(".csv"), path(".md"), "", paste(data, collapse = " "), "", results,
     tests$remarks))
 }

@@ -163,12 +163,14 @@ figure_caption <- function(trials, main, beside, simulated) {
   )
 }
 
-# Writes the report as Markdown: results, the data behind them, remarks, caption; `section`: lines
-# of Markdown between results and data.
-write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL) {
+# Writes the report as Markdown: results, the data behind them, what is left out, remarks, caption.
+# `section`, `left_out`: lines of Markdown.
+write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL,
+                         left_out = NULL) {
   bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
   text <- c(
     paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
+    if (!is.null(left_out)) c("## Left out, and other trials to know of", "", left_out, ""),
     "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
   )
   writeLines(enc2utf8(text), path, useBytes = TRUE)

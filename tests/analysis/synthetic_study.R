@@ -83,7 +83,8 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
   defaults <- list(
     simulated = 1, protocol_hash = "hash-1", minimum = 1, maximum = 3, best = 1,
     low_anchor = "very believable", high_anchor = "very unbelievable", device = NA,
-    realised_hold_ms = NA, timed_frames = 150, late_timed_frames = 0, sync_overridden = 0
+    realised_hold_ms = NA, timed_frames = 150, late_timed_frames = 0, sync_overridden = 0,
+    catch = 0
   )
   factors <- setdiff(names(trials), c("participant", "repetition", "rating", names(defaults)))
   for (column in setdiff(names(defaults), names(trials))) trials[[column]] <- defaults[[column]]
@@ -136,7 +137,8 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
   }, "")
   put("trial", data.frame(
     id = trials$id, enrolment_id = trials$enrolment, slot = trials$id, phase = trials$phase,
-    repetition = trials$repetition, condition = conditions, seed = trials$id
+    repetition = trials$repetition, condition = conditions, seed = trials$id,
+    catch = trials$catch
   ))
   done <- trials[!is.na(trials$rating), ]
   hold_ms <- if ("delay_ms" %in% factors) done$delay_ms else rep(0, nrow(done))
@@ -183,6 +185,17 @@ add_collisions <- function(path, collisions) {
     collision_id = measured$id, gap_m = measured$gap_arcmin / 1e4, gap_px = measured$gap_arcmin,
     gap_arcmin = measured$gap_arcmin, hidden_share = measured$hidden_share
   ))
+  path
+}
+
+# Leaves a participant, or one of the participant's trials, out of the analysis of the study at
+# `path`; `excluded` 0 takes that back.
+add_exclusion <- function(path, participant, trial, reason, excluded = 1) {
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbExecute(study, "INSERT INTO exclusion (participant_id, trial_id, excluded, reason,
+    decided_utc) VALUES ((SELECT id FROM participant WHERE pseudonym = ?), ?, ?, ?,
+    '2026-02-01T09:00:00Z')", params = list(participant, trial, excluded, reason))
   path
 }
 

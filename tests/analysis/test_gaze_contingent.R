@@ -68,7 +68,8 @@ test_that("a study file from before clicks and gaze is refused before anything i
   run <- run_script("gaze-contingent.R", path, "--out", out)
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste0("gaze-contingent.R: ", path,
-    ": expected a study file, got a database without the view gaze_sample"))
+    ": expected a study file of this version, got one without the view gaze_sample; opening it ",
+    "with `impetus run` brings it up to date"))
   expect_false(dir.exists(out))
 })
 
