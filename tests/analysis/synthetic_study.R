@@ -165,7 +165,11 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
 # step, level, and gap_arcmin and hidden_share, NA where `replay --truth` has not been run. Optional
 # columns take their defaults below.
 add_collisions <- function(path, collisions) {
-  defaults <- list(body_a = "a", body_b = "b", time_s = NA, gaze_eccentricity_deg = NA)
+  extra <- c("distance_m", "speed_deg_s", "eccentricity_deg", "list",
+    sprintf("imposed_spin_%s_rad_s", c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))
+  defaults <- c(list(body_a = "a", body_b = "b", time_s = NA, gaze_eccentricity_deg = NA,
+    gap_arcmin = NA, hidden_share = NA), stats::setNames(as.list(rep(NA_real_, length(extra))), extra))
+  defaults[c("eccentricity_deg", "list")] <- 0
   for (column in setdiff(names(defaults), names(collisions))) {
     collisions[[column]] <- defaults[[column]]
   }
@@ -174,11 +178,12 @@ add_collisions <- function(path, collisions) {
   collisions$id <- seq_len(nrow(collisions))
   DBI::dbAppendTable(study, "collision", data.frame(
     id = collisions$id, attempt_id = collisions$trial, step = collisions$step,
-    body_a = collisions$body_a, body_b = collisions$body_b, level = collisions$level, stopped = "greatest level", point_x_m = 0,
+    body_a = collisions$body_a, body_b = collisions$body_b, level = collisions$level,
+    stopped = "greatest level", point_x_m = 0,
     point_y_m = 0, point_z_m = 0, normal_x = 1, normal_y = 0, normal_z = 0, depth_m = 0,
     approach_m_s = 1, impulse_Ns = 1, imposed_hold_ms = 0, imposed_no_spin = 1,
-    eccentricity_deg = 0, time_s = collisions$time_s,
-    gaze_eccentricity_deg = collisions$gaze_eccentricity_deg
+    time_s = collisions$time_s, gaze_eccentricity_deg = collisions$gaze_eccentricity_deg,
+    collisions[extra]
   ))
   measured <- collisions[!is.na(collisions$gap_arcmin), ]
   DBI::dbAppendTable(study, "collision_truth", data.frame(
