@@ -133,7 +133,7 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
   }
   trials$id <- seq_len(nrow(trials))
   conditions <- vapply(trials$id, function(i) {
-    as.character(jsonlite::toJSON(as.list(trials[i, factors]), auto_unbox = TRUE))
+    as.character(jsonlite::toJSON(as.list(trials[i, factors, drop = FALSE]), auto_unbox = TRUE))
   }, "")
   put("trial", data.frame(
     id = trials$id, enrolment_id = trials$enrolment, slot = trials$id, phase = trials$phase,
