@@ -22,7 +22,8 @@ report_rating_study <- function(study, title, main, others, interactions = FALSE
   trials <- study$trials
   main <- study$factors[[main]]
   others <- unname(study$factors[others])
-  tests <- combine_outcomes(rating_tests(trials, main, others, interactions), shown$tests)
+  tests <- combine_outcomes(rating_tests(trials, main, others, interactions,
+    equivalence_margin(study$scale)), shown$tests)
   data <- study_sentences(study)
   results <- paste(c(results_paragraph(trials, study$scale, tests, main, others), shown$words),
     collapse = " ")
