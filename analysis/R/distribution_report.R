@@ -60,11 +60,12 @@ report_distribution_study <- function(study) {
     write_figure(function() ggplot2::ggplotGrob(share_panel(bins)), path("-shares"), height))
   write_table(bins, path(".csv"))
   write_table(shapes, path("-shapes.csv"))
-  results <- paragraphs(shape_sentences(shapes))
+  results <- paste("-", shape_sentences(shapes))
   data <- distribution_sentences(study)
   write_report(path(".md"), "Schedulers: which collisions come first", results, data,
     paste("Every collision is a data point of one simulated run: numbers describe, nothing is",
-      "tested."), c("Histograms: collisions of high (list 0) and low priority by place (thesis figs. 6.11 to 6.16).",
+      "tested."), c(paste("Histograms: collisions of high (list 0) and low priority by place (thesis figs. 6.11 to",
+      "6.16)."),
       "", "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
     shape_section(shapes), distribution_exclusions(study))
   say(c(figures, path(".csv"), path("-shapes.csv"), path(".md"), "", paste(data, collapse = " "),
@@ -107,8 +108,10 @@ histogram_panel <- function(bins) {
     cbind(bins, priority = "high", count = bins$high))
   long$priority <- factor(long$priority, c("low", "high"))
   long$place <- factor(kPlaces[long$place], kPlaces)
-  ggplot2::ggplot(long, ggplot2::aes(middle, count, fill = priority)) +
-    ggplot2::geom_col(ggplot2::aes(width = width)) +
+  long$base <- ifelse(long$priority == "high", 0, long$high)
+  ggplot2::ggplot(long, ggplot2::aes(xmin = middle - width / 2, xmax = middle + width / 2,
+    ymin = base, ymax = base + count, fill = priority)) +
+    ggplot2::geom_rect() +
     ggplot2::scale_fill_manual("Priority", values = kPriorityColours) +
     ggplot2::facet_grid(scheduler ~ place, scales = "free") +
     ggplot2::labs(x = NULL, y = "Collisions") + distribution_theme()

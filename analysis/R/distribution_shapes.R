@@ -87,7 +87,7 @@ wilson_share <- function(count, n) {
   share <- ifelse(n > 0, count / n, NA)
   middle <- (share + z^2 / (2 * n)) / (1 + z^2 / n)
   half <- z * sqrt(share * (1 - share) / n + z^2 / (4 * n^2)) / (1 + z^2 / n)
-  data.frame(share = share, share_low = middle - half, share_high = middle + half)
+  data.frame(share = share, share_low = pmax(middle - half, 0), share_high = pmin(middle + half, 1))
 }
 
 # A sentence for each expected shape whose scheduler is there: is it met, by which number?

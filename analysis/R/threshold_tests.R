@@ -76,8 +76,8 @@ hierarchical_thresholds <- function(study) {
       control = lme4::glmerControl(optimizer = "bobyqa")))
     if (!is.null(fit$value) && lme4::fixef(fit$value)[["centred"]] > 0) {
       return(outcome(hierarchical_rows(study, fit$value, trials, random),
-        c(remarks, paste("The hierarchical model has no lapses and one slope for all conditions,",
-          "so its thresholds may lie above those of the participants' functions."))))
+        c(remarks, paste("The hierarchical model has no lapses, no guesses but the two intervals'",
+          "and one slope for all conditions, so its thresholds differ from the functions'."))))
     }
     remarks <- c(remarks, sprintf("The hierarchical model with %s was not fitted: %s.", random,
       if (is.null(fit$value)) first_words(fit$complaints) else "answers do not rise"))
