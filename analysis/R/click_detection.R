@@ -113,7 +113,7 @@ detection_tests <- function(fits, records, gains, left_out, trials) {
   if (dropped > 0) remarks <- c(remarks, sprintf(paste("%s within 400 ms of the one before or",
     "after the end left out of the click regression."),
     paste(count_of(dropped, "click"), if (dropped == 1) "is" else "are")))
-  if (length(fits) == 0) return(outcome(remarks = remarks))
+  if (length(fits) < 2) return(outcome(remarks = remarks))  # one participant only describes
   each <- do.call(rbind, lapply(fits, `[[`, "gains"))
   interval <- t_interval(each[, "difference"])
   null <- shifted_differences(records)
@@ -146,18 +146,21 @@ tracked_gain_tests <- function(gains) {
 }
 
 detection_words <- function(tests, gains, fits) {
+  if (length(fits) == 0) {
+    return("No participant's events determine the gains of the click regression.")
+  }
   row <- tests_of(tests, kSensitivityFamily)
-  if (nrow(row) == 0) return("No participant's events determine the gains of the click regression.")
   mean_of <- function(gain) mean(gains[[gain]][gains$scheduling == "all"])
-  limits <- if (is.na(row$interval_low)) "" else sprintf(", 95 %% CI [%.3f, %.3f]",
-    row$interval_low, row$interval_high)
+  tested <- if (nrow(row) == 0) "" else sprintf(
+    ", 95 %% CI [%.3f, %.3f] (circular shift of clicks, %s)", row$interval_low,
+    row$interval_high, p_words(row$p_holm))
   alone <- implied_d_prime(mean_of("bad"), mean_of("baseline"))
   tracked <- tests_of(tests, kTrackedGainFamily)
   c(
     sprintf(paste("In the regression of the click rate, a bad event added %.3f clicks and a good",
-      "one %.3f; the difference, sensitivity, was %.3f%s (circular shift of clicks, %s). The",
-      "baseline, readiness to click at nothing, was %.3f clicks per second."), mean_of("bad"),
-      mean_of("good"), row$effect_size, limits, p_words(row$p_holm), mean_of("baseline")),
+      "one %.3f; the difference, sensitivity, was %.3f%s. The baseline, readiness to click at",
+      "nothing, was %.3f clicks per second."), mean_of("bad"), mean_of("good"),
+      mean_of("difference"), tested, mean_of("baseline")),
     if (!is.na(alone[["d_prime"]])) sprintf(paste("For one bad event alone in a second that",
       "makes d′ = %.2f, criterion %.2f."), alone[["d_prime"]], alone[["criterion"]]),
     vapply(seq_len(nrow(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
