@@ -3,6 +3,7 @@
 #   trials ─┬─> scheduling_tests, click tests ─> gaze-contingent.csv, .md
 #           ├─> means ─────────────────────────> -ratings.png, -clicks.png, and .pdf
 #           ├─> click_table ───────────────────> -clicks.csv
+#           ├─> click_detection ───────────────> -kernels.png, .pdf, .csv, -gains.csv, -matching.csv
 #           ├─> exposure_table ────────────────> -exposure.csv
 #           └─> gaze_quality ──────────────────> -gaze.csv
 # SPDX-License-Identifier: MIT
@@ -14,28 +15,32 @@ report_gaze_study <- function(study) {
   each <- exposure_by_participant(study)
   tables <- list(clicks = click_table(study$trials), exposure = exposure_table(each),
     gaze = gaze_quality(study))
-  tests <- gaze_study_tests(study, each)
+  detection <- click_detection(study)
+  tables <- c(tables, Filter(Negate(is.null), detection[c("gains", "kernels", "matching")]))
+  tests <- gaze_study_tests(study, each, detection$tests)
   data <- c(study_sentences(study), design_sentence(study$trials),
     gaze_sentences(study, tables$gaze), exposure_sentences(study))
   results <- rating_paragraphs(study, tests)
   clicks <- paragraphs(click_rate_words(study$trials), click_contrast_words(tests),
-    click_model_words(tests))
+    detection$words, click_model_words(tests))
   exposure <- paragraphs(exposure_words(tests))
 
   say_progress("drawing the figures (about 10 s) ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
-  files <- write_scheduling_figures(study, path)
+  files <- c(write_scheduling_figures(study, path), if (!is.null(detection$kernels))
+    write_kernel_figure(detection, study$all_simulated, path("-kernels")))
   write_test_table(tests, path(".csv"))
   for (name in names(tables)) write_table(tables[[name]], path(paste0("-", name, ".csv")))
   write_report(path(".md"), "Gaze-contingent scheduling: ratings and clicks", results, data,
-    tests$remarks, scheduling_captions(study),
-    gaze_sections(clicks, exposure, tables))
+    tests$remarks, c(scheduling_captions(study),
+    if (!is.null(detection$kernels)) c("", kernel_caption(detection, study$all_simulated))),
+    gaze_sections(clicks, exposure, tables), left_out_section(study))
   say(c(files, path(".csv"), path(paste0("-", names(tables), ".csv")), path(".md"), "",
     paste(data, collapse = " "), "", results, "", clicks, "", exposure, tests$remarks))
 }
 
 # Every test of the study, with Holm's correction within each family.
-gaze_study_tests <- function(study, each) {
+gaze_study_tests <- function(study, each, detection = outcome()) {
   trials <- study$trials
   contrasts <- function(trials, without = "") {
     all_outcomes(contrast_model_tests(trials, without), click_contrast_tests(trials, without))
@@ -47,7 +52,7 @@ gaze_study_tests <- function(study, each) {
   combine_outcomes(
     scheduling_tests(trials), primary, contrast_means_tests(trials, equivalence_margin(study$scale)),
     click_model_tests(trials), click_bootstrap(trials), thesis_tests(trials),
-    exposure_tests(each), sensitivity
+    detection, exposure_tests(each), sensitivity
   )
 }
 
@@ -130,6 +135,9 @@ gaze_sections <- function(clicks, exposure, tables) {
     "## Clicks", "", clicks, "", click_lines(tables$clicks), "",
     paste("Intervals: bootstrap over participants. Bad events: bad collisions, merged; the number",
       "of them is what there was to click at."), "",
+    if (!is.null(tables$matching)) c("Clicks matched to collisions by windows, descriptive only:",
+      "", matching_lines(tables$matching), "", paste("Event-free: free of bad events; windows of the",
+      "same length as the one in the first column. d′ and criterion: means over participants."), ""),
     "## What was shown", "", exposure, "", exposure_lines(tables$exposure), "",
     paste("Each number was taken within each participant and then averaged over participants.",
       "Bad: resolved at the bounding sphere."), "",

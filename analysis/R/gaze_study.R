@@ -2,8 +2,9 @@
 #
 #   rated_trial, trial_level ─> trials     seen_collision ─> collisions
 #   click_trial ──────────────> + clicks   gaze_sample ─> gaze (gaze_quality.R)
+#   trial_click ──> clicks (click_detection.R)
 #
-# Invariant: every row of collisions and gaze belongs to a row of trials, by `row`, so what is left out
+# Invariant: every row of collisions, clicks and gaze belongs to a row of trials, by `row`, so what is left out
 # of the trials is left out everywhere.
 # SPDX-License-Identifier: MIT
 
@@ -15,10 +16,10 @@ kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
 open_gaze_study <- function(words, usage) {
   study <- open_rating_study(words, usage, "gaze-contingent",
     factors = c(scheduling = "scheduling", bodies = "bodies"),
-    views = c("click_trial", "seen_collision", "gaze_sample"))
+    views = c("click_trial", "trial_click", "seen_collision", "gaze_sample"))
   study$trials[names(study$factors)] <- study$trials[study$factors]
   study$factors <- c(scheduling = "scheduling", bodies = "bodies")
-  with_gaze(with_collisions(with_clicks(with_kinds_in_order(study))))
+  with_gaze(with_collisions(with_click_times(with_clicks(with_kinds_in_order(study)))))
 }
 
 with_kinds_in_order <- function(study) {

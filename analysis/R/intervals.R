@@ -55,14 +55,19 @@ noncentrality_at <- function(F, df1, df2, probability) {
 # Percentile bootstrap over participants (rows) of `statistic(means)`: c(low, high). Seeded, so that
 # a table is the same every time it is made; the caller's random numbers are left as they were.
 bootstrap_interval <- function(means, statistic, level = 0.95, draws = 2000, seed = 1) {
+  values <- with_seed(seed, replicate(draws, {
+    statistic(means[sample(nrow(means), replace = TRUE), , drop = FALSE])
+  }))
+  limits <- stats::quantile(values, c((1 - level) / 2, (1 + level) / 2), na.rm = TRUE)
+  c(low = limits[[1]], high = limits[[2]])
+}
+
+# `expression` with random numbers from `seed`; the caller's are left as they were.
+with_seed <- function(seed, expression) {
   if (exists(".Random.seed", globalenv())) {
     before <- get(".Random.seed", globalenv())
     on.exit(assign(".Random.seed", before, globalenv()))
   }
   set.seed(seed)
-  values <- replicate(draws, {
-    statistic(means[sample(nrow(means), replace = TRUE), , drop = FALSE])
-  })
-  limits <- stats::quantile(values, c((1 - level) / 2, (1 + level) / 2), na.rm = TRUE)
-  c(low = limits[[1]], high = limits[[2]])
+  expression
 }

@@ -16,6 +16,7 @@ keep_people_apart <- function(study) {
   )
   study$trials <- trials[!made_up, ]
   study$trials[study$factors] <- lapply(study$trials[study$factors], droplevels)
+  study$catch <- study$catch[study$catch$participant %in% study$trials$participant, ]
   study
 }
 

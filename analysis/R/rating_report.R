@@ -22,7 +22,8 @@ report_rating_study <- function(study, title, main, others, interactions = FALSE
   trials <- study$trials
   main <- study$factors[[main]]
   others <- unname(study$factors[others])
-  tests <- combine_outcomes(rating_tests(trials, main, others, interactions), shown$tests)
+  tests <- combine_outcomes(rating_tests(trials, main, others, interactions,
+    equivalence_margin(study$scale)), shown$tests)
   data <- study_sentences(study)
   results <- paste(c(results_paragraph(trials, study$scale, tests, main, others), shown$words),
     collapse = " ")
@@ -32,7 +33,8 @@ report_rating_study <- function(study, title, main, others, interactions = FALSE
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   figures <- write_rating_figure(trials, study$scale, main, others, study$all_simulated, path(""))
   write_test_table(tests, path(".csv"))
-  write_report(path(".md"), title, results, data, tests$remarks, caption, shown$section)
+  write_report(path(".md"), title, results, data, tests$remarks, caption, shown$section,
+    left_out_section(study))
   say(c(figures, path(".csv"), path(".md"), "", paste(data, collapse = " "), "", results,
     tests$remarks))
 }

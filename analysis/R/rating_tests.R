@@ -6,9 +6,10 @@
 # SPDX-License-Identifier: MIT
 
 # Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
-# `interactions`: those of main with each other one are tested in a mixed model too.
+# `interactions`: those of main with each other one are tested in a mixed model too. `margin`: of equivalence, in rating points.
 # With one participant, or ratings that never vary, there is no test and a remark says so.
-rating_tests <- function(trials, main, others, interactions = FALSE) {
+rating_tests <- function(trials, main, others, interactions = FALSE,
+                         margin = kEquivalenceMargin) {
   none <- why_no_test(trials)
   if (!is.null(none)) return(combine_outcomes(outcome(remarks = none)))
   factors <- varying_factors(trials, c(main, others))
@@ -22,7 +23,7 @@ rating_tests <- function(trials, main, others, interactions = FALSE) {
   say_progress("testing the participants' means (about 5 s) ...")
   combine_outcomes(
     constant_remarks(constant), models, repeated_measures_tests(trials, factors),
-    friedman_tests(trials, factors), equivalence_tests(trials, others),
+    friedman_tests(trials, factors), equivalence_tests(trials, others, margin),
     if (length(main) > 0) pooled_tests(trials, main, by = utils::head(others, 1))
   )
 }

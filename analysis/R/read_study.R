@@ -3,55 +3,75 @@
 #   rated_trial ─┐
 #   trial_level ─┴─> trials: one row per rating, one column per factor
 #   enrolment_summary ─> enrolments: one row per participant, planned and completed
+#   excluded, ... ─────> exclusions.R: what is left out, and what else must be known
 #
-# Invariant: every rating returned was given on one and the same scale, in the main phase, and
-# every participant is one person: a pseudonym is never in two files.
+# Invariant: every rating returned was given on one and the same scale, in the main phase, outside
+# catch trials, and is not excluded; every participant is one person: a pseudonym is never in two
+# files.
 # SPDX-License-Identifier: MIT
 
-kViews <- c("rated_trial", "trial_level", "enrolment_summary")
+kViews <- c("rated_trial", "trial_level", "enrolment_summary", "excluded", "interrupted_attempt",
+  "trial_response")
 kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_anchor", "high_anchor")
 
-# Returns list(protocol, trials, enrolments, factors, scale, hashes, files).
+# Returns list(protocol, trials, enrolments, factors, scale, hashes, files, catch, exclusions,
+# interrupted, timed_out).
 #
 # `factors`: names without unit; "delay" finds the factor delay or delay_<unit>. In `trials` they
 # are R factors with their levels in rising order; study$factors maps name to column. `views`:
 # further views that every file must have.
 read_studies <- function(paths, protocol, factors, views = character()) {
-  repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
-  if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
-  parts <- lapply(paths, read_one_study, protocol = protocol, views = c(kViews, views))
-  trials <- do.call(rbind, lapply(parts, `[[`, "trials"))
-  levels <- do.call(rbind, lapply(parts, `[[`, "levels"))
-  enrolments <- do.call(rbind, lapply(parts, `[[`, "enrolments"))
-  names_of_files <- paste(basename(paths), collapse = ", ")
-  if (is.null(trials)) {
-    refuse(names_of_files, ": expected rated main trials of '", protocol, "', got none yet")
-  }
-  refuse_shared_pseudonyms(enrolments)
-  columns <- factor_columns(levels, factors, names_of_files)
-  for (column in columns) trials[[column]] <- factor_of_trials(trials, levels, column)
-  list(
-    protocol = protocol, trials = trials, enrolments = enrolments, factors = columns,
-    scale = one_scale(trials), hashes = unique(trials$protocol_hash), files = basename(paths)
-  )
+  study <- read_trials(paths, protocol, "rated_trial", "rated main trials", views)
+  study <- with_factor_columns(study, factors)
+  c(study, list(scale = one_scale(rbind(study$trials[kScaleColumns], study$catch[kScaleColumns]))))
 }
 
-read_one_study <- function(path, protocol, views) {
+# The main trials of one protocol in a view that has a row per trial, of all files together.
+# `what`: the words for them; `where`: a further condition on the view's rows.
+read_trials <- function(paths, protocol, view, what, views = character(), where = "1") {
+  repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
+  if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
+  parts <- lapply(paths, read_one_study, protocol = protocol, view = view,
+    views = c(kViews, views), where = where)
+  together <- function(part) do.call(rbind, lapply(parts, `[[`, part))
+  names_of_files <- paste(basename(paths), collapse = ", ")
+  if (is.null(together("trials"))) {
+    refuse(names_of_files, ": expected ", what, " of '", protocol, "', got none yet")
+  }
+  refuse_shared_pseudonyms(together("enrolments"))
+  study <- lapply(stats::setNames(nm = names(parts[[1]])), together)
+  study$protocol <- protocol
+  study$files <- basename(paths)
+  study$hashes <- unique(study$trials$protocol_hash)
+  without_left_out(study, what)
+}
+
+# The study with a column for each of its factors, and study$factors.
+with_factor_columns <- function(study, factors) {
+  mine <- study$levels[paste(study$levels$path, study$levels$trial) %in%
+    paste(study$trials$path, study$trials$trial), ]
+  study$factors <- factor_columns(mine, factors, paste(study$files, collapse = ", "))
+  for (column in study$factors) study$trials[[column]] <- factor_of_trials(study$trials, mine, column)
+  study
+}
+
+read_one_study <- function(path, protocol, view, views, where) {
   study <- open_study(path, views)
   on.exit(DBI::dbDisconnect(study))
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")
   if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
-  rated <- "rated_trial WHERE protocol = ? AND phase = 'main'"
-  trials <- ask("SELECT * FROM", rated, "ORDER BY participant, slot")
+  answered <- paste(view, "WHERE protocol = ? AND phase = 'main' AND", where)
+  trials <- ask("SELECT * FROM", answered, "ORDER BY participant, slot")
   # As text: a view's column may hold numbers and words, an R column cannot.
   levels <- ask(
     "SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level",
-    "WHERE trial IN (SELECT trial FROM", rated, ")"
+    "WHERE trial IN (SELECT trial FROM", answered, ")"
   )
   file <- basename(path)
   mark <- function(rows) if (nrow(rows) > 0) cbind(rows, file = file, path = path) else NULL
-  list(trials = mark(trials), levels = mark(levels), enrolments = mark(enrolments))
+  c(list(trials = mark(trials), levels = mark(levels), enrolments = mark(enrolments)),
+    read_remarkable(study, protocol, enrolments, mark))
 }
 
 # A read-only connection to a study file, or a refusal where one of `views` is absent.
@@ -70,7 +90,11 @@ open_study <- function(path, views = kViews) {
   if (length(absent) == 0) return(study)
   DBI::dbDisconnect(study)
   if (is.null(present)) refuse(path, ": expected a study file, got a file that SQLite cannot read")
-  refuse(path, ": expected a study file, got a database without the view ", absent[1])
+  if (!"rated_trial" %in% present) {
+    refuse(path, ": expected a study file, got a database without the view ", absent[1])
+  }
+  refuse(path, ": expected a study file of this version, got one without the view ", absent[1],
+    "; opening it with `impetus run` brings it up to date")
 }
 
 refuse_protocol <- function(study, path, protocol) {

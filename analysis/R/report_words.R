@@ -80,7 +80,7 @@ equivalence_words <- function(rows, factor) {
   summary <- sprintf("largest difference %+.2f, 90 %% CI [%.2f, %.2f]", largest$effect_size,
     largest$interval_low, largest$interval_high)
   pairs <- sub("^.*: ", "", rows$effect)
-  margin <- sprintf("±%.2f points", kEquivalenceMargin)
+  margin <- paste(sub("^.*margin ", "", rows$method[1]), "points")
   if (all(shown)) {
     return(sprintf("All differences by %s lie within %s (two one-sided tests, %s; %s).",
       plain_name(factor), margin, largest_p(rows$p_holm), summary))
@@ -163,12 +163,14 @@ figure_caption <- function(trials, main, beside, simulated) {
   )
 }
 
-# Writes the report as Markdown: results, the data behind them, remarks, caption; `section`: lines
-# of Markdown between results and data.
-write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL) {
+# Writes the report as Markdown: results, the data behind them, what is left out, remarks, caption.
+# `section`, `left_out`: lines of Markdown.
+write_report <- function(path, title, paragraph, sentences, remarks, caption, section = NULL,
+                         left_out = NULL) {
   bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
   text <- c(
     paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
+    if (!is.null(left_out)) c("## Left out, and other trials to know of", "", left_out, ""),
     "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
   )
   writeLines(enc2utf8(text), path, useBytes = TRUE)

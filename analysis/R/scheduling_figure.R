@@ -127,6 +127,9 @@ whole_breaks <- function(limits) unique(round(pretty(limits)))
 
 # 0 is always on it, and below it stands a minus sign, not a hyphen.
 difference_axis <- function(title) {
-  signed <- function(x) gsub("-", "−", format(x, trim = TRUE, drop0trailing = TRUE), fixed = TRUE)
-  list(ggplot2::scale_y_continuous(title, labels = signed), ggplot2::expand_limits(y = 0))
+  list(ggplot2::scale_y_continuous(title, labels = minus_signed), ggplot2::expand_limits(y = 0))
+}
+
+minus_signed <- function(x) {
+  gsub("-", "−", format(x, trim = TRUE, drop0trailing = TRUE), fixed = TRUE)
 }

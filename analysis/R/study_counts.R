@@ -5,8 +5,8 @@
 study_sentences <- function(study) {
   c(
     simulated_sentence(study), participants_sentence(study), exclusions_sentence(study),
-    hashes_sentence(study), late_frames_sentence(study$trials), sync_sentence(study$trials),
-    delay_sentence(study$trials, study$factors), study$depths
+    catch_sentence(study), hashes_sentence(study), late_frames_sentence(study$trials), sync_sentence(study$trials),
+    if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths
   )
 }
 
@@ -25,33 +25,48 @@ simulated_sentence <- function(study) {
 
 participants_sentence <- function(study) {
   per <- table(study$trials$participant)
-  enrolled <- study$enrolments[!study$enrolments$participant %in% study$excluded$participant, ]
+  left_out <- c(study$excluded$participant, wholly_excluded(study))
+  enrolled <- study$enrolments[!study$enrolments$participant %in% left_out, ]
   unfinished <- enrolled$completed_trials < enrolled$planned_trials | is.na(enrolled$finished_utc)
   started <- enrolled$participant %in% names(per)
   sentence <- sprintf("%s, %s in the main phase (%s each).",
-    count_of(length(per), "participant"), count_of(sum(per), "rating"),
+    count_of(length(per), "participant"), count_of(sum(per), answer_noun(study)),
     paste(unique(range(per)), collapse = " to "))
   incomplete <- length(unique(enrolled$participant[unfinished & started]))
   if (incomplete > 0) {
     sentence <- paste(sentence, sprintf(
-      "The study is in progress: %s included with the ratings given so far.",
+      "The study is in progress: %s included with the %ss given so far.",
       if (incomplete == 1) "1 participant has not finished and is" else
-        paste(incomplete, "participants have not finished and are")
+        paste(incomplete, "participants have not finished and are"), answer_noun(study)
     ))
   }
   waiting <- length(setdiff(enrolled$participant, names(per)))
   if (waiting > 0) {
-    sentence <- paste(sentence, count_of(waiting, "more participant"), "enrolled, without ratings.")
+    sentence <- paste0(sentence, " ", count_of(waiting, "more participant"), " enrolled, without ",
+      answer_noun(study), "s.")
   }
   sentence
 }
 
 exclusions_sentence <- function(study) {
-  excluded <- study$excluded
-  if (nrow(excluded) == 0) return("No rating was excluded.")
-  sprintf("Left out: %s (%s): %s.", count_of(length(unique(excluded$participant)), "participant"),
-    count_of(sum(excluded$trials), "rating"), paste(unique(excluded$reason), collapse = "; "))
+  decided <- study$exclusions
+  left_out <- data.frame(
+    participant = c(study$excluded$participant, decided$participant),
+    trials = c(study$excluded$trials, decided$trials),
+    reason = c(study$excluded$reason, decided$reason)
+  )
+  if (nrow(left_out) == 0) return(sprintf("No %s was excluded.", answer_noun(study)))
+  sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
+    count_of(people_in(left_out), "participant"), paste(unique(left_out$reason), collapse = "; "))
 }
+
+catch_sentence <- function(study) {
+  if (nrow(study$catch) == 0) return(character())
+  sprintf("%s are reported apart and are in no test.", count_of(nrow(study$catch), "catch trial"))
+}
+
+# What a participant gives in a trial of this study: a rating or an answer.
+answer_noun <- function(study) if (is.null(study$scale)) "answer" else "rating"
 
 hashes_sentence <- function(study) {
   if (length(study$hashes) == 1) return(character())
@@ -72,7 +87,7 @@ sync_sentence <- function(trials) {
   if (!any(overridden)) return("The sync test was not overridden.")
   sprintf("The sync test was overridden for %s (%s), which are included.",
     count_of(participant_count(trials[overridden, ]), "participant"),
-    count_of(sum(overridden), "rating"))
+    count_of(sum(overridden), "trial"))
 }
 
 # Only for studies with a factor delay: did the display show what was asked?

@@ -11,6 +11,8 @@ invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
 source(file.path(root, "tests/analysis/synthetic_study.R"))
 source(file.path(root, "tests/analysis/synthetic_gaze_study.R"))
+source(file.path(root, "tests/analysis/synthetic_clicks.R"))
+source(file.path(root, "tests/analysis/synthetic_thresholds.R"))
 source(file.path(root, "tests/analysis/script_run.R"))
 
 results <- testthat::test_dir(file.path(root, "tests/analysis"),

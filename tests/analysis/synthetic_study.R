@@ -83,7 +83,8 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
   defaults <- list(
     simulated = 1, protocol_hash = "hash-1", minimum = 1, maximum = 3, best = 1,
     low_anchor = "very believable", high_anchor = "very unbelievable", device = NA,
-    realised_hold_ms = NA, timed_frames = 150, late_timed_frames = 0, sync_overridden = 0
+    realised_hold_ms = NA, timed_frames = 150, late_timed_frames = 0, sync_overridden = 0,
+    catch = 0
   )
   factors <- setdiff(names(trials), c("participant", "repetition", "rating", names(defaults)))
   for (column in setdiff(names(defaults), names(trials))) trials[[column]] <- defaults[[column]]
@@ -132,11 +133,12 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
   }
   trials$id <- seq_len(nrow(trials))
   conditions <- vapply(trials$id, function(i) {
-    as.character(jsonlite::toJSON(as.list(trials[i, factors]), auto_unbox = TRUE))
+    as.character(jsonlite::toJSON(as.list(trials[i, factors, drop = FALSE]), auto_unbox = TRUE))
   }, "")
   put("trial", data.frame(
     id = trials$id, enrolment_id = trials$enrolment, slot = trials$id, phase = trials$phase,
-    repetition = trials$repetition, condition = conditions, seed = trials$id
+    repetition = trials$repetition, condition = conditions, seed = trials$id,
+    catch = trials$catch
   ))
   done <- trials[!is.na(trials$rating), ]
   hold_ms <- if ("delay_ms" %in% factors) done$delay_ms else rep(0, nrow(done))
@@ -163,7 +165,11 @@ write_study <- function(path, trials, protocol = "causality", practice = 0) {
 # step, level, and gap_arcmin and hidden_share, NA where `replay --truth` has not been run. Optional
 # columns take their defaults below.
 add_collisions <- function(path, collisions) {
-  defaults <- list(body_a = "a", body_b = "b", time_s = NA, gaze_eccentricity_deg = NA)
+  extra <- c("distance_m", "speed_deg_s", "eccentricity_deg", "list",
+    sprintf("imposed_spin_%s_rad_s", c("a_x", "a_y", "a_z", "b_x", "b_y", "b_z")))
+  defaults <- c(list(body_a = "a", body_b = "b", time_s = NA, gaze_eccentricity_deg = NA,
+    gap_arcmin = NA, hidden_share = NA), stats::setNames(as.list(rep(NA_real_, length(extra))), extra))
+  defaults[c("eccentricity_deg", "list")] <- 0
   for (column in setdiff(names(defaults), names(collisions))) {
     collisions[[column]] <- defaults[[column]]
   }
@@ -172,17 +178,29 @@ add_collisions <- function(path, collisions) {
   collisions$id <- seq_len(nrow(collisions))
   DBI::dbAppendTable(study, "collision", data.frame(
     id = collisions$id, attempt_id = collisions$trial, step = collisions$step,
-    body_a = collisions$body_a, body_b = collisions$body_b, level = collisions$level, stopped = "greatest level", point_x_m = 0,
+    body_a = collisions$body_a, body_b = collisions$body_b, level = collisions$level,
+    stopped = "greatest level", point_x_m = 0,
     point_y_m = 0, point_z_m = 0, normal_x = 1, normal_y = 0, normal_z = 0, depth_m = 0,
     approach_m_s = 1, impulse_Ns = 1, imposed_hold_ms = 0, imposed_no_spin = 1,
-    eccentricity_deg = 0, time_s = collisions$time_s,
-    gaze_eccentricity_deg = collisions$gaze_eccentricity_deg
+    time_s = collisions$time_s, gaze_eccentricity_deg = collisions$gaze_eccentricity_deg,
+    collisions[extra]
   ))
   measured <- collisions[!is.na(collisions$gap_arcmin), ]
   DBI::dbAppendTable(study, "collision_truth", data.frame(
     collision_id = measured$id, gap_m = measured$gap_arcmin / 1e4, gap_px = measured$gap_arcmin,
     gap_arcmin = measured$gap_arcmin, hidden_share = measured$hidden_share
   ))
+  path
+}
+
+# Leaves a participant, or one of the participant's trials, out of the analysis of the study at
+# `path`; `excluded` 0 takes that back.
+add_exclusion <- function(path, participant, trial, reason, excluded = 1) {
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbExecute(study, "INSERT INTO exclusion (participant_id, trial_id, excluded, reason,
+    decided_utc) VALUES ((SELECT id FROM participant WHERE pseudonym = ?), ?, ?, ?,
+    '2026-02-01T09:00:00Z')", params = list(participant, trial, excluded, reason))
   path
 }
 

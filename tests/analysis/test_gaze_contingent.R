@@ -68,7 +68,8 @@ test_that("a study file from before clicks and gaze is refused before anything i
   run <- run_script("gaze-contingent.R", path, "--out", out)
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste0("gaze-contingent.R: ", path,
-    ": expected a study file, got a database without the view gaze_sample"))
+    ": expected a study file of this version, got one without the view gaze_sample; opening it ",
+    "with `impetus run` brings it up to date"))
   expect_false(dir.exists(out))
 })
 
@@ -79,13 +80,15 @@ test_that("one participant gives figures, tables and words, no test", {
   run <- run_script("gaze-contingent.R", path, "--out", out)
   expect_equal(run$status, 0)
   files <- file.path(out, paste0("gaze-contingent", c("-ratings.png", "-ratings.pdf",
-    "-clicks.png", "-clicks.pdf", ".csv", "-clicks.csv", "-exposure.csv", "-gaze.csv", ".md")))
-  expect_equal(run$stdout[1:9], files)
+    "-clicks.png", "-clicks.pdf", "-kernels.png", "-kernels.pdf", ".csv", "-clicks.csv",
+    "-exposure.csv", "-gaze.csv", "-gains.csv", "-kernels.csv", "-matching.csv", ".md")))
+  expect_equal(run$stdout[1:14], files)
   expect_true(all(file.size(files) > 0))
-  expect_equal(nrow(read.csv(files[5])), 0)
+  expect_equal(nrow(read.csv(files[7])), 0)
   expect_true(paste("One participant: the figure and the means describe; no inferential test",
     "was made.") %in% run$stdout)
-  expect_equal(nrow(read.csv(files[7])), 12)
+  expect_equal(nrow(read.csv(files[9])), 12)
+  expect_equal(nrow(read.csv(files[13])), length(kMatchingWindowsS))
 })
 
 test_that("without a pair of tracked and random there are figures and words, and no contrast", {

@@ -107,7 +107,7 @@ test_that("what the analysis rests on is said in words", {
     "No rating was excluded.",
     "2 versions of protocol 'causality' (different hashes) are pooled here.",
     "Late timed frames: 2 of 6,900, in 1 trial.",
-    paste("The sync test was overridden for 1 participant (27 ratings), which are included."),
+    paste("The sync test was overridden for 1 participant (27 trials), which are included."),
     sprintf(paste("The analysis uses the intended delay; the freeze realised on the display's",
       "frames differs from it in %d trials, by up to 5.9 ms."), at_100)
   ))
@@ -122,7 +122,7 @@ test_that("simulated participants are named, and never pooled with people", {
   mixed <- keep_people_apart(read_causality(write_study(at("a.sqlite"), trials)))
   expect_equal(sort(unique(mixed$trials$participant)), c("P01", "P02"))
   expect_equal(exclusions_sentence(mixed),
-    "Left out: 1 participant (27 ratings): simulated, in a study that has people.")
+    "Left out: 27 ratings of 1 participant (simulated, in a study that has people).")
 })
 
 test_that("the planted observer's means by delay come out, in order and size", {

@@ -1,0 +1,197 @@
+# What participants clicked at, from the study's trials to tests, tables and words.
+#
+#   collisions ─> events ─┐
+#   clicks ───────────────┼─> one record per participant ─> gains, kernels (click_regression.R)
+#   trials with exposure ─┘                             └─> circular shift
+#                         └─> matching_table (click_matching.R), descriptive
+# SPDX-License-Identifier: MIT
+
+kSensitivityFamily <- "click regression, gain of bad − good events (primary)"
+kGainTFamily <- "click regression, participants' gains"
+kTrackedGainFamily <- "click regression, tracked − random"
+kGainWords <- c(bad = "gain of bad events", good = "gain of good events",
+  difference = "gain of bad − good events", baseline = "baseline, clicks per second")
+
+# Adds study$clicks: the time of each click, by the row of its trial.
+with_click_times <- function(study) {
+  study$clicks <- read_main_phase(study,
+    "SELECT trial, CAST(time_s AS REAL) AS time_s FROM trial_click")
+  study
+}
+
+# Collisions of one sort in a trial that follow each other within merge_within_ms, as one event at
+# the time of the first: row, time_s, bad. `study` has trials and collisions.
+click_events <- function(study) {
+  known <- study$collisions[!is.na(study$collisions$time_s), ]
+  known <- known[order(known$row, known$bad, known$time_s), c("row", "time_s", "bad")]
+  within_s <- study$trials$merge_within_ms[known$row] / 1000
+  within_s[is.na(within_s)] <- 0
+  same <- c(FALSE, diff(known$row) == 0 & diff(known$bad) == 0)
+  follows <- same & c(FALSE, diff(known$time_s) < within_s[-1] - 1e-9)
+  known[!follows, ]
+}
+
+# list(tests, gains, kernels, matching, words): everything about what was clicked at. `gains`: one
+# row per participant and sort of trials ("all", "tracked", "random").
+click_detection <- function(study) {
+  usable <- which(!is.na(study$trials$exposure_s) & study$trials$exposure_s > 2 * kClickBinS)
+  reason <- why_no_click_regression(study, usable)
+  if (!is.null(reason)) return(list(tests = outcome(remarks = reason), words = reason))
+  say_progress("regressing the click rate on the events before (about 10 s for 10 participants) ...")
+  events <- click_events(study)
+  records <- participants_records(study, events, usable, "all")
+  fits <- Filter(Negate(is.null), lapply(records, click_gains))
+  left_out <- setdiff(names(records), names(fits))
+  parts <- lapply(c("tracked", "random"), function(kind) {
+    lapply(participants_records(study, events, usable, kind), click_gains)
+  })
+  gains <- rbind(gains_table(fits, "all"), gains_table(parts[[1]], "tracked"),
+    gains_table(parts[[2]], "random"))
+  trials <- data.frame(participant = study$trials$participant,
+    exposure_s = study$trials$exposure_s)
+  shown <- usable[!is.na(usable)]
+  matching <- matching_table(trials[shown, ], renumbered(events, shown),
+    renumbered(study$clicks, shown))
+  tests <- detection_tests(fits, records[names(fits)], gains, left_out, length(usable))
+  list(tests = tests, gains = gains, kernels = kernel_table(fits), matching = matching,
+    words = c(detection_words(combine_outcomes(tests), gains, fits), matching_words(matching)))
+}
+
+why_no_click_regression <- function(study, usable) {
+  if (length(usable) == 0) {
+    return("No trial's exposure is known, so clicks are not regressed on events.")
+  }
+  if (nrow(study$clicks) == 0) {
+    return("Nobody clicked, so there is nothing to regress on events: every gain is 0.")
+  }
+  if (any(!is.na(study$collisions$time_s))) return(NULL)
+  "No collision has a time, so clicks are not regressed on events."
+}
+
+# Rows of `part` whose trial is among `chosen`, numbered by their place there.
+renumbered <- function(part, chosen) {
+  part$row <- match(part$row, chosen)
+  part[!is.na(part$row), ]
+}
+
+# A record for each participant, of trials of one kind of scheduling or of "all".
+participants_records <- function(study, events, usable, kind) {
+  kinds <- as.character(study$trials$scheduling)
+  mine <- usable[kind == "all" | kinds[usable] == kind]
+  lapply(split(mine, as.character(study$trials$participant[mine])), function(rows) {
+    trials <- data.frame(kind = kinds[rows], exposure_s = study$trials$exposure_s[rows])
+    click_record(trials, renumbered(events, rows), renumbered(study$clicks, rows))
+  })
+}
+
+gains_table <- function(fits, kind) {
+  fits <- Filter(Negate(is.null), fits)
+  if (length(fits) == 0) return(NULL)
+  gains <- do.call(rbind, lapply(fits, `[[`, "gains"))
+  errors <- do.call(rbind, lapply(fits, `[[`, "errors"))
+  colnames(errors) <- paste0(colnames(gains), "_error")
+  data.frame(participant = names(fits), scheduling = kind, gains, errors,
+    clicks_dropped = vapply(fits, `[[`, 0, "dropped"), row.names = NULL)
+}
+
+# Clicks per event and second at each lag: means over participants with t intervals.
+kernel_table <- function(fits) {
+  if (length(fits) == 0) return(NULL)
+  kernels <- do.call(rbind, lapply(fits, `[[`, "kernels"))
+  steps <- length(kLagEdgesS) - 1
+  rows <- t(apply(kernels, 2, t_interval))
+  data.frame(event = rep(c("bad", "good"), each = steps),
+    from_ms = 1000 * utils::head(kLagEdgesS, -1), to_ms = 1000 * kLagEdgesS[-1],
+    participants = nrow(kernels), rows, row.names = NULL)
+}
+
+detection_tests <- function(fits, records, gains, left_out, trials) {
+  remarks <- if (length(left_out) > 0) sprintf(
+    "The events that %s saw do not determine both gains: left out of the click regression.",
+    and_words(left_out))
+  dropped <- sum(gains$clicks_dropped[gains$scheduling == "all"])
+  if (dropped > 0) remarks <- c(remarks, sprintf(paste("%s within 400 ms of the one before or",
+    "after the end left out of the click regression."),
+    paste(count_of(dropped, "click"), if (dropped == 1) "is" else "are")))
+  if (length(fits) < 2) return(outcome(remarks = remarks))  # one participant only describes
+  each <- do.call(rbind, lapply(fits, `[[`, "gains"))
+  interval <- t_interval(each[, "difference"])
+  null <- shifted_differences(records)
+  row <- test_row(kSensitivityFamily, paste0("additive click-rate regression for each participant; ",
+    "circular shift of clicks within trials, ", kShifts, " draws; interval: t over participants"),
+    kGainWords[["difference"]], "mean difference", interval[["mean"]], NA,
+    p = two_sided_p(interval[["mean"]], null), size_name = "clicks per event",
+    size = interval[["mean"]], interval = interval[c("low", "high")], interval_level = 0.95,
+    participants = nrow(each), trials = trials)
+  all_outcomes(outcome(row, remarks),
+    do.call(all_outcomes, lapply(names(kGainWords), function(gain) {
+      paired_test(each[, gain], kGainTFamily, kGainWords[[gain]],
+        if (gain == "baseline") "clicks per second" else "clicks per event")
+    })), tracked_gain_tests(gains))
+}
+
+# Were bad events more or less often clicked at when the region followed the gaze? Paired over the
+# participants whose trials of both kinds determine it.
+tracked_gain_tests <- function(gains) {
+  tracked <- gains[gains$scheduling == "tracked", ]
+  random <- gains[gains$scheduling == "random", ]
+  both <- intersect(tracked$participant, random$participant)
+  if (length(both) < 2) return(outcome())
+  do.call(all_outcomes, lapply(c("bad", "baseline"), function(gain) {
+    difference <- tracked[[gain]][match(both, tracked$participant)] -
+      random[[gain]][match(both, random$participant)]
+    paired_test(difference, kTrackedGainFamily, paste0(kGainWords[[gain]], ", tracked − random"),
+      if (gain == "bad") "clicks per event" else "clicks per second")
+  }))
+}
+
+detection_words <- function(tests, gains, fits) {
+  if (length(fits) == 0) {
+    return("No participant's events determine the gains of the click regression.")
+  }
+  row <- tests_of(tests, kSensitivityFamily)
+  mean_of <- function(gain) mean(gains[[gain]][gains$scheduling == "all"])
+  tested <- if (nrow(row) == 0) "" else sprintf(
+    ", 95 %% CI [%.3f, %.3f] (circular shift of clicks, %s)", row$interval_low,
+    row$interval_high, p_words(row$p_holm))
+  alone <- implied_d_prime(mean_of("bad"), mean_of("baseline"))
+  tracked <- tests_of(tests, kTrackedGainFamily)
+  c(
+    sprintf(paste("In the regression of the click rate, a bad event added %.3f clicks and a good",
+      "one %.3f; the difference, sensitivity, was %.3f%s. The baseline, readiness to click at",
+      "nothing, was %.3f clicks per second."), mean_of("bad"), mean_of("good"),
+      mean_of("difference"), tested, mean_of("baseline")),
+    if (!is.na(alone[["d_prime"]])) sprintf(paste("For one bad event alone in a second that",
+      "makes d′ = %.2f, criterion %.2f."), alone[["d_prime"]], alone[["criterion"]]),
+    vapply(seq_len(nrow(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
+      sentence_case(tracked$effect[i]), tracked$effect_size[i], tracked$interval_low[i],
+      tracked$interval_high[i], p_words(tracked$p_holm[i])), "")
+  )
+}
+
+sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
+
+matching_words <- function(matching) {
+  row <- matching[1, ]
+  sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
+    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
+    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
+    row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
+      sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
+}
+
+# The table over windows as Markdown.
+matching_lines <- function(matching) {
+  markdown_table(
+    c("window (ms)", "bad events", "hit rate", "false alarms per second",
+      "clicks at good", "clicks at nothing", "event-free windows", "false alarms per such window",
+      "d′", "criterion"),
+    sprintf("%.0f to %.0f | %d | %s | %.3f | %d | %d | %d | %s | %.2f | %.2f", matching$from_ms,
+      matching$to_ms, as.integer(matching$bad_events), or_dash(matching$hit_rate, "%.2f"),
+      matching$false_alarms_per_s, as.integer(matching$clicks_at_good),
+      as.integer(matching$clicks_at_nothing), as.integer(matching$free_windows),
+      ifelse(is.finite(matching$false_alarms_per_free_window),
+        sprintf("%.2f", matching$false_alarms_per_free_window), "–"),
+      matching$d_prime, matching$criterion)
+  )
+}

@@ -1,0 +1,135 @@
+# The study of schedulers without participants: collisions to figures, tables and words.
+#
+#   seen_collision, trial_level ─> collisions ─┬─> histograms, shares: two figures, .csv
+#                                              └─> shapes, met or not: .md, -shapes.csv
+# SPDX-License-Identifier: MIT
+
+kPriorityColours <- c(high = "#D55E00", low = "#56B4E9")
+
+open_distribution_study <- function(words, usage) {
+  arguments <- read_arguments(words, usage)
+  need_packages(c("RSQLite", "ggplot2"))
+  protocol <- "scheduler-distribution"
+  parts <- lapply(arguments$studies, read_distribution, protocol)
+  collisions <- do.call(rbind, lapply(parts, `[[`, "collisions"))
+  files <- paste(basename(arguments$studies), collapse = ", ")
+  if (is.null(collisions)) {
+    refuse(files, ": expected collisions of '", protocol, "' with their distance, got none yet")
+  }
+  prepare_folder(arguments$out)
+  order_of <- c(vapply(kExpectedShapes, function(expected) expected[[1]][1], ""), "distance")
+  seen <- unique(collisions$scheduler)
+  collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
+  list(protocol = protocol, collisions = collisions, out = arguments$out,
+    unknown = sum(vapply(parts, `[[`, 0L, "unknown")), left_out = sum(vapply(parts, `[[`, 0L,
+      "left_out")), exclusions = do.call(rbind, lapply(parts, `[[`, "exclusions")))
+}
+
+# list(collisions, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
+read_distribution <- function(path, protocol) {
+  study <- open_study(path, c(kViews, "seen_collision"))
+  on.exit(DBI::dbDisconnect(study))
+  enrolments <- DBI::dbGetQuery(study, "SELECT * FROM enrolment_summary WHERE protocol = ?",
+    params = list(protocol))
+  if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
+  places <- sprintf("CAST(%s AS REAL) AS %s", names(kPlaces), names(kPlaces))
+  rows <- DBI::dbGetQuery(study, paste("SELECT participant, trial,", paste(places, collapse = ", "),
+    ", list = 0 AS high, CAST(trial_level.level AS TEXT) AS scheduler FROM seen_collision",
+    "JOIN trial_level USING (trial) WHERE protocol = ? AND phase = 'main'",
+    "AND trial_level.factor = 'scheduler'"), params = list(protocol))
+  mark <- function(x) if (nrow(x) > 0) cbind(x, file = basename(path), path = path) else NULL
+  exclusions <- read_remarkable(study, protocol, enrolments, mark)$exclusions
+  if (nrow(rows) == 0) return(list(collisions = NULL, unknown = 0L, left_out = 0L))
+  rows <- mark(rows)
+  out <- is_excluded(rows, exclusions)
+  known <- stats::complete.cases(rows[names(kPlaces)])
+  rows$high <- rows$high == 1
+  kept <- rows[known & !out, ]
+  list(collisions = if (isTRUE(nrow(kept) > 0)) kept, unknown = sum(!known & !out),
+    left_out = sum(out), exclusions = exclusions)
+}
+
+report_distribution_study <- function(study) {
+  shapes <- shape_table(study$collisions)
+  bins <- histogram_table(study$collisions)
+  path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
+  say_progress("drawing the figures (about 15 s) ...")
+  height <- 20 + 24 * nlevels(study$collisions$scheduler)
+  figures <- c(
+    write_figure(function() ggplot2::ggplotGrob(histogram_panel(bins)), path("-histograms"), height),
+    write_figure(function() ggplot2::ggplotGrob(share_panel(bins)), path("-shares"), height))
+  write_table(bins, path(".csv"))
+  write_table(shapes, path("-shapes.csv"))
+  results <- paste("-", shape_sentences(shapes))
+  data <- distribution_sentences(study)
+  write_report(path(".md"), "Schedulers: which collisions come first", results, data,
+    paste("Every collision is a data point of one simulated run: numbers describe, nothing is",
+      "tested."), c(paste("Histograms: collisions of high (list 0) and low priority by place (thesis figs. 6.11 to",
+      "6.16)."),
+      "", "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
+    shape_section(shapes), distribution_exclusions(study))
+  say(c(figures, path(".csv"), path("-shapes.csv"), path(".md"), "", paste(data, collapse = " "),
+    "", results))
+}
+
+distribution_sentences <- function(study) {
+  counts <- table(study$collisions$scheduler)
+  high <- tapply(study$collisions$high, study$collisions$scheduler, mean)
+  unequal <- names(high)[abs(high - 0.5) > 0.02]
+  c(
+    sprintf("Collisions: %s.", paste0(names(counts), " ", format(as.integer(counts), big.mark = ",",
+      trim = TRUE), collapse = "; ")),
+    if (length(unequal) > 0) sprintf("The lists do not share 50 : 50 ± 2 %% for %s.",
+      paste0(unequal, sprintf(" (%.1f %% high)", 100 * high[unequal]), collapse = ", ")) else
+      "High and low priority share 50 : 50 ± 2 % for every scheduler.",
+    if (study$unknown > 0) sprintf("Without a recorded distance, speed or eccentricity, left out: %s.",
+      count_of(study$unknown, "collision"))
+  )
+}
+
+distribution_exclusions <- function(study) {
+  excluded <- study$exclusions
+  if (is.null(excluded)) return("Nobody and no trial is left out.")
+  c(sprintf("Left out: %s.", count_of(study$left_out, "collision")), "",
+    markdown_table(c("participant", "trial", "reason", "decided"), sprintf("%s | %s | %s | %s",
+      excluded$participant, ifelse(is.na(excluded$trial), "all", excluded$trial),
+      in_cell(excluded$reason), excluded$decided_utc)))
+}
+
+shape_section <- function(shapes) {
+  c("## Shapes", "", markdown_table(c("scheduler", "over", "collisions", "share of high priority",
+    "change of the share", "put right by the best cut"), sprintf("%s | %s | %d | %.3f | %s | %s",
+    shapes$scheduler, kPlaces[shapes$place], shapes$collisions, shapes$high_share,
+    or_dash(shapes$change, "%+.3f"), or_dash(shapes$step, "%.3f"))), "")
+}
+
+histogram_panel <- function(bins) {
+  long <- rbind(cbind(bins, priority = "low", count = bins$low),
+    cbind(bins, priority = "high", count = bins$high))
+  long$priority <- factor(long$priority, c("low", "high"))
+  long$place <- factor(kPlaces[long$place], kPlaces)
+  long$base <- ifelse(long$priority == "high", 0, long$high)
+  ggplot2::ggplot(long, ggplot2::aes(xmin = middle - width / 2, xmax = middle + width / 2,
+    ymin = base, ymax = base + count, fill = priority)) +
+    ggplot2::geom_rect() +
+    ggplot2::scale_fill_manual("Priority", values = kPriorityColours) +
+    ggplot2::facet_grid(scheduler ~ place, scales = "free") +
+    ggplot2::labs(x = NULL, y = "Collisions") + distribution_theme()
+}
+
+share_panel <- function(bins) {
+  bins$place <- factor(kPlaces[bins$place], kPlaces)
+  bins <- bins[!is.na(bins$share), ]
+  ggplot2::ggplot(bins, ggplot2::aes(middle, share)) +
+    ggplot2::geom_hline(yintercept = 0.5, linewidth = 0.3, colour = "grey60") +
+    ggplot2::geom_linerange(ggplot2::aes(ymin = share_low, ymax = share_high), linewidth = 0.4) +
+    ggplot2::geom_line(linewidth = 0.3) + ggplot2::geom_point(size = 0.8) +
+    ggplot2::scale_y_continuous("Share of high priority", breaks = c(0, 0.5, 1), limits = c(0, 1)) +
+    ggplot2::facet_grid(scheduler ~ place, scales = "free_x") + ggplot2::labs(x = NULL) +
+    distribution_theme()
+}
+
+distribution_theme <- function() {
+  list(rating_theme(), ggplot2::theme(strip.background = ggplot2::element_blank(),
+    strip.text = ggplot2::element_text(size = kTextPt), panel.spacing = ggplot2::unit(2, "mm")))
+}

@@ -1,0 +1,126 @@
+# Who and what is left out of the analysis, and what else a reader must know about the trials.
+#
+#   excluded ────────────> exclusions: rows leave the trials, and stand in the report's table
+#   rated_trial.catch ───> catch trials: outside the design, reported apart
+#   interrupted_attempt,
+#   trial_response ──────> counts: showings that were cut short, answers that never came
+#
+# Invariant: nothing is left out that the report does not name, with its reason.
+# SPDX-License-Identifier: MIT
+
+# What the views know of one protocol beside its trials: list(exclusions, interrupted, timed_out),
+# each with the columns file and path. `study`: an open study file.
+read_remarkable <- function(study, protocol, enrolments, mark) {
+  ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
+  exclusions <- DBI::dbGetQuery(study, paste(
+    "SELECT participant, CAST(trial AS INTEGER) AS trial, reason, decided_utc FROM excluded",
+    "ORDER BY participant, trial"))
+  exclusions <- exclusions[exclusions$participant %in% enrolments$participant, ]
+  list(
+    exclusions = mark(exclusions),
+    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM interrupted_attempt",
+      "WHERE protocol = ? AND phase = 'main'")),
+    timed_out = mark(ask("SELECT participant, trial FROM trial_response",
+      "WHERE protocol = ? AND phase = 'main' AND timed_out = 1"))
+  )
+}
+
+# Which of these rows are excluded: TRUE for each that is.
+is_excluded <- function(rows, exclusions) {
+  if (is.null(exclusions)) return(rep(FALSE, nrow(rows)))
+  everything <- exclusions[is.na(exclusions$trial), ]
+  person <- function(rows) paste(rows$path, rows$participant)
+  trial <- function(rows) paste(rows$path, rows$trial)
+  person(rows) %in% person(everything) | trial(rows) %in% trial(exclusions)
+}
+
+# The study without what was excluded and without catch trials: study$trials, study$catch and
+# study$exclusions with the number of rows that each took away. `what`: "rated main trials". An
+# exclusion of a trial that is not among the rows took nothing away and is left out of the table.
+without_left_out <- function(study, what) {
+  trials <- study$trials
+  out <- is_excluded(trials, study$exclusions)
+  study$exclusions <- counted_exclusions(study$exclusions, trials)
+  is_catch <- trials$catch == 1
+  study$catch <- trials[!out & is_catch, ]
+  study$trials <- trials[!out & !is_catch, ]
+  if (nrow(study$trials) > 0) return(study)
+  refuse(paste(unique(trials$file), collapse = ", "), ": expected ", what, " of '",
+    study$protocol, "', got only catch trials and excluded ones (", sum(out), " excluded)")
+}
+
+counted_exclusions <- function(exclusions, trials) {
+  if (is.null(exclusions)) {
+    return(data.frame(participant = character(), trial = integer(), reason = character(),
+      decided_utc = character(), trials = integer()))
+  }
+  exclusions$trials <- vapply(seq_len(nrow(exclusions)), function(i) {
+    sum(is_excluded(trials, exclusions[i, ]))
+  }, integer(1))
+  exclusions[is.na(exclusions$trial) | exclusions$trials > 0, ]
+}
+
+# Participants none of whose trials are analysed.
+wholly_excluded <- function(study) {
+  unique(study$exclusions$participant[is.na(study$exclusions$trial)])
+}
+
+# The part of the report: who or which trial is left out, why, since when; then the counts.
+left_out_section <- function(study) {
+  c(exclusion_lines(study), "", remarkable_lines(study), "", catch_lines(study))
+}
+
+exclusion_lines <- function(study) {
+  decided <- study$exclusions
+  made_up <- study$excluded
+  rows <- c(
+    sprintf("%s | %s | %d | %s | %s", decided$participant,
+      ifelse(is.na(decided$trial), "all", decided$trial), decided$trials,
+      in_cell(decided$reason), decided$decided_utc),
+    sprintf("%s | all | %d | %s | –", made_up$participant, made_up$trials, made_up$reason)
+  )
+  if (length(rows) == 0) return("Nobody and no trial is left out.")
+  c("Left out of every analysis:", "",
+    markdown_table(c("participant", "trial", "main trials left out", "reason", "decided"), rows))
+}
+
+# Words that somebody typed, as they may stand in a cell of a Markdown table.
+in_cell <- function(words) gsub("|", "\\|", gsub("\\s+", " ", words), fixed = TRUE)
+
+remarkable_lines <- function(study) {
+  trials <- study$trials
+  late <- trials$late_timed_frames > 0
+  gaze_late <- if (is.null(trials$gaze_late)) logical() else trials$gaze_late == 1
+  interrupted <- table(study$interrupted$interrupted_by, useNA = "ifany")
+  reasons <- names(interrupted)
+  reasons[is.na(reasons)] <- "not known"
+  what <- c("with late timed frames", "with gaze shown too late",
+    sprintf("showings interrupted (%s)", reasons), "without an answer in time", "catch trials")
+  count <- c(sum(late), sum(gaze_late), as.integer(interrupted), length(study$timed_out$trial),
+    nrow(study$catch))
+  treated <- c("in the analysis", "in the analysis", rep("not data; shown again", length(reasons)),
+    "no answer to analyse", "apart, below")
+  who <- c(people_in(trials[late, ]), people_in(trials[gaze_late, ]),
+    vapply(names(interrupted), function(reason) {
+      people_in(study$interrupted[study$interrupted$interrupted_by %in% reason, ])
+    }, integer(1)), people_in(study$timed_out), people_in(study$catch))
+  markdown_table(c("main trials", "number", "participants", "treated as"),
+    sprintf("%s | %d | %d | %s", what, count, who, treated))
+}
+
+people_in <- function(rows) length(unique(rows$participant))
+
+# Catch trials by condition: their ratings, or the share of positive answers.
+catch_lines <- function(study) {
+  catch <- study$catch
+  if (nrow(catch) == 0) return(character())
+  of <- if (is.null(catch$rating)) "positive" else "rating"
+  cells <- split(catch, catch$condition)
+  rows <- vapply(cells, function(cell) {
+    sprintf("`%s` | %d | %d | %.2f | %.0f to %.0f", cell$condition[1], nrow(cell), people_in(cell),
+      mean(cell[[of]]), min(cell[[of]]), max(cell[[of]]))
+  }, "")
+  c("Catch trials, never pooled with the others:", "",
+    markdown_table(c("condition", "trials", "participants",
+      if (of == "rating") "mean rating" else "share of positive answers", "range"), unname(rows)))
+}

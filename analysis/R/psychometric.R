@@ -1,0 +1,82 @@
+# A psychometric function and its fit to one participant's trials.
+#
+#   p(x) = guess + (1 - guess - lapse) Phi((x - threshold) / spread)
+#
+# by maximum likelihood, lapse within 0 to .06, guess fixed (.5 of two intervals) or within 0 to .5
+# (Wichmann and Hill 2001). The threshold is where the curve is halfway between its ends. Levels that
+# were chosen trial by trial, by a staircase or QUEST+, are analysed in the same way: their
+# likelihood is that of the trials as shown. The mean of a staircase's reversals is biased and not used.
+# SPDX-License-Identifier: MIT
+
+kLargestLapse <- 0.06
+kLargestGuess <- 0.5
+
+psychometric_p <- function(x, fit) {
+  fit$guess + (1 - fit$guess - fit$lapse) * stats::pnorm((x - fit$threshold) / fit$spread)
+}
+
+# Trials with equal levels as one row: x, n, positive.
+by_level <- function(x, positive) {
+  levels <- sort(unique(x))
+  at <- match(x, levels)
+  data.frame(x = levels, n = tabulate(at, length(levels)),
+    positive = as.vector(rowsum(as.numeric(positive), at)))
+}
+
+# list(threshold, spread, guess, lapse, deviance) of `data` (by_level); `guess`: fixed, or NULL to
+# fit it. NULL where the answers have no rise to fit: all alike, or no more positive at higher x.
+fit_psychometric <- function(data, guess = NULL, start = NULL) {
+  if (nrow(data) < 2 || sum(data$positive) == 0 || sum(data$positive) == sum(data$n)) return(NULL)
+  if (is.null(start) && rises_by(data) <= 0) return(NULL)
+  range <- diff(range(data$x))
+  unpack <- function(v) list(threshold = v[1], spread = exp(v[2]), lapse = v[3],
+    guess = if (is.null(guess)) v[4] else guess)
+  cost <- function(v) -binomial_log_likelihood(data, psychometric_p(data$x, unpack(v)))
+  lower <- c(min(data$x) - range, log(range / 200), 0, if (is.null(guess)) 0)
+  upper <- c(max(data$x) + range, log(range * 4), kLargestLapse, if (is.null(guess)) kLargestGuess)
+  starts <- if (!is.null(start)) list(c(start$threshold, log(start$spread), start$lapse,
+    if (is.null(guess)) start$guess)) else first_guesses(data, guess)
+  fits <- lapply(starts, function(v) {
+    listen_to(stats::optim(pmin(pmax(v, lower), upper), cost, method = "L-BFGS-B", lower = lower,
+      upper = upper))$value
+  })
+  fits <- Filter(Negate(is.null), fits)
+  if (length(fits) == 0) return(NULL)
+  best <- fits[[which.min(vapply(fits, `[[`, 0, "value"))]]
+  fit <- unpack(best$par)
+  fit$deviance <- 2 * (saturated_log_likelihood(data) + best$value)
+  fit
+}
+
+# Slope of positive on x, by its sign: does the share of positive answers rise?
+rises_by <- function(data) {
+  middle <- sum(data$n * data$x) / sum(data$n)
+  sum((data$x - middle) * data$positive)
+}
+
+first_guesses <- function(data, guess) {
+  range <- diff(range(data$x))
+  middles <- unique(stats::quantile(rep(data$x, data$n), c(0.2, 0.5, 0.8), names = FALSE))
+  unlist(lapply(middles, function(middle) lapply(log(range * c(0.05, 0.25)), function(spread) {
+    c(middle, spread, 0.01, if (is.null(guess)) 0.05)
+  })), recursive = FALSE)
+}
+
+binomial_log_likelihood <- function(data, p) {
+  p <- pmin(pmax(p, 1e-9), 1 - 1e-9)
+  sum(data$positive * log(p) + (data$n - data$positive) * log1p(-p))
+}
+
+saturated_log_likelihood <- function(data) binomial_log_likelihood(data, data$positive / data$n)
+
+# Draws from a fit at the levels that were shown, each fitted again: threshold, spread, deviance as
+# columns, NA where a draw has no rise. A parametric bootstrap; uses the random numbers as they are.
+bootstrap_psychometric <- function(data, fit, guess, draws) {
+  p <- psychometric_p(data$x, fit)
+  t(replicate(draws, {
+    drawn <- data
+    drawn$positive <- stats::rbinom(nrow(data), data$n, p)
+    again <- fit_psychometric(drawn, guess, start = fit)
+    if (is.null(again)) c(NA, NA, NA) else c(again$threshold, again$spread, again$deviance)
+  }))
+}

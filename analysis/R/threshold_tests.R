@@ -1,0 +1,116 @@
+# Thresholds over participants: means with intervals, differences between conditions, and beside them
+# a hierarchical model of all answers.
+# SPDX-License-Identifier: MIT
+
+kThresholdFamily <- "thresholds, hierarchical model"
+kThresholdAnovaFamily <- "thresholds, repeated-measures ANOVA"
+
+# One row per condition: mean of the participants' thresholds with its 95 % t interval, in the
+# factor's unit (a logarithmic scale's mean is geometric).
+threshold_means <- function(study, rows) {
+  rows <- rows[rows$use, ]
+  cells <- split(rows, factor(rows$condition, levels(study$trials$condition_of)), drop = TRUE)
+  means <- lapply(cells, function(cell) {
+    interval <- t_interval(cell$threshold)
+    data.frame(condition = cell$condition[1], participants = nrow(cell),
+      mean = in_unit(study, interval[["mean"]]), low = in_unit(study, interval[["low"]]),
+      high = in_unit(study, interval[["high"]]), cell[1, study$split, drop = FALSE])
+  })
+  do.call(rbind, unname(means))
+}
+
+# Repeated-measures ANOVA of thresholds over the factors that vary, and the hierarchical model.
+threshold_tests <- function(study, rows) {
+  remarks <- threshold_remarks(study, rows)
+  kept <- rows[rows$use, ]
+  if (participant_count(kept) < 2) {
+    return(combine_outcomes(outcome(remarks = c(remarks,
+      "Fewer than two participants have a threshold: no test was made."))))
+  }
+  anova <- if (length(study$split) > 0) threshold_anova(study, kept)
+  say_progress("fitting the hierarchical model of all answers (about 20 s) ...")
+  combine_outcomes(outcome(remarks = remarks), anova, hierarchical_thresholds(study))
+}
+
+threshold_anova <- function(study, rows) {
+  rows$rating <- rows$threshold
+  result <- repeated_measures_tests(rows, study$split)
+  if (!is.null(result$rows)) {
+    result$rows$family <- kThresholdAnovaFamily
+    result$rows$method <- sub("cell means", "thresholds", result$rows$method)
+    result$rows$trials <- sum(rows$trials)
+  }
+  outcome(result$rows, gsub("a rating in every cell", "a threshold in every cell", result$remarks))
+}
+
+# Functions without a threshold, or with one outside the levels shown, by participant; bad fits.
+threshold_remarks <- function(study, rows) {
+  named <- function(rows) and_words(paste0(rows$participant,
+    if (length(study$split) > 0) paste0(" (", rows$condition, ")")))
+  without <- rows[is.na(rows$threshold), ]
+  outside <- rows[!is.na(rows$threshold) & !rows$use, ]
+  poor <- sum(rows$deviance_p < kSignificance, na.rm = TRUE)
+  c(
+    if (nrow(without) > 0) sprintf(
+      "No threshold, for the answers do not rise with %s: %s.", study$axis, named(without)),
+    if (nrow(outside) > 0) sprintf(
+      "Threshold outside the levels shown, left out of means and tests: %s.", named(outside)),
+    if (poor > 0) sprintf(paste("%s of %d fit worse than 19 of 20 draws from themselves would",
+      "(deviance, parametric bootstrap)."), count_of(poor, "function"), sum(!is.na(rows$deviance_p)))
+  )
+}
+
+# Probit mixed model of all answers, without lapses: thresholds of each condition with Wald
+# intervals, as an outcome. Two intervals: p = 1/2 + 1/2 Phi.
+hierarchical_thresholds <- function(study) {
+  trials <- study$trials
+  trials$centred <- trials$x - mean(trials$x)
+  trials$condition <- droplevels(trials$condition_of)
+  several <- nlevels(trials$condition) > 1
+  link <- if (is.null(study$guess)) "probit" else half_probit()
+  attempts <- c("(1 + centred | participant)", "(1 | participant)")
+  remarks <- character()
+  for (random in attempts) {
+    fit <- listen_to(lme4::glmer(stats::reformulate(c("0", if (several) "condition" else "1",
+      "centred", random), "positive"), trials, stats::binomial(link),
+      control = lme4::glmerControl(optimizer = "bobyqa")))
+    if (!is.null(fit$value) && lme4::fixef(fit$value)[["centred"]] > 0) {
+      return(outcome(hierarchical_rows(study, fit$value, trials, random),
+        c(remarks, paste("The hierarchical model has no lapses, no guesses but the two intervals'",
+          "and one slope for all conditions, so its thresholds differ from the functions'."))))
+    }
+    remarks <- c(remarks, sprintf("The hierarchical model with %s was not fitted: %s.", random,
+      if (is.null(fit$value)) first_words(fit$complaints) else "answers do not rise"))
+  }
+  outcome(remarks = remarks)
+}
+
+hierarchical_rows <- function(study, model, trials, random) {
+  beta <- lme4::fixef(model)
+  covariance <- as.matrix(stats::vcov(model))
+  slope <- beta[["centred"]]
+  rows <- lapply(setdiff(names(beta), "centred"), function(name) {
+    gradient <- c(-1 / slope, beta[[name]] / slope^2)
+    error <- sqrt(drop(t(gradient) %*% covariance[c(name, "centred"), c(name, "centred")] %*%
+      gradient))
+    x <- mean(trials$x) - beta[[name]] / slope
+    limits <- in_unit(study, x + c(-1, 1) * stats::qnorm(0.975) * error)
+    condition <- sub("^condition|^\\(Intercept\\)|^1$", "", name)
+    test_row(kThresholdFamily, paste0("binomial mixed model, ",
+      if (is.null(study$guess)) "probit" else "1/2 + 1/2 probit", ", ", random, "; Wald"),
+      trimws(paste("threshold", condition)), NA, NA, NA, p = NA, size_name = study$axis,
+      size = in_unit(study, x), interval = limits, interval_level = 0.95,
+      participants = participant_count(trials), trials = nrow(trials))
+  })
+  do.call(rbind, rows)
+}
+
+# The link of a choice between two intervals: mean = 1/2 + 1/2 Phi(eta).
+half_probit <- function() {
+  structure(class = "link-glm", list(
+    linkfun = function(mu) stats::qnorm(pmin(pmax(2 * mu - 1, 1e-6), 1 - 1e-6)),
+    linkinv = function(eta) pmin(0.5 + stats::pnorm(eta) / 2, 1 - 1e-9),
+    mu.eta = function(eta) pmax(stats::dnorm(eta) / 2, 1e-9),
+    valideta = function(eta) TRUE, name = "half probit"
+  ))
+}

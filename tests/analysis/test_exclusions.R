@@ -1,0 +1,103 @@
+# What is left out leaves every analysis, and the report names it.
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+kCausality <- c(delay = "delay", speed = "speed", viewpoint = "viewpoint")
+read_it <- function(path) keep_people_apart(read_studies(path, "causality", kCausality))
+study_file <- function(trials, ...) write_study(tempfile(fileext = ".sqlite"), trials, ...)
+
+test_that("an excluded participant and an excluded trial are out, and the table says why", {
+  trials <- causality_trials(seed = 201, participants = 3, repetitions = 1)
+  trials$simulated <- 0
+  path <- study_file(trials)
+  add_exclusion(path, "P02", NA, "fell asleep")
+  add_exclusion(path, "P01", 5, "a phone rang | loudly")
+  study <- read_it(path)
+  expect_equal(as.vector(table(study$trials$participant)), c(26, 27))
+  expect_false(5 %in% study$trials$trial)
+  expect_equal(exclusions_sentence(study), paste("Left out: 28 ratings of 2 participants (a phone",
+    "rang | loudly; fell asleep)."))
+  expect_equal(exclusion_lines(study)[-(1:4)], c(
+    "| P01 | 5 | 1 | a phone rang \\| loudly | 2026-02-01T09:00:00Z |",
+    "| P02 | all | 27 | fell asleep | 2026-02-01T09:00:00Z |"))
+  expect_match(participants_sentence(study), "^2 participants, 53 ratings")
+})
+
+test_that("an exclusion taken back is none, and one in another protocol's trial is not listed", {
+  trials <- causality_trials(seed = 202, participants = 2, repetitions = 1)
+  path <- study_file(trials, practice = 1)
+  add_exclusion(path, "P01", NA, "too fast")
+  add_exclusion(path, "P01", NA, "was not", excluded = 0)
+  add_exclusion(path, "P01", 55, "its practice")
+  study <- read_it(path)
+  expect_equal(nrow(study$trials), 54)
+  expect_equal(exclusion_lines(study), "Nobody and no trial is left out.")
+  expect_equal(exclusions_sentence(study), "No rating was excluded.")
+})
+
+test_that("trial numbers of two files are not mixed up", {
+  trials <- causality_trials(seed = 203, participants = 2, repetitions = 1)
+  first <- study_file(trials[trials$participant == "P01", ])
+  second <- study_file(trials[trials$participant == "P02", ])
+  add_exclusion(second, "P02", 7, "a sneeze")
+  study <- keep_people_apart(read_studies(c(first, second), "causality", kCausality))
+  expect_equal(as.vector(table(study$trials$participant)), c(27, 26))
+})
+
+test_that("when everything is excluded the study is refused in one sentence", {
+  path <- study_file(causality_trials(seed = 204, participants = 1, repetitions = 1))
+  add_exclusion(path, "P01", NA, "wrong glasses")
+  condition <- tryCatch(read_it(path), refusal = identity)
+  expect_equal(conditionMessage(condition), paste0(basename(path), ": expected rated main trials ",
+    "of 'causality', got only catch trials and excluded ones (27 excluded)"))
+})
+
+test_that("catch trials are in no mean and are reported apart, even at a level of their own", {
+  trials <- causality_trials(seed = 205, participants = 2, repetitions = 1)
+  trials$catch <- 0
+  extra <- trials[c(1, 28), ]
+  extra$catch <- 1
+  extra$delay_ms <- 2000
+  extra$rating <- c(3, 2)
+  with_catch <- read_it(study_file(rbind(trials, extra)))
+  without <- read_it(study_file(trials))
+  expect_equal(participant_means(with_catch$trials, "delay_ms"),
+    participant_means(without$trials, "delay_ms"))
+  expect_equal(nrow(with_catch$catch), 2)
+  expect_equal(catch_sentence(with_catch), "2 catch trials are reported apart and are in no test.")
+  expect_match(paste(catch_lines(with_catch), collapse = " "),
+    "\"delay_ms\":2000.*\\| 1 \\| 1 \\| 3.00 \\| 3 to 3 \\|")
+})
+
+test_that("what else happened is counted: late frames, late gaze, interruptions, time-outs", {
+  trials <- causality_trials(seed = 206, participants = 2, repetitions = 1)
+  trials$late_timed_frames <- ifelse(seq_len(nrow(trials)) %in% c(3, 4), 1, 0)
+  path <- study_file(trials)
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "UPDATE attempt SET gaze_late = 1 WHERE trial_id = 30")
+  DBI::dbExecute(study, "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns,
+    intended_hold_ms, realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames,
+    sync_overridden, interrupted_by) SELECT trial_id, session_id, 2, 'interrupted', 0, 0, 0, 0, 0,
+    0, 0, 'gaze lost' FROM attempt WHERE trial_id IN (1, 2, 40)")
+  DBI::dbExecute(study, "INSERT INTO response (attempt_id, number, kind, question, detail, device,
+    question_shown_ns, arrived_ns, arrival_uncertainty_ns, timed_out)
+    VALUES (9, 1, 'yes_no', 'Seen?', '{}', 'none', 0, 0, 0, 1)")
+  DBI::dbDisconnect(study)
+  lines <- remarkable_lines(read_it(path))[-(1:2)]
+  expect_equal(lines, c(
+    "| with late timed frames | 2 | 1 | in the analysis |",
+    "| with gaze shown too late | 1 | 1 | in the analysis |",
+    "| showings interrupted (gaze lost) | 3 | 2 | not data; shown again |",
+    "| without an answer in time | 1 | 1 | no answer to analyse |",
+    "| catch trials | 0 | 0 | apart, below |"))
+})
+
+test_that("the report holds the table of what is left out", {
+  path <- study_file(causality_trials(seed = 207, participants = 2, repetitions = 1))
+  add_exclusion(path, "P01", NA, "spoke all the time")
+  out <- new_folder()
+  run <- run_script("causality.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  report <- readLines(file.path(out, "causality.md"))
+  expect_true("| P01 | all | 27 | spoke all the time | 2026-02-01T09:00:00Z |" %in% report)
+})

@@ -1,0 +1,92 @@
+# Study 5: planted shapes are called by their names, and by no other.
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+# Collisions at random places; each scheduler's list is planted as the expected shapes say.
+planted_collisions <- function(seed, n = 2000) {
+  set.seed(seed)
+  rows <- lapply(c("size", "velocity", "eccentricity", "gap", "projected-centres",
+    "collision-speed"), function(scheduler) {
+    depth <- runif(n, 1, 3)
+    speed <- rexp(n, depth / 10)
+    eccentricity <- runif(n, 0, 20)
+    score <- switch(scheduler, size = -depth, velocity = -speed, eccentricity = -eccentricity,
+      gap = rnorm(n), "projected-centres" = rnorm(n) - depth,
+      "collision-speed" = rnorm(n) - 0.1 * depth)
+    data.frame(scheduler = scheduler, distance_m = depth, speed_deg_s = speed,
+      eccentricity_deg = eccentricity, high = score > median(score))
+  })
+  rows <- do.call(rbind, rows)
+  rows$scheduler <- factor(rows$scheduler, unique(rows$scheduler))
+  rows
+}
+
+distribution_file <- function(collisions) {
+  schedulers <- levels(collisions$scheduler)
+  path <- write_study(tempfile(fileext = ".sqlite"), data.frame(participant = "S01",
+    repetition = 1, scheduler = schedulers, rating = 1), protocol = "scheduler-distribution")
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "DELETE FROM rating")
+  DBI::dbDisconnect(study)
+  add_collisions(path, data.frame(trial = as.integer(collisions$scheduler),
+    step = seq_len(nrow(collisions)), level = 0, list = ifelse(collisions$high, 0, 1),
+    collisions[names(kPlaces)]))
+}
+
+test_that("the best cut is that of trying every cut", {
+  set.seed(601)
+  for (i in 1:20) {
+    x <- sample(1:8, 30, replace = TRUE)
+    high <- runif(30) < x / 9
+    cuts <- vapply(0:8, function(cut) mean((x <= cut) == high), 0)
+    expect_equal(best_cut(x, high), max(cuts, 1 - cuts))
+  }
+})
+
+test_that("a line's change over the middle nine tenths is the planted one", {
+  x <- seq(0, 1, length.out = 1001)
+  expect_equal(shape_of(x, 0.2 + 0.5 * x)[["change"]], 0.45)
+})
+
+test_that("every planted shape is met, and a wrong one is not", {
+  planted <- planted_collisions(602)
+  sentences <- shape_sentences(shape_table(planted))
+  expect_length(sentences, length(kExpectedShapes))
+  expect_true(all(grepl("is met", sentences)))
+  # The lists of size and eccentricity changed over: no step in depth, a step where flat was expected.
+  planted$scheduler <- factor(c(size = "eccentricity", eccentricity = "size")[
+    as.character(planted$scheduler)])
+  wrong <- shape_sentences(shape_table(planted[!is.na(planted$scheduler), ]))
+  expect_true(all(grepl("is NOT met", wrong)))
+  expect_match(wrong[1], "^size: a step over depth was expected and is NOT met \\(the best cut puts")
+})
+
+test_that("histograms hold every collision of a bin once, and shares their counts", {
+  planted <- planted_collisions(603, n = 300)
+  bins <- histogram_table(planted)
+  depth <- bins[bins$place == "distance_m" & bins$scheduler == "gap", ]
+  gap <- planted[planted$scheduler == "gap", ]
+  edges <- c(depth$middle - depth$width / 2, max(depth$middle + depth$width / 2))
+  expect_equal(depth$high, as.vector(table(cut(gap$distance_m[gap$high], edges,
+    include.lowest = TRUE, right = FALSE))))
+  expect_equal(depth$share, ifelse(depth$high + depth$low > 0,
+    depth$high / (depth$high + depth$low), NA))
+})
+
+test_that("the script runs, from the views alone", {
+  path <- distribution_file(planted_collisions(604, n = 400))
+  out <- new_folder()
+  run <- run_script("scheduler-distribution.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  files <- file.path(out, paste0("scheduler-distribution", c("-histograms.png", "-shares.pdf",
+    ".csv", "-shapes.csv", ".md")))
+  expect_true(all(file.size(files) > 0))
+  expect_equal(nrow(read.csv(files[4])), 18)
+  expect_match(paste(run$stdout, collapse = " "),
+    "High and low priority share 50 : 50 ± 2 % for every scheduler.", fixed = TRUE)
+  empty <- write_study(tempfile(fileext = ".sqlite"), data.frame(participant = "S01",
+    repetition = 1, scheduler = "size", rating = 1), protocol = "scheduler-distribution")
+  run <- run_script("scheduler-distribution.R", empty, "--out", out)
+  expect_equal(run$stderr, paste0("scheduler-distribution.R: ", basename(empty), ": expected ",
+    "collisions of 'scheduler-distribution' with their distance, got none yet"))
+})

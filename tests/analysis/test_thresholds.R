@@ -1,0 +1,149 @@
+# Psychometric functions: planted thresholds come back, from fixed and from adaptive levels.
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+kDelaysTestedMs <- c(0, 33.333, 66.667, 100, 150, 200, 300)
+
+gap_study <- function(trials, ...) {
+  path <- write_threshold_study(tempfile(fileext = ".sqlite"), trials, "gap-thresholds", ...)
+  open_threshold_study(c(path, "--out", tempdir()), "usage", "gap-thresholds", "gap", log10 = TRUE)
+}
+
+test_that("the likelihood at the fit is no worse than on a grid over all parameters", {
+  set.seed(501)
+  x <- rep(kDelaysTestedMs, each = 12)
+  data <- by_level(x, answers_at(x, 110, 45, guess = 0.05))
+  fit <- fit_psychometric(data)
+  grid <- expand.grid(threshold = seq(60, 180, 4), spread = exp(seq(2, 5, 0.2)),
+    guess = seq(0, 0.3, 0.05), lapse = c(0, 0.03, 0.06))
+  best <- max(vapply(seq_len(nrow(grid)), function(i) {
+    binomial_log_likelihood(data, psychometric_p(data$x, grid[i, ]))
+  }, 0))
+  expect_gte(saturated_log_likelihood(data) - fit$deviance / 2, best - 1e-3)
+})
+
+test_that("planted thresholds lie within two bootstrap standard errors nine times in ten", {
+  set.seed(502)
+  x <- rep(kDelaysTestedMs, each = 15)
+  inside <- replicate(50, {
+    data <- by_level(x, answers_at(x, 110, 45))
+    fit <- fit_psychometric(data)
+    abs(fit$threshold - 110) < 2 * sd(bootstrap_psychometric(data, fit, NULL, 60)[, 1])
+  })
+  # Measured over 100 sets: .92 (percentile intervals .88). Four binomial errors of 50 below: .77.
+  expect_gte(mean(inside), 0.77)
+})
+
+test_that("two intervals: the threshold comes back with the guess rate fixed at one half", {
+  set.seed(503)
+  x <- rep(kDelaysTestedMs, each = 20)
+  thresholds <- replicate(40, fit_psychometric(by_level(x, answers_at(x, 110, 45, 0.5)),
+    guess = 0.5)$threshold)
+  expect_lt(abs(mean(thresholds) - 110), 3.5 * sd(thresholds) / sqrt(40))
+})
+
+test_that("levels chosen by a staircase give the threshold, where the mean of reversals is off", {
+  set.seed(504)
+  steps <- seq(0, 2, 0.1)
+  runs <- replicate(40, {
+    at <- 20
+    x <- positive <- numeric()
+    for (i in 1:80) {
+      x[i] <- steps[at]
+      positive[i] <- answers_at(x[i], 1, 0.2, lapse = 0)
+      # One up, two down: converges at .7071, which is 1 + .2 x .545.
+      down <- i > 1 && positive[i] == 1 && positive[i - 1] == 1 && x[i] == x[i - 1]
+      at <- min(max(if (positive[i] == 0) at + 1 else if (down) at - 1 else at, 1), length(steps))
+    }
+    fit <- fit_psychometric(by_level(x, positive), guess = 0)
+    c(fit$threshold, fit$spread)
+  })
+  error <- apply(runs, 1, sd) / sqrt(40)
+  # Adaptive levels make the spread too small in few trials (Kaernbach 2001); the threshold holds.
+  expect_lt(abs(mean(runs[1, ]) - 1), 0.03)
+  expect_lt(mean(runs[2, ]), 0.2 + 3 * error[2])
+})
+
+test_that("a good fit passes and a broken one fails the deviance test", {
+  set.seed(505)
+  x <- rep(kDelaysTestedMs, each = 40)
+  p_of <- function(positive) {
+    data <- by_level(x, positive)
+    fit <- fit_psychometric(data)
+    again <- bootstrap_psychometric(data, fit, NULL, 60)
+    mean(again[, 3] >= fit$deviance, na.rm = TRUE)
+  }
+  expect_gt(p_of(answers_at(x, 110, 45)), 0.01)
+  expect_lt(p_of(ifelse(x == 200, 0, answers_at(x, 110, 45))), 0.02)  # a notch at 200 ms
+})
+
+test_that("answers all alike, or that fall, have no threshold and a remark names them", {
+  expect_null(fit_psychometric(by_level(1:5, rep(1, 5))))
+  expect_null(fit_psychometric(by_level(1:6, c(1, 1, 1, 0, 0, 0))))
+  expect_null(fit_psychometric(by_level(rep(1, 5), c(1, 0, 1, 0, 1))))
+  trials <- gap_answers(506, 2)
+  trials$positive[trials$participant == "P02" & trials$eccentricity_deg == 8] <- 0
+  study <- gap_study(trials)
+  rows <- psychometric_functions(study, draws = 0)$rows
+  expect_equal(sum(is.na(rows$threshold)), 2)
+  expect_equal(threshold_remarks(study, rows), paste("No threshold, for the answers do not rise",
+    "with gap_arcmin: P02 (8 × 0) and P02 (8 × 8)."))
+})
+
+test_that("a study's planted thresholds come back by condition, and from the hierarchical model", {
+  study <- gap_study(gap_answers(507, 10))
+  functions <- psychometric_functions(study, draws = 0)
+  expect_equal(nrow(functions$rows), 40)
+  means <- threshold_means(study, functions$rows)
+  planted <- 10^c(1, 1.1, 1.4, 1.5)
+  expect_equal(means$condition, c("0 × 0", "0 × 8", "8 × 0", "8 × 8"))
+  error <- (log10(means$high) - log10(means$low)) / 2 / qt(0.975, 9)
+  expect_true(all(abs(log10(means$mean) - log10(planted)) < 3 * error))
+  tests <- threshold_tests(study, functions$rows)
+  model <- tests_of(tests, kThresholdFamily)
+  error <- (log10(model$interval_high) - log10(model$interval_low)) / 2 / qnorm(0.975)
+  expect_true(all(abs(log10(model$effect_size) - log10(planted)) < 3.5 * error))
+  anova <- tests_of(tests, kThresholdAnovaFamily)
+  expect_lt(anova$p[anova$effect == "eccentricity_deg"], 1e-4)
+})
+
+test_that("timed-out answers are no trials, are counted, and two kinds are not pooled", {
+  trials <- gap_answers(508, 1, n = 2)
+  trials$timed_out <- as.integer(seq_len(nrow(trials)) %in% 1:3)
+  study <- gap_study(trials)
+  expect_equal(nrow(study$trials), nrow(trials) - 3)
+  expect_match(remarkable_lines(study), "without an answer in time | 3 | 1 |", fixed = TRUE,
+    all = FALSE)
+  trials$kind <- rep(c("yes_no", "two_interval"), length.out = nrow(trials))
+  condition <- tryCatch(gap_study(trials), refusal = identity)
+  expect_match(conditionMessage(condition),
+    ": expected answers of one kind, got (yes_no and two_interval|two_interval and yes_no)$")
+  trials$kind <- "yes_no"
+  trials$gap_arcmin[4:5] <- 0
+  expect_match(conditionMessage(tryCatch(gap_study(trials), refusal = identity)),
+    ": expected numbers above 0 as levels of gap_arcmin, got 0$")
+})
+
+test_that("the scripts run on a study in progress and on one participant", {
+  trials <- gap_answers(509, 1, n = 3)
+  trials$positive[60:84] <- NA
+  path <- write_threshold_study(tempfile(fileext = ".sqlite"), trials, "gap-thresholds")
+  out <- new_folder()
+  run <- run_script("gap-thresholds.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  expect_match(paste(run$stdout, collapse = " "), "no test was made")
+  delays <- data.frame(participant = "P01", repetition = 1,
+    delay_ms = rep(kDelaysTestedMs, each = 8))
+  set.seed(510)
+  delays$positive <- answers_at(delays$delay_ms, 110, 45)
+  delays$realised_hold_ms <- delays$delay_ms
+  path <- write_threshold_study(tempfile(fileext = ".sqlite"), delays, "causality-thresholds")
+  run <- run_script("causality-thresholds.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  files <- file.path(out, paste0("causality-thresholds", c("-curves.png", "-curves.pdf",
+    "-thresholds.png", "-thresholds.pdf", ".csv", "-functions.csv", ".md")))
+  expect_equal(run$stdout[1:7], files)
+  expect_true(all(file.size(files) > 0))
+  functions <- read.csv(files[6])
+  expect_true(functions$low < 110 && 110 < functions$high)
+})
