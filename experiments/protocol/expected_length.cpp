@@ -6,6 +6,7 @@
 
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/session/intervals.hpp"
 
 namespace impetus {
 
@@ -27,8 +28,11 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
     if (trial.phase == TrialPhase::kPractice && trial.repetition > 1) {
       continue;  // most need one round
     }
-    seconds += scenes.stage(trial.condition, assumed_screen()).duration_s + kAssumedAnswer_s +
-               (protocol.script.timing.fixation_ms + protocol.script.timing.interval_ms) / 1e3;
+    seconds += kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3;
+    for (const PlannedTrial& shown : stimuli_of(protocol.script, trial)) {
+      seconds += scenes.stage(shown.condition, assumed_screen()).duration_s +
+                 protocol.script.timing.fixation_ms / 1e3;
+    }
   }
   return seconds / 60.0;
 }

@@ -167,7 +167,8 @@ std::string recorded(const Protocol& protocol) {
   page += "; and:\n\n" + table_head({"response", "when", "values"});
   for (const ResponseKind& kind : response_kinds()) {
     if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
-      std::string values;
+      std::string values =
+          kind.table == "response" ? "`answer`, `positive`, `correct`, `timed_out`, `device`" : "";
       for (const DeclaredValue& value : kind.recorded) {
         values += (values.empty() ? "`" : ", `") + value.name + "`";
       }
