@@ -15,6 +15,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/laboratory.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
@@ -58,6 +59,7 @@ std::vector<StoredTrial> stored(const Plan& plan) {
   for (const PlannedTrial& trial : plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
                       trial.seed});
+    trials.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return trials;
 }
@@ -68,6 +70,7 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
     const auto condition = nlohmann::json::parse(trial.condition);
     plan.push_back({trial.slot, trial.phase, trial.repetition,
                     condition_from_json(condition, design), trial.seed});
+    plan.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return plan;
 }
@@ -85,15 +88,21 @@ std::optional<Enrolment> find_to_resume(StudyFile& study, const Protocol& protoc
   return found;
 }
 
+/// The plan of a new enrolment, yoked where regions follow another's gaze.
+Plan new_plan(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
+  return yoked(plan_for(protocol, options.participant, options.seed.value_or(1)), study, protocol,
+               options.participant, !options.observer.empty());
+}
+
 /// A new enrolment with its whole plan.
-Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options) {
+Enrolment enrol_anew(StudyFile& study, const Protocol& protocol, const RunOptions& options,
+                     const Plan& plan) {
   const ProtocolTexts texts = texts_of(protocol);
   for (const std::string& hash : other_versions(study, texts)) {
     std::fprintf(stderr, "note: %s also holds another version of %s (%s)\n", study.name().c_str(),
                  protocol.name.c_str(), hash.c_str());
   }
   const std::uint64_t seed = options.seed.value_or(1);
-  const Plan plan = plan_for(protocol, options.participant, seed);
   return enrol(study, options.participant, !options.observer.empty(), texts, seed, stored(plan));
 }
 
@@ -121,6 +130,16 @@ void tell_gaze_latency(const SessionResult& result) {
                  "percentile); %lld of them more than %.0f ms, and are marked\n",
                  static_cast<long long>(result.slow_gaze_trials), kWarnedGazeLatency_ms,
                  static_cast<long long>(result.late_gaze_trials), kMarkedGazeLatency_ms);
+  }
+}
+
+void tell_lost_gaze(const SessionResult& result) {
+  if (result.lost_gaze_trials + result.repeated_trials > 0) {
+    std::fprintf(stderr,
+                 "warning: too much of the gaze was lost in %lld trials, which are marked; %lld "
+                 "were shown again for that\n",
+                 static_cast<long long>(result.lost_gaze_trials),
+                 static_cast<long long>(result.repeated_trials));
   }
 }
 
@@ -164,10 +183,12 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
                     StudyFile& study, const std::shared_ptr<ShapeLibrary>& shapes) {
   const std::optional<Enrolment> resumed = find_to_resume(study, protocol, options);
   lab.seed = resumed ? resumed->seed : options.seed.value_or(1);
+  const Plan plan =
+      resumed ? planned(resumed->trials, protocol.design) : new_plan(study, protocol, options);
+  const GazePaths gaze_paths = gaze_paths_of(plan, study);
   const std::unique_ptr<Laboratory> laboratory = open_laboratory(lab);
   const SyncTest sync = laboratory->sync_test();
-  const Enrolment enrolment = resumed ? *resumed : enrol_anew(study, protocol, options);
-  const Plan plan = planned(enrolment.trials, protocol.design);
+  const Enrolment enrolment = resumed ? *resumed : enrol_anew(study, protocol, options, plan);
 
   StudyWriter writer(study, enrolment, facts_of(*laboratory, options, lab, sync));
   if (!sync.passed && !options.override_sync_test) {
@@ -179,10 +200,11 @@ int run_participant(const Protocol& protocol, const RunOptions& options, Laborat
   const double rounding_hz = options.allow_rounding ? laboratory->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz, shapes);
   const SteadyClock work_clock;
-  const Ports ports{laboratory->display(), laboratory->input(),  scenes,     writer,
-                    laboratory->gaze(),    &laboratory->clock(), &work_clock};
+  const Ports ports{laboratory->display(), laboratory->input(),  scenes,      writer,
+                    laboratory->gaze(),    &laboratory->clock(), &work_clock, &gaze_paths};
   const SessionResult result = run_session(protocol.script, plan, enrolment.history, ports);
   tell_gaze_latency(result);
+  tell_lost_gaze(result);
   return conclude(result, writer);
 }
 

@@ -12,6 +12,7 @@
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/validation.hpp"
+#include "experiments/protocol/yoke_checks.hpp"
 
 namespace impetus {
 namespace {
@@ -110,6 +111,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
   protocol.script = script_from(protocol.document.value);
+  check_yoking(protocol);
   return protocol;
 }
 

@@ -26,7 +26,7 @@ GazeInput GazeFollower::look() {
   if (!used_.at) {
     return {};
   }
-  return {used_.at, used_.taken_ns, now_ns - used_.taken_ns, {}};
+  return {correction_.corrected(used_.at), used_.taken_ns, now_ns - used_.taken_ns, {}};
 }
 
 }  // namespace impetus

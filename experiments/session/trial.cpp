@@ -2,11 +2,13 @@
 #include "experiments/session/trial.hpp"
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "experiments/session/gaze_follower.hpp"
 #include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/gaze_loss.hpp"
 #include "experiments/session/playback.hpp"
 #include "experiments/session/region_coverage.hpp"
 #include "experiments/session/whole_frames.hpp"
@@ -18,18 +20,39 @@ std::int64_t nanoseconds(double duration_ms) {
   return static_cast<std::int64_t>(duration_ms * 1e6);
 }
 
+StagedScene staged(const PlannedTrial& trial, const Ports& ports) {
+  StagedScene scene = ports.scenes.stage(trial, ports.display.geometry());
+  if (trial.yoked_trial_id) {
+    const GazePath& path = ports.gaze_paths->at(*trial.yoked_trial_id);
+    scene.recorded_gaze = std::make_shared<const GazePath>(
+        path.seen_from(ports.display.geometry().viewing_distance_m));
+  }
+  return scene;
+}
+
+double imposed_latency_ms(const Script& script, const StagedScene& scene) {
+  return script.gaze ? script.gaze->extra_latency_ms + scene.gaze_latency_s * 1e3 : 0.0;
+}
+
+const char* name_of(Interruption interruption) {
+  return interruption == Interruption::kPauseRequested  ? "pause"
+         : interruption == Interruption::kDisplayClosed ? "display closed"
+                                                        : kGazeLost;
+}
+
 /// Runs the phases of one attempt in order; a phase returns false when it was interrupted.
 class Attempt {
  public:
   Attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-          const SessionProgress& progress, const Ports& ports)
+          const SessionProgress& progress, const Ports& ports, bool may_be_repeated)
       : script_(script),
         ports_(ports),
         progress_(progress),
-        playback_(ports.scenes.stage(trial, ports.display.geometry()), trial.seed,
-                  ports.work_clock),
+        may_be_repeated_(may_be_repeated),
+        playback_(staged(trial, ports), trial.seed, ports.work_clock),
         follower_(script.gaze ? ports.gaze : nullptr, ports.clock,
-                  script.gaze ? nanoseconds(script.gaze->extra_latency_ms) : 0) {
+                  nanoseconds(imposed_latency_ms(script, playback_.scene())),
+                  ports.gaze_correction) {
     result_.record.slot = trial.slot;
     result_.record.number = number;
     for (const BodyModel& body : playback_.scene().world.models()) {
@@ -40,13 +63,17 @@ class Attempt {
     result_.record.realised_hold_s = playback_.scene().realised_hold_s;
     if (script.gaze && ports.gaze != nullptr) {
       result_.record.gaze_source = ports.gaze->source();
+      result_.record.imposed_gaze_latency_s = imposed_latency_ms(script, playback_.scene()) / 1e3;
     }
   }
 
   AttemptResult run() {
-    const bool completed = show_interval() && show_fixation() && show_stimulus() && ask_rating();
+    const bool completed =
+        show_interval() && show_fixation() && show_stimulus() && gaze_suffices() && ask_rating();
     if (completed) {
       result_.record.outcome = AttemptOutcome::kCompleted;
+    } else {
+      result_.record.interrupted_by = name_of(result_.interruption);
     }
     return std::move(result_);
   }
@@ -63,6 +90,7 @@ class Attempt {
         return false;
       }
     }
+    progress_.gaze_was_lost = false;  // the mark is gone when the trial begins
     ports_.recorder.await_saved();
     return true;
   }
@@ -104,6 +132,11 @@ class Attempt {
     }
     take_simulation(last_frame);
     return true;
+  }
+
+  /// Whether the trial need not be shown again for want of a gaze.
+  [[nodiscard]] bool gaze_suffices() const {
+    return !(may_be_repeated_ && gaze_was_lost(script_, result_.record));
   }
 
   bool ask_rating() {
@@ -182,6 +215,10 @@ class Attempt {
       collision.first_frame_shown = first_frame(collision.step, last_frame_shown);
     }
     record.gaze = follower_.take_samples();
+    if (!record.gaze_source.empty() && record.onset_ns != 0) {
+      record.gaze_lost_share =
+          gaze_lost_share(record.gaze, record.onset_ns, record.frames.back().flip.flipped_ns);
+    }
     record.region_covered_share = mean_covered_share(playback_.scene(), record.steps);
     if (playback_.scene().depends_on_gaze) {
       record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames, record.gaze);
@@ -202,7 +239,8 @@ class Attempt {
 
   const Script& script_;
   const Ports& ports_;
-  const SessionProgress& progress_;
+  SessionProgress progress_;
+  bool may_be_repeated_;
   Playback playback_;
   GazeFollower follower_;
   std::int64_t fixation_frames_{0};
@@ -212,8 +250,9 @@ class Attempt {
 }  // namespace
 
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-                          const SessionProgress& progress, const Ports& ports) {
-  return Attempt(trial, number, script, progress, ports).run();
+                          const SessionProgress& progress, const Ports& ports,
+                          bool may_be_repeated) {
+  return Attempt(trial, number, script, progress, ports, may_be_repeated).run();
 }
 
 }  // namespace impetus

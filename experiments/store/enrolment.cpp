@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/session/input_error.hpp"
+#include "experiments/store/yoke_rows.hpp"
 
 namespace impetus {
 namespace {
@@ -61,6 +62,27 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t en
                       static_cast<std::uint64_t>(query.getColumn(5).getInt64())});
   }
   return trials;
+}
+
+void take_yokes(SQLite::Database& database, std::int64_t enrolment,
+                std::vector<StoredTrial>& trials) {
+  const Yokes yokes = load_yokes(database, enrolment);
+  for (StoredTrial& trial : trials) {
+    const auto found = yokes.find(trial.slot);
+    if (found != yokes.end()) {
+      trial.yoked_trial_id = found->second;
+    }
+  }
+}
+
+Yokes yokes_of(const std::vector<StoredTrial>& trials) {
+  Yokes yokes;
+  for (const StoredTrial& trial : trials) {
+    if (trial.yoked_trial_id) {
+      yokes[trial.slot] = *trial.yoked_trial_id;
+    }
+  }
+  return yokes;
 }
 
 SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) {
@@ -149,6 +171,7 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pse
   enrolment.id = query.getColumn(0).getInt64();
   enrolment.seed = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
   enrolment.trials = load_trials(study.database(), enrolment.id);
+  take_yokes(study.database(), enrolment.id, enrolment.trials);
   enrolment.history = load_history(study.database(), enrolment.id);
   return enrolment;
 }
@@ -187,6 +210,7 @@ Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                         enrolment.id, trial.slot, phase_name(trial.phase), trial.repetition,
                         trial.condition, static_cast<std::int64_t>(trial.seed));
     }
+    store_yokes(database, enrolment.id, yokes_of(trials));
     transaction.commit();
     enrolment.trials = std::move(trials);
     return enrolment;

@@ -28,6 +28,7 @@ struct StoredTrial {
   std::int64_t repetition{1};
   std::string condition;
   std::uint64_t seed{0};
+  std::optional<std::int64_t> yoked_trial_id{};
 };
 
 struct Enrolment {

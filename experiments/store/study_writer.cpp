@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/calibration_rows.hpp"
 
 namespace impetus {
 
@@ -75,6 +76,12 @@ void StudyWriter::save(NoteRecord note) {
                              "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?)");
     SQLite::bind(insert, session_id_, note.kind, note.text);
     insert.exec();
+  });
+}
+
+void StudyWriter::save(CalibrationRecord calibration) {
+  enqueue([this, calibration = std::move(calibration)](SQLite::Database& database) {
+    insert_calibration(database, session_id_, calibration);
   });
 }
 

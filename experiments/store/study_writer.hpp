@@ -49,6 +49,7 @@ class StudyWriter final : public Recorder {
   void save(AttemptRecord attempt) override;
   void save(QuestionRecord answer) override;
   void save(NoteRecord note) override;
+  void save(CalibrationRecord calibration) override;
   void mark_finished() override;
 
   /// Throws StoreError with the first thing that could not be saved.

@@ -83,12 +83,16 @@ class MemoryRecorder final : public Recorder {
   void save(AttemptRecord attempt) override { attempts.push_back(std::move(attempt)); }
   void save(QuestionRecord answer) override { answers.push_back(std::move(answer)); }
   void save(NoteRecord note) override { notes.push_back(std::move(note)); }
+  void save(CalibrationRecord calibration) override {
+    calibrations.push_back(std::move(calibration));
+  }
   void mark_finished() override { finished = true; }
   void await_saved() override { awaited.push_back(attempts.size()); }
 
   std::vector<AttemptRecord> attempts;
   std::vector<QuestionRecord> answers;
   std::vector<NoteRecord> notes;
+  std::vector<CalibrationRecord> calibrations;
   std::vector<std::size_t> awaited;
   bool finished{false};
 };
