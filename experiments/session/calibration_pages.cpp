@@ -103,8 +103,9 @@ Page calibration_results(const CalibrationRecord& validation, const ScreenGeomet
 
 Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
                             const SessionProgress& progress) {
-  Page page = with_results("Please call the experimenter", validation, screen, progress);
-  page.paragraphs.emplace_back("The experimenter decides whether the study goes on.");
+  Page page = with_results("Your gaze is not known well enough", validation, screen, progress);
+  page.paragraphs.emplace_back(
+      "Please call the experimenter, who decides whether the study goes on.");
   page.choices = {{"Go on with the study", "g"}, {"Stop here", "s"}};
   return page;
 }
