@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
@@ -18,15 +21,11 @@ class FollowingGaze final : public Gaze {
   [[nodiscard]] std::string source() const override { return "scripted"; }
   [[nodiscard]] bool is_pointer() const override { return pointer; }
   std::vector<GazeSample> take_samples() override {
-    constexpr std::int64_t kEvery_ns = 10'000'000;
-    std::vector<GazeSample> samples;
-    for (; next_ns_ <= clock_->now_ns(); next_ns_ += kEvery_ns) {
-      const Fixation at = fault ? fault(looked_at_) : Fixation(looked_at_);
-      samples.push_back({next_ns_, at, at ? GazeLoss::kNone : GazeLoss::kLost});
-    }
-    return samples;
+    sample_until(clock_->now_ns());
+    return std::exchange(samples_, {});
   }
-  void shown(const Picture& picture, const Flip&) override {
+  void shown(const Picture& picture, const Flip& flip) override {
+    sample_until(flip.flipped_ns);
     looked_at_ = picture.target.value_or(ScreenPoint{});
   }
 
@@ -34,9 +33,18 @@ class FollowingGaze final : public Gaze {
   bool pointer{false};
 
  private:
+  void sample_until(std::int64_t now_ns) {
+    constexpr std::int64_t kEvery_ns = 10'000'000;
+    for (; next_ns_ < now_ns; next_ns_ += kEvery_ns) {
+      const Fixation at = fault ? fault(looked_at_) : Fixation(looked_at_);
+      samples_.push_back({next_ns_, at, at ? GazeLoss::kNone : GazeLoss::kLost});
+    }
+  }
+
   const VirtualClock* clock_;
   std::int64_t next_ns_{0};
   ScreenPoint looked_at_;
+  std::vector<GazeSample> samples_;
 };
 
 /// The shipped gaze-contingent study, one repetition with five bodies, stimuli of a fifth of a

@@ -9,6 +9,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/observers/simulated_eye.hpp"
+#include "experiments/session/calibration_pages.hpp"
 #include "tests/experiments/calibration_lab.hpp"
 
 namespace impetus {
@@ -63,7 +64,8 @@ TEST(GazeCalibrated, PointsAreNineInAnOrderOfTheSeedAlone) {
   const auto places = [](CalibrationLab& lab) {
     lab.run();
     std::vector<std::pair<double, double>> shown;
-    for (const CalibrationPointRecord& point : lab.runs(CalibrationKind::kValidation)[0].points) {
+    const CalibrationRecord validation = lab.runs(CalibrationKind::kValidation)[0];
+    for (const CalibrationPointRecord& point : validation.points) {
       shown.emplace_back(point.shown.x_m, point.shown.y_m);
     }
     return shown;
@@ -90,7 +92,7 @@ TEST(GazeCalibrated, APointerIsMeasuredButNeverCorrected) {
   lab.run();
   EXPECT_EQ(*lab.runs(CalibrationKind::kCalibration)[0].correction, GazeCorrection{});
   const CalibrationRecord validation = lab.runs(CalibrationKind::kValidation)[0];
-  EXPECT_NEAR(*validation.accuracy_deg, 0.5, 0.02);  // less in the corners, seen aslant
+  EXPECT_NEAR(*validation.accuracy_deg, 0.5, 0.03);  // less in the corners, seen aslant
   EXPECT_TRUE(validation.passed);
 }
 

@@ -114,8 +114,10 @@ struct YokedStudy {
   }
   [[nodiscard]] ProgramResult run(const std::string& protocol,
                                   const std::vector<std::string>& whom) const {
-    std::vector<std::string> words{"run",      protocol,     "--db",
-                                   "a.sqlite", "--observer", "gaze-contingent"};
+    std::vector<std::string> words{
+        "run",        protocol,
+        "--db",       "a.sqlite",
+        "--observer", source_file("experiments/observers/gaze-contingent.json").string()};
     words.insert(words.end(), whom.begin(), whom.end());
     return run_program(folder, words);
   }
@@ -148,14 +150,14 @@ TEST(YokedStudy, EachFollowsAnotherStepByStepAndReplays) {
                         "JOIN enrolment AS f ON f.id = followed.enrolment_id "
                         "JOIN participant AS other ON other.id = f.participant_id "
                         "ORDER BY one.pseudonym)"),
-            "S01 follows S02, {\"bodies\":5.0,\"scheduling\":\"tracked\"}; "
-            "S02 follows S01, {\"bodies\":5.0,\"scheduling\":\"tracked\"}");
+            "S01 follows S02, {\"bodies\":5,\"scheduling\":\"tracked\"}; "
+            "S02 follows S01, {\"bodies\":5,\"scheduling\":\"tracked\"}");
   // Steps of yoked trials, and of those the ones whose region is not where the other looked then.
   const std::string steps =
       "FROM trial JOIN attempt ON attempt.trial_id = trial.id "
       "JOIN step ON step.attempt_id = attempt.id "
-      "JOIN attempt AS then ON then.trial_id = trial.yoked_trial_id "
-      "JOIN step AS source ON source.attempt_id = then.id AND source.step = step.step "
+      "JOIN attempt AS followed ON followed.trial_id = trial.yoked_trial_id "
+      "JOIN step AS source ON source.attempt_id = followed.id AND source.step = step.step "
       "WHERE step.step > 0 ";
   EXPECT_EQ(study.asked("SELECT count(*) " + steps), "240");
   EXPECT_EQ(study.asked("SELECT count(*) " + steps +
@@ -228,7 +230,7 @@ TEST(YokedStudy, ATrialThatCannotBeFollowedIsRefusedByName) {
   ASSERT_EQ(more.run("first.json", {"--participant", "S01"}).status, 0);
   EXPECT_EQ(more.refused(),
             "impetus: yoked.json:/gaze/yoked_to: expected a completed trial of S01 in "
-            "gaze-contingent to follow, under {\"bodies\":10.0,\"scheduling\":\"tracked\"} in "
+            "gaze-contingent to follow, under {\"bodies\":10,\"scheduling\":\"tracked\"} in "
             "repetition 1, but there is none\n");
 
   const YokedStudy other([](json& protocol) { protocol["scene"] = "other.json"; });
