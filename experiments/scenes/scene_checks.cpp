@@ -56,8 +56,7 @@ void add_meeting_problems(const json& scene, Problems& problems) {
   const std::string why = "where bodies meet";
   require_key(scene, "imposed", why, problems);
   if (scene.contains("imposed") && !scene["imposed"].contains("contact_hold_ms")) {
-    problems.push_back(
-        {"/imposed", "expected the key \"contact_hold_ms\", which is missing"});
+    problems.push_back({"/imposed", "expected the key \"contact_hold_ms\", which is missing"});
   }
   refuse_key(scene, "duration_s", why + ", which lasts from lead_s to follow_s", problems);
   refuse_key(scene, "enclosure", why, problems);

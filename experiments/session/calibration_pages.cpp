@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "experiments/session/session_pages.hpp"
 
@@ -17,14 +19,14 @@ std::string degrees(const std::optional<double>& value_deg) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-/// "On average 0.42° from the points (at most 1.00° is allowed); the worst point 0.81°."
-std::string accuracy_words(const CalibrationRecord& record) {
+/// Short ones: a line that is broken is broken after the points of its numbers, too.
+std::vector<std::string> accuracy_words(const CalibrationRecord& record) {
   if (!record.accuracy_deg) {
-    return "No gaze was found at any of the points.";
+    return {"No gaze was found at any of the points."};
   }
-  return "Your gaze was " + degrees(record.accuracy_deg) + " from the points on average (at most " +
-         degrees(record.accuracy_limit_deg) + " is allowed), and " +
-         degrees(record.worst_accuracy_deg) + " from the worst one.";
+  return {"Your gaze was " + degrees(record.accuracy_deg) + " from the points on average; " +
+              degrees(record.accuracy_limit_deg) + " is allowed.",
+          "It was " + degrees(record.worst_accuracy_deg) + " from the worst one."};
 }
 
 std::int64_t unseen_in(const CalibrationRecord& record) {
@@ -35,15 +37,14 @@ std::int64_t unseen_in(const CalibrationRecord& record) {
   return count;
 }
 
-std::string quality_words(const CalibrationRecord& record) {
-  std::string words = "From sample to sample it moved by " + degrees(record.precision_rms_deg) +
-                      ", about its mean by " + degrees(record.precision_sd_deg) + "; " +
-                      percent(record.lost_share) + " of the samples were lost";
+std::vector<std::string> quality_words(const CalibrationRecord& record) {
+  std::string samples = percent(record.lost_share) + " of the samples were lost";
   if (record.sampling_hz) {
-    words += "; " + std::to_string(std::lround(*record.sampling_hz)) + " came per second";
+    samples += "; " + std::to_string(std::lround(*record.sampling_hz)) + " came per second";
   }
-  words += " (" + record.gaze_source + ").";
-  return words;
+  return {"It moved by " + degrees(record.precision_rms_deg) + " from sample to sample, by " +
+              degrees(record.precision_sd_deg) + " about its mean.",
+          samples + " (" + record.gaze_source + ")."};
 }
 
 PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
@@ -60,14 +61,16 @@ PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
 
 Page with_results(const std::string& title, const CalibrationRecord& validation,
                   const ScreenGeometry& screen, const SessionProgress& progress) {
-  Page page = text_page({title, {accuracy_words(validation)}}, progress);
+  Page page = text_page({title, accuracy_words(validation)}, progress);
   const std::int64_t unseen = unseen_in(validation);
   if (unseen > 0 && validation.accuracy_deg) {
     page.paragraphs.push_back("At " + std::to_string(unseen) +
                               (unseen == 1 ? " point" : " points") + " there was no gaze at all.");
   }
   if (validation.accuracy_deg) {
-    page.paragraphs.push_back(quality_words(validation));
+    for (std::string& words : quality_words(validation)) {
+      page.paragraphs.push_back(std::move(words));
+    }
   }
   page.point_map = map_of(validation, screen);
   return page;
