@@ -80,7 +80,9 @@ equivalence_words <- function(rows, factor) {
   summary <- sprintf("largest difference %+.2f, 90 %% CI [%.2f, %.2f]", largest$effect_size,
     largest$interval_low, largest$interval_high)
   pairs <- sub("^.*: ", "", rows$effect)
-  margin <- paste(sub("^.*margin ", "", rows$method[1]), "points")
+  margin <- if (grepl("margin ±", rows$method[1])) sub("^.*margin ", "", rows$method[1]) else
+    sprintf("±%.2f", kEquivalenceMargin)
+  margin <- paste(margin, "points")
   if (all(shown)) {
     return(sprintf("All differences by %s lie within %s (two one-sided tests, %s; %s).",
       plain_name(factor), margin, largest_p(rows$p_holm), summary))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/mesh_distance.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 #include <vector>
@@ -8,11 +9,14 @@
 namespace impetus {
 namespace {
 
-/// A triangle in world with its bounding box.
-struct PlacedTriangle {
-  Triangle corners;
+struct Box {
   Vector3 least;
   Vector3 most;
+};
+
+/// A triangle in world with its bounding box.
+struct PlacedTriangle : Box {
+  Triangle corners;
 };
 
 std::vector<PlacedTriangle> placed(const TriangleMesh& mesh, const Pose& pose) {
@@ -21,16 +25,59 @@ std::vector<PlacedTriangle> placed(const TriangleMesh& mesh, const Pose& pose) {
   for (const auto& [a, b, c] : mesh.triangles) {
     const Triangle corners{pose.transform(mesh.vertices[a]), pose.transform(mesh.vertices[b]),
                            pose.transform(mesh.vertices[c])};
-    triangles.push_back({corners, corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
-                         corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])});
+    triangles.push_back({{corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+                          corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])},
+                         corners});
   }
   return triangles;
 }
 
 /// Squared distance of the boxes: 0 when they overlap, never more than that of the triangles.
-double squared_box_distance(const PlacedTriangle& a, const PlacedTriangle& b) {
+double squared_box_distance(const Box& a, const Box& b) {
   const Vector3 apart = (a.least - b.most).cwiseMax(b.least - a.most).cwiseMax(0.0);
   return apart.squaredNorm();
+}
+
+/// Neighbours in a mesh's list are mostly neighbours in space, so a box about a few spares them
+/// all.
+constexpr std::size_t kBlock = 16;
+
+/// About each kBlock triangles in their order.
+std::vector<Box> blocks_of(const std::vector<PlacedTriangle>& triangles) {
+  std::vector<Box> blocks;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i % kBlock == 0) {
+      blocks.push_back(triangles[i]);
+    }
+    blocks.back().least = blocks.back().least.cwiseMin(triangles[i].least);
+    blocks.back().most = blocks.back().most.cwiseMax(triangles[i].most);
+  }
+  return blocks;
+}
+
+/// The first corner nearest to `point`.
+Vector3 nearest_corner(const std::vector<PlacedTriangle>& triangles, const Vector3& point) {
+  const Vector3* nearest = &triangles.front().corners[0];
+  double least = (*nearest - point).squaredNorm();
+  for (const PlacedTriangle& triangle : triangles) {
+    for (const Vector3& corner : triangle.corners) {
+      const double distance = (corner - point).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        nearest = &corner;
+      }
+    }
+  }
+  return *nearest;
+}
+
+/// No less than the distance, and mostly not much more: between two corners, found in turns.
+double upper_bound_m(const std::vector<PlacedTriangle>& a, const std::vector<PlacedTriangle>& b) {
+  constexpr double kBeyondRounding = 1.0 + 1e-9;
+  const Vector3 on_b = nearest_corner(b, a.front().corners[0]);
+  const Vector3 on_a = nearest_corner(a, on_b);
+  const double bound_m = (nearest_corner(b, on_a) - on_a).norm() * kBeyondRounding;
+  return bound_m > 0.0 ? bound_m : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -51,14 +98,23 @@ bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b
 ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
                             const Pose& pose_b) {
   assert(!a.triangles.empty() && !b.triangles.empty());
+  const std::vector<PlacedTriangle> of_a = placed(a, pose_a);
   const std::vector<PlacedTriangle> of_b = placed(b, pose_b);
-  ClosestPoints best{std::numeric_limits<double>::infinity(), {}, {}};
-  for (const PlacedTriangle& one : placed(a, pose_a)) {
-    for (const PlacedTriangle& other : of_b) {
-      if (squared_box_distance(one, other) < best.distance_m * best.distance_m) {
-        const ClosestPoints found = triangle_distance(one.corners, other.corners);
-        if (found.distance_m < best.distance_m) {
-          best = found;
+  const std::vector<Box> blocks_of_b = blocks_of(of_b);
+  ClosestPoints best{upper_bound_m(of_a, of_b), {}, {}};
+  const auto may_be_nearer = [&best](const Box& one, const Box& other) {
+    return squared_box_distance(one, other) < best.distance_m * best.distance_m;
+  };
+  for (const PlacedTriangle& one : of_a) {
+    for (std::size_t block = 0; block < blocks_of_b.size(); ++block) {
+      if (!may_be_nearer(one, blocks_of_b[block])) {
+        continue;
+      }
+      const std::size_t end = std::min(of_b.size(), (block + 1) * kBlock);
+      for (std::size_t other = block * kBlock; other < end; ++other) {
+        if (may_be_nearer(one, of_b[other])) {
+          const ClosestPoints found = triangle_distance(one.corners, of_b[other].corners);
+          best = found.distance_m < best.distance_m ? found : best;
         }
       }
     }

@@ -3,8 +3,10 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "experiments/commands/stored_plan.hpp"
+#include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 
 namespace impetus {
@@ -21,16 +23,21 @@ std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
   return found;
 }
 
-Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options) {
+Plan new_plan(StudyFile& study, const RunPart& part, const RunOptions& options) {
+  Plan plan = plan_for(part.protocol, options.participant, options.seed.value_or(1));
+  put_solved(part.solved, plan);
+  return yoked(std::move(plan), study, part.protocol, options.participant, options.simulated());
+}
+
+Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options,
+                     const Plan& plan) {
   const ProtocolTexts texts = texts_of(part.protocol);
   for (const std::string& hash : other_versions(study, texts)) {
     std::fprintf(stderr, "note: %s also holds another version of %s (%s)\n", study.name().c_str(),
                  texts.name.c_str(), hash.c_str());
   }
-  const std::uint64_t seed = options.seed.value_or(1);
-  Plan plan = plan_for(part.protocol, options.participant, seed);
-  put_solved(part.solved, plan);
-  return enrol(study, options.participant, options.simulated(), texts, seed, stored(plan));
+  return enrol(study, options.participant, options.simulated(), texts, options.seed.value_or(1),
+               stored(plan));
 }
 
 }  // namespace impetus

@@ -14,7 +14,12 @@ namespace impetus {
 std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
                                         const RunOptions& options);
 
-/// A new enrolment with its whole plan and the part's solved values.
-Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options);
+/// The plan of a new enrolment, with the part's solved values, and yoked where regions follow
+/// another's gaze. Throws InputError where it cannot be.
+Plan new_plan(StudyFile& study, const RunPart& part, const RunOptions& options);
+
+/// A new enrolment with its whole plan.
+Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options,
+                     const Plan& plan);
 
 }  // namespace impetus

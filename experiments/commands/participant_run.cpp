@@ -11,6 +11,7 @@
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/stored_plan.hpp"
+#include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
@@ -65,6 +66,16 @@ void tell_gaze_latency(const SessionResult& result) {
   }
 }
 
+void tell_lost_gaze(const SessionResult& result) {
+  if (result.lost_gaze_trials + result.repeated_trials > 0) {
+    std::fprintf(stderr,
+                 "warning: too much of the gaze was lost in %lld trials, which are marked; %lld "
+                 "were shown again for that\n",
+                 static_cast<long long>(result.lost_gaze_trials),
+                 static_cast<long long>(result.repeated_trials));
+  }
+}
+
 /// Says how the session ended.
 void conclude(const SessionResult& result, StudyWriter& writer) {
   const auto done = static_cast<long long>(result.completed_trials);
@@ -98,6 +109,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     : part_(part), options_(options), study_(study), laboratory_(std::move(laboratory)) {
   const std::lock_guard lock(study.transactions());
   std::optional<Enrolment> resumed = find_to_resume(study, part, options_);
+  plan_ =
+      resumed ? planned(resumed->trials, part.protocol.design) : new_plan(study, part, options_);
+  gaze_paths_ = gaze_paths_of(plan_, study);
   if (!laboratory_) {
     LaboratoryOptions lab = part.lab;
     lab.participant = options_.participant;
@@ -105,7 +119,7 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     laboratory_ = open_laboratory(lab);
   }
   sync_ = laboratory_->sync_test();
-  enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_);
+  enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);
   if (!part.series.empty()) {
     skip_told_demographics(study, part, options_.participant, enrolment_.history);
   }
@@ -113,7 +127,6 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
 
 SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const Protocol& protocol = part_.protocol;
-  const Plan plan = planned(enrolment_.trials, protocol.design);
   StudyWriter writer(study_, enrolment_, facts_of(*laboratory_, part_, options_, sync_));
   writer.tell(saved);
   if (!sync_.passed && !options_.override_sync_test) {
@@ -125,11 +138,12 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const double rounding_hz = options_.allow_rounding ? laboratory_->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz, part_.shapes);
   const SteadyClock work_clock;
-  const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,     writer,
-                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock};
+  const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,      writer,
+                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};
   const SessionResult result =
-      run_session(protocol.script, plan, enrolment_.history, ports, protocol.design);
+      run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_gaze_latency(result);
+  tell_lost_gaze(result);
   conclude(result, writer);
   return result.ending;
 }

@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "experiments/commands/run_options.hpp"
+#include "experiments/session/gaze_path.hpp"
+#include "experiments/session/plan.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/enrolment.hpp"
 
@@ -32,6 +34,8 @@ class ParticipantRun {
   RunOptions options_;
   StudyFile& study_;
   std::shared_ptr<Laboratory> laboratory_;
+  Plan plan_;
+  GazePaths gaze_paths_;  ///< that regions of the plan follow
   SyncTest sync_;
   Enrolment enrolment_;
 };

@@ -118,8 +118,20 @@ void show(const JsonDocument& scene, const PreviewOptions& /*options*/) {
 
 #endif
 
+/// A region that follows a recording needs a session, which knows whose.
+void require_no_recording(const JsonDocument& scene) {
+  const nlohmann::json::json_pointer kind("/engine/region/kind");
+  if (scene.value.contains(kind) && scene.value[kind] == nlohmann::json("recorded")) {
+    refuse(scene, kind.to_string(),
+           "expected a region that can be previewed, which \"recorded\" is not: only a session "
+           "has a recording");
+  }
+}
+
 int preview(const PreviewOptions& options) {
-  show(load_scene(options.scene), options);
+  const JsonDocument scene = load_scene(options.scene);
+  require_no_recording(scene);
+  show(scene, options);
   return kDone;
 }
 

@@ -46,7 +46,12 @@ class SimulatedGroup {
  private:
   [[nodiscard]] std::int64_t jobs() const {
     const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-    const std::int64_t wanted = options_.jobs > 0 ? options_.jobs : cores;
+    // Who follows another's gaze must find the same others finished, however many cores there are.
+    const bool yoked = std::any_of(parts_.begin(), parts_.end(), [](const RunPart& part) {
+      const auto& gaze = part.protocol.script.gaze;
+      return gaze && gaze->yoked_to;
+    });
+    const std::int64_t wanted = yoked ? 1 : options_.jobs > 0 ? options_.jobs : cores;
     return std::clamp<std::int64_t>(wanted, 1, options_.participants);
   }
 

@@ -11,6 +11,7 @@ std::vector<StoredTrial> stored(const Plan& plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
                       trial.seed, trial.block, trial.catch_trial, trial.track});
     trials.back().solved = to_text(trial.solved);
+    trials.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return trials;
 }
@@ -23,6 +24,7 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
                     condition_from_json(condition, design), trial.seed, trial.block,
                     trial.catch_trial, trial.track});
     plan.back().solved = solved_values_from(trial.solved);
+    plan.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return plan;
 }

@@ -52,7 +52,8 @@ RunOptions as_nobody(RunOptions options) {
 
 void run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
   const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
-  const Enrolment enrolment = resumed ? *resumed : enrol_anew(study, part, options);
+  const Enrolment enrolment =
+      resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
   StudyWriter writer(study, enrolment, facts_without_laboratory());
   const ProtocolScenes scenes(part.protocol, 0.0, part.shapes);
   ProgressLine line("simulating");

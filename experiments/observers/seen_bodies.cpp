@@ -38,10 +38,15 @@ double time_to_touch_s(const Vector3& apart, const Vector3& velocity, double rea
 }  // namespace
 
 void SeenBodies::add(const Picture& picture, std::int64_t flipped_ns) {
-  Seen seen{flipped_ns, picture.viewer, {}, {}};
+  Seen seen{flipped_ns, picture.viewer, {}, {}, {}};
   for (const PosedBody& body : picture.bodies) {
     seen.places.push_back(body.pose.position);
     seen.radii_m.push_back(body.look.radius_m);
+  }
+  if (picture.target) {
+    seen.places = {on_screen(picture.viewer, *picture.target)};
+    seen.radii_m = {0.0};
+    seen.target = picture.target;
   }
   pictures_.push_back(std::move(seen));
 }
@@ -62,7 +67,7 @@ SeenBodies::Two SeenBodies::known_at(std::int64_t instant_ns) const {
   }
   Two two{&*seen, &*seen, 0.0};
   for (; seen != pictures_.rend(); ++seen) {
-    if (seen->places.size() != two.newest->places.size() ||
+    if (seen->places.size() != two.newest->places.size() || seen->target != two.newest->target ||
         two.newest->flipped_ns - seen->flipped_ns > kWindow_ns) {
       break;
     }

@@ -7,7 +7,8 @@
 //                  velocity   carried on
 //
 // Only pictures that had been flipped a delay before the instant asked about are used, so an answer
-// does not depend on when it is asked for. Places are degrees right of and above the screen's
+// does not depend on when it is asked for. A calibration's point is a body that jumps: what stood
+// elsewhere has no velocity to tell of. Places are degrees right of and above the screen's
 // centre, on the linear scale of metres_per_degree().
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -61,6 +62,7 @@ class SeenBodies {
     Viewer viewer;
     std::vector<Vector3> places;  ///< metres, world
     std::vector<double> radii_m;
+    Fixation target{};  ///< of a calibration: the only place
   };
   /// The newest picture of bodies that an instant may use, and one a window earlier; none: null.
   struct Two {

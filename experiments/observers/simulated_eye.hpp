@@ -6,7 +6,8 @@
 //                     └──────────┘         and small catch-up saccades
 //
 //   saccade    min-jerk path over base + slope · amplitude (main sequence: Carpenter 1988)
-//   target     a body drawn at random, or the pair that will touch first; else the screen's centre
+//   target     a body drawn at random, or the pair that will touch first; the point of a
+//              calibration; else the screen's centre
 //   tracker    + constant offset + fixational noise, − blinks, drop-outs and what is off screen
 //
 // The eye moves by what was shown a visual delay ago. Samples stand on a fixed grid of times and

@@ -16,6 +16,7 @@
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/solve_checks.hpp"
 #include "experiments/protocol/validation.hpp"
+#include "experiments/protocol/yoke_checks.hpp"
 
 namespace impetus {
 namespace {
@@ -130,6 +131,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   }
   protocol.script = script_from(protocol.document.value);
   check_standard(protocol);
+  check_yoking(protocol);
   return protocol;
 }
 

@@ -58,6 +58,41 @@ TwoIntervalQuestion two_interval_from(const json& object) {
   return question;
 }
 
+CalibrationTask calibration_from(const json& object) {
+  CalibrationTask task;
+  task.accuracy_limit_deg = object["accuracy_limit_deg"].get<double>();
+  task.most_tries = object.value("most_tries", task.most_tries);
+  task.drift_limit_deg = object.value("drift_limit_deg", task.drift_limit_deg);
+  task.point_ms = object.value("point_ms", task.point_ms);
+  return task;
+}
+
+GazeLossRule loss_rule_from(const json& object) {
+  const auto policy = object["then"].get<std::string>();
+  GazeLossRule rule;
+  rule.most_lost_share = object["most_lost_share"].get<double>();
+  rule.policy = policy == "keep"   ? GazeLossRule::Policy::kKeep
+                : policy == "mark" ? GazeLossRule::Policy::kMark
+                                   : GazeLossRule::Policy::kRepeat;
+  rule.most_repeats = object.value("most_repeats", rule.most_repeats);
+  return rule;
+}
+
+GazeTask gaze_from(const json& object) {
+  GazeTask task;
+  task.extra_latency_ms = object["extra_latency_ms"].get<double>();
+  if (object.contains("calibration")) {
+    task.calibration = calibration_from(object["calibration"]);
+  }
+  task.loss = object.contains("when_lost") ? loss_rule_from(object["when_lost"]) : GazeLossRule{};
+  if (object.contains("yoked_to")) {
+    const json& rule = object["yoked_to"];
+    task.yoked_to =
+        YokeRule{rule["participant"].get<std::string>(), rule.value("protocol", std::string())};
+  }
+  return task;
+}
+
 }  // namespace
 
 Script script_from(const json& document) {
@@ -106,7 +141,7 @@ Script script_from(const json& document) {
     script.clicks = ClickTask{document["clicks"]["merge_within_ms"].get<double>()};
   }
   if (document.contains("gaze")) {
-    script.gaze = GazeTask{document["gaze"]["extra_latency_ms"].get<double>()};
+    script.gaze = gaze_from(document["gaze"]);
   }
   script.practice_rule = practice_rule_from(document["design"]);
   script.training_rule = training_rule_from(document["design"]);

@@ -55,6 +55,9 @@ void refuse_key(const json& scene, const char* key, const std::string& why, Prob
 void add_meeting_problems(const json& scene, Problems& problems) {
   const std::string why = "where bodies meet";
   require_key(scene, "imposed", why, problems);
+  if (scene.contains("imposed") && !scene["imposed"].contains("contact_hold_ms")) {
+    problems.push_back({"/imposed", "expected the key \"contact_hold_ms\", which is missing"});
+  }
   refuse_key(scene, "duration_s", why + ", which lasts from lead_s to follow_s", problems);
   refuse_key(scene, "enclosure", why, problems);
   if (scene["bodies"].size() != 2) {

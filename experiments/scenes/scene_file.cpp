@@ -148,6 +148,7 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer, std::move(bodies.looks)};
   staged.no_spin = imposed.value("no_spin", false);
+  staged.gaze_latency_s = imposed.value("gaze_latency_ms", 0.0) / 1e3;
   staged.intended_hold_s = intended_s;
   staged.realised_hold_s = realised_s;
   staged.region = region_of(engine, m_per_deg);

@@ -14,11 +14,10 @@ using nlohmann::json;
 constexpr double kDefaultRenewal_ms = 250.0;
 
 RegionKind region_kind(const std::string& name) {
-  static const std::map<std::string, RegionKind> kKinds{{"all-good", RegionKind::kAllGood},
-                                                        {"all-bad", RegionKind::kAllBad},
-                                                        {"tracked", RegionKind::kTracked},
-                                                        {"random", RegionKind::kRandom},
-                                                        {"fixed", RegionKind::kFixed}};
+  static const std::map<std::string, RegionKind> kKinds{
+      {"all-good", RegionKind::kAllGood}, {"all-bad", RegionKind::kAllBad},
+      {"tracked", RegionKind::kTracked},  {"random", RegionKind::kRandom},
+      {"fixed", RegionKind::kFixed},      {"recorded", RegionKind::kRecorded}};
   return kKinds.at(name);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <vector>
 
 #include "engine/shapes/mesh_distance.hpp"
 
@@ -23,36 +24,94 @@ ClosestPoints sphere_distance(const DrawnBody& a, const Pose& pose_a, const Draw
   return {gap_m, on_a, on_a + gap_m * along};
 }
 
-/// Whether the segment from `eye` to `target` passes through a face of the body before its end.
-bool covers(const DrawnBody& body, const Pose& pose, const Vector3& eye, const Vector3& target) {
-  const Vector3 ray = target - eye;
-  // Ends short of the target: the faces that the gap itself ends on do not hide it.
-  constexpr double kNearEnd = 1.0 - 1e-6;
-  if (!body.mesh) {
-    const double along = (pose.position - eye).dot(ray) / ray.squaredNorm();
-    const Vector3 nearest = eye + std::clamp(along, 0.0, kNearEnd) * ray;
-    return (nearest - pose.position).norm() < body.radius_m * kNearEnd;
+/// A triangle in world, as one corner and the edges from it.
+struct Face {
+  Vector3 a;
+  Vector3 ab;
+  Vector3 ac;
+};
+
+/// Ends short of the target: the faces that the gap itself ends on do not hide it.
+constexpr double kNearEnd = 1.0 - 1e-6;
+
+/// Whether the way from `eye` along `ray` passes through the face before its end. (Möller and
+/// Trumbore 1997)
+bool crosses(const Face& face, const Vector3& eye, const Vector3& ray) {
+  const Vector3 across = ray.cross(face.ac);
+  const double determinant = face.ab.dot(across);
+  if (determinant == 0.0) {
+    return false;
   }
-  // Möller and Trumbore 1997.
-  return std::any_of(body.mesh->triangles.begin(), body.mesh->triangles.end(),
-                     [&](const auto& triangle) {
-                       const auto& vertices = body.mesh->vertices;
-                       const Vector3 a = pose.transform(vertices[triangle[0]]);
-                       const Vector3 ab = pose.transform(vertices[triangle[1]]) - a;
-                       const Vector3 ac = pose.transform(vertices[triangle[2]]) - a;
-                       const Vector3 across = ray.cross(ac);
-                       const double determinant = ab.dot(across);
-                       if (determinant == 0.0) {
-                         return false;
-                       }
-                       const Vector3 from_a = eye - a;
-                       const double u = from_a.dot(across) / determinant;
-                       const Vector3 q = from_a.cross(ab);
-                       const double v = ray.dot(q) / determinant;
-                       const double t = ac.dot(q) / determinant;
-                       return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < kNearEnd;
-                     });
+  const Vector3 from_a = eye - face.a;
+  const double u = from_a.dot(across) / determinant;
+  const Vector3 q = from_a.cross(face.ab);
+  const double v = ray.dot(q) / determinant;
+  const double t = face.ac.dot(q) / determinant;
+  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < kNearEnd;
 }
+
+/// A drawn body as the rays from the eye to a gap meet it: a ball, or the faces that reach the
+/// plane in which all these rays lie.
+///
+///   eye ·<:::::: p           faces on one side of the plane through eye, p and q are met by none,
+///          ::::: q           and most are
+class Cover {
+ public:
+  Cover(const DrawnBody& body, const Pose& pose, const Vector3& eye, const ClosestPoints& gap)
+      : body_(body), centre_(pose.position), eye_(eye) {
+    if (!body.mesh) {
+      return;
+    }
+    const Vector3 normal = plane_of(gap.on_a - eye, gap.on_b - eye);
+    std::vector<Vector3> corners;
+    std::vector<int> sides;
+    for (const Vector3& vertex : body.mesh->vertices) {
+      corners.push_back(pose.transform(vertex));
+      sides.push_back(side_of(normal, corners.back() - eye));
+    }
+    for (const auto& [a, b, c] : body.mesh->triangles) {
+      const bool aside = sides[a] != 0 && sides[a] == sides[b] && sides[a] == sides[c];
+      if (!aside) {
+        faces_.push_back({corners[a], corners[b] - corners[a], corners[c] - corners[a]});
+      }
+    }
+  }
+
+  /// Whether the body stands between the eye and `target`, a point of the gap.
+  [[nodiscard]] bool hides(const Vector3& target) const {
+    const Vector3 ray = target - eye_;
+    if (!body_.mesh) {
+      const double along = (centre_ - eye_).dot(ray) / ray.squaredNorm();
+      const Vector3 nearest = eye_ + std::clamp(along, 0.0, kNearEnd) * ray;
+      return (nearest - centre_).norm() < body_.radius_m * kNearEnd;
+    }
+    return std::any_of(faces_.begin(), faces_.end(),
+                       [&](const Face& face) { return crosses(face, eye_, ray); });
+  }
+
+ private:
+  /// Across both ways to the gap; zero when they are too nearly one for a plane to be known, and
+  /// then no face lies aside.
+  static Vector3 plane_of(const Vector3& to_p, const Vector3& to_q) {
+    constexpr double kNearlyOne = 1e-8;
+    const Vector3 normal = to_p.cross(to_q);
+    const bool known = normal.norm() > kNearlyOne * to_p.norm() * to_q.norm();
+    return known ? normal : Vector3(Vector3::Zero());
+  }
+
+  /// 1 or −1 beside the plane; 0 in it, or too near for its side to be known after rounding.
+  static int side_of(const Vector3& normal, const Vector3& from_eye) {
+    constexpr double kUnsure = 1e-6;
+    const double along = normal.dot(from_eye);
+    const double unsure = kUnsure * normal.norm() * from_eye.norm();
+    return along > unsure ? 1 : along < -unsure ? -1 : 0;
+  }
+
+  const DrawnBody& body_;
+  Vector3 centre_;
+  Vector3 eye_;
+  std::vector<Face> faces_;
+};
 
 /// The point of the screen's plane that a point of the world projects to (pixels, from centre).
 Eigen::Vector2d projected_px(const Viewer& viewer, const Vector3& point) {
@@ -61,13 +120,13 @@ Eigen::Vector2d projected_px(const Viewer& viewer, const Vector3& point) {
           at.y_m * viewer.screen.height_px / viewer.screen.height_m};
 }
 
-/// A body as it is drawn, which may cover a gap.
-struct Cover {
+/// A body as it is drawn.
+struct PlacedLook {
   const DrawnBody& look;
   const Pose& pose;
 };
 
-CollisionTruth truth_of(const ClosestPoints& closest, std::initializer_list<Cover> covers_of_it,
+CollisionTruth truth_of(const ClosestPoints& closest, std::initializer_list<PlacedLook> bodies,
                         const Viewer& viewer) {
   CollisionTruth truth;
   truth.gap_m = closest.distance_m;
@@ -76,13 +135,16 @@ CollisionTruth truth_of(const ClosestPoints& closest, std::initializer_list<Cove
   if (truth.gap_m <= 0.0) {
     return truth;
   }
+  std::vector<Cover> covers;
+  for (const PlacedLook& body : bodies) {
+    covers.emplace_back(body.look, body.pose, viewer.eye, closest);
+  }
   int hidden = 0;
   for (int ray = 0; ray < kSampleRays; ++ray) {
     const double share = (ray + 0.5) / kSampleRays;
     const Vector3 target = closest.on_a + share * (closest.on_b - closest.on_a);
-    hidden += std::any_of(covers_of_it.begin(), covers_of_it.end(), [&](const Cover& cover) {
-      return covers(cover.look, cover.pose, viewer.eye, target);
-    });
+    hidden += std::any_of(covers.begin(), covers.end(),
+                          [&](const Cover& cover) { return cover.hides(target); });
   }
   truth.hidden_share = static_cast<double>(hidden) / kSampleRays;
   return truth;

@@ -3,7 +3,8 @@
 
 namespace impetus {
 
-void GazeFollower::begin() {
+void GazeFollower::begin(std::int64_t extra_latency_ns) {
+  extra_latency_ns_ = extra_latency_ns;
   look();
   samples_.clear();
 }
@@ -26,7 +27,7 @@ GazeInput GazeFollower::look() {
   if (!used_.at) {
     return {};
   }
-  return {used_.at, used_.taken_ns, now_ns - used_.taken_ns, {}};
+  return {correction_.corrected(used_.at), used_.taken_ns, now_ns - used_.taken_ns, {}};
 }
 
 }  // namespace impetus

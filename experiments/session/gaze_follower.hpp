@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/session/gaze_correction.hpp"
 #include "experiments/session/ports.hpp"
 #include "experiments/session/record.hpp"
 
@@ -14,12 +15,13 @@ namespace impetus {
 class GazeFollower {
  public:
   /// Without `gaze` nothing is known of it. `clock` is the samples' own. Both must outlive this.
-  /// `extra_latency_ns`: samples younger than this are not used yet, a manipulation.
-  GazeFollower(Gaze* gaze, const Clock* clock, std::int64_t extra_latency_ns)
-      : gaze_(gaze), clock_(clock), extra_latency_ns_(extra_latency_ns) {}
+  /// `correction` is done to what is looked at, never to the samples that are kept.
+  GazeFollower(Gaze* gaze, const Clock* clock, const GazeCorrection& correction = {})
+      : gaze_(gaze), clock_(clock), correction_(correction) {}
 
   /// Forgets what was sampled before the stimulus, but for where the viewer looked last.
-  void begin();
+  /// `extra_latency_ns`: samples younger than this are not used yet, a manipulation.
+  void begin(std::int64_t extra_latency_ns = 0);
 
   /// Takes the new samples; the newest valid one that is old enough is where the viewer looks, and
   /// while samples are lost it stays so and ages.
@@ -30,7 +32,8 @@ class GazeFollower {
  private:
   Gaze* gaze_;
   const Clock* clock_;
-  std::int64_t extra_latency_ns_;
+  std::int64_t extra_latency_ns_{0};
+  GazeCorrection correction_;
   std::deque<GazeSample> waiting_;  ///< valid ones that are too young to be used
   GazeSample used_;
   std::vector<GazeSample> samples_;

@@ -12,7 +12,8 @@ namespace impetus {
 struct SessionProgress {
   std::int64_t done{0};
   std::int64_t total{0};
-  std::string label;  ///< "Practice 2 of 6", "Trial 12 of 81"
+  std::string label;          ///< "Practice 2 of 6", "Trial 12 of 81"
+  bool gaze_was_lost{false};  ///< in the trial before: a quiet mark for the experimenter
 };
 
 /// One way to leave a page. `key` is what is pressed: "1", "space", "enter", "escape", "y".
@@ -30,6 +31,21 @@ struct Field {
   std::vector<std::string> options;  ///< of a kChoice
   double minimum{0.0};               ///< of a kNumber
   double maximum{0.0};
+};
+
+/// A point that was looked at and where the gaze was, in screens: right of and above the centre.
+struct LookedAtPoint {
+  double x{0.0};
+  double y{0.0};
+  bool seen{false};  ///< whether there was a gaze
+  double gaze_x{0.0};
+  double gaze_y{0.0};
+};
+
+/// A small picture of the screen with points and gaze on it.
+struct PointMap {
+  double aspect{1.0};  ///< of the screen: width over height
+  std::vector<LookedAtPoint> points;
 };
 
 struct Page {
@@ -52,6 +68,7 @@ struct Page {
       0};                  ///< of a yes_no: the index of yes; of a two_interval: the right one
   double timeout_ms{0.0};  ///< gone unanswered after so long; 0: never
   bool can_pause{true};    ///< Esc asks for a pause; false where Esc is one of the choices
+  PointMap point_map{};    ///< under the paragraphs; none without points
 };
 
 }  // namespace impetus

@@ -48,6 +48,7 @@ struct Picture {
   bool pointer{false};                   ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
   SessionProgress progress;
+  Fixation target{};  ///< of a calibration: where a point to look at is drawn
 };
 
 /// The picture of the scene at `time_s` with its bodies in these poses; without poses, nothing but
@@ -137,6 +138,8 @@ class Recorder {
   virtual void save(NoteRecord note) = 0;
   /// Hands over an adaptive trial's level, before the trial is shown; returns at once.
   virtual void save(ChosenLevel chosen) = 0;
+  /// Hands over one run through the points of a calibration; returns at once.
+  virtual void save(CalibrationRecord calibration) = 0;
   /// Marks that this participant has done everything the protocol asks; returns at once.
   virtual void mark_finished() = 0;
 

@@ -11,6 +11,7 @@
 #include "experiments/session/design.hpp"
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
+#include "experiments/session/gaze_correction.hpp"
 #include "experiments/session/wall_names.hpp"
 
 namespace impetus {
@@ -145,7 +146,7 @@ struct AttemptRecord {
 /// A point of a calibration, validation or drift check: where it was shown, what the gaze did.
 struct CalibrationPointRecord {
   ScreenPoint shown{};
-  Fixation gaze{};  ///< mean of the valid samples; none: there were none
+  Fixation gaze{};  ///< mean of the valid samples, raw in a calibration, corrected in the others
   std::optional<double> accuracy_deg{};
   std::optional<double> precision_rms_deg{};
   std::optional<double> precision_sd_deg{};
@@ -171,6 +172,8 @@ struct CalibrationRecord {
   bool passed{false};
   std::int64_t began_ns{0};
   std::vector<CalibrationPointRecord> points;
+  /// Of a calibration: what is done to raw samples from now on; none: what was done before goes on.
+  std::optional<GazeCorrection> correction{};
 };
 
 /// An adaptive trial's level, chosen just before the trial is shown, and what it was chosen by.

@@ -5,6 +5,7 @@ namespace impetus {
 
 RegionSource::RegionSource(const StagedScene& scene, std::uint64_t seed)
     : rule_(scene.region),
+      recorded_gaze_(scene.recorded_gaze),
       enclosure_(scene.world.settings().enclosure),
       viewer_(scene.viewer),
       turn_(scene.turn),
@@ -27,6 +28,10 @@ std::optional<GazeRegion> RegionSource::at(std::int64_t step, const Fixation& fi
         place_ = image_.uniform_point(places_);
       }
       return GazeRegion{place_, rule_.radius_deg};
+    case RegionKind::kRecorded: {
+      const Fixation then = recorded_gaze_ ? recorded_gaze_->at(step) : std::nullopt;
+      return then ? std::optional(GazeRegion{*then, rule_.radius_deg}) : std::nullopt;
+    }
     case RegionKind::kFixed:
       return GazeRegion{rule_.point, rule_.radius_deg};
     default:

@@ -4,7 +4,7 @@
 //   all good   a region that holds all the view       all bad   none
 //   tracked    about the fixation                     random    about a place within the
 //                                                               enclosure's image, renewed
-//   fixed      about a point of the screen
+//   fixed      about a point of the screen    recorded  about another's recorded gaze (yoked)
 //
 // All of them are the same schedule with another region. (Dingliana 2002, sec. 6.3.1)
 // SPDX-License-Identifier: MIT
@@ -24,7 +24,7 @@ inline constexpr double kWholeView_deg = 180.0;
 
 class RegionSource {
  public:
-  /// Random places follow from `seed`, the trial's.
+  /// Random places follow from `seed`, the trial's. A recorded region without a recording is none.
   RegionSource(const StagedScene& scene, std::uint64_t seed);
 
   /// Another rule from the next step on; random places go on as they were drawn.
@@ -35,6 +35,7 @@ class RegionSource {
 
  private:
   RegionRule rule_;
+  std::shared_ptr<const GazePath> recorded_gaze_;
   std::optional<Enclosure> enclosure_;
   Viewer viewer_;
   ViewerTurn turn_;

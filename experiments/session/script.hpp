@@ -97,11 +97,20 @@ struct GazeLossRule {
   std::int64_t most_repeats{2};  ///< of a trial; then it is kept, marked
 };
 
+/// Whose recorded gaze the regions of kind recorded follow.
+struct YokeRule {
+  /// A participant's code; "previous": the last one who has finished; "least-followed": of those
+  /// who have finished, the first whom the fewest others follow. Never the participant as such.
+  std::string participant;
+  std::string protocol;  ///< in which they were recorded; "": this one
+};
+
 /// The gaze is followed during the stimulus.
 struct GazeTask {
   double extra_latency_ms{0.0};  ///< imposed: samples younger than this are not used yet
   std::optional<CalibrationTask> calibration{};
   std::optional<GazeLossRule> loss{};
+  std::optional<YokeRule> yoked_to{};
 };
 
 /// A scene shown before practice and named, without a task. `id` is what `Scenes` knows it by.

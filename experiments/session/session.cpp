@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/session.hpp"
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "experiments/session/adaptive_levels.hpp"
+#include "experiments/session/calibration_pages.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/demonstration.hpp"
+#include "experiments/session/gaze_calibration.hpp"
 #include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/gaze_loss.hpp"
 #include "experiments/session/session_pages.hpp"
 
 namespace impetus {
@@ -41,12 +45,16 @@ class Session {
         standing_(plan, history),
         talk_(ports.input, ports.recorder, standing_),
         design_(design),
-        levels_(levels_after(history, plan, design)) {}
+        levels_(levels_after(history, plan, design)) {
+    if (script.gaze && script.gaze->calibration && ports.gaze != nullptr && !plan.empty()) {
+      calibration_.emplace(*script.gaze->calibration, plan.front().seed, ports_, talk_, standing_);
+    }
+  }
 
   SessionResult run() {
     const bool finished = welcome() && ask_consent() && ask_demographics() && instruct() &&
-                          practise() && run_phase(TrialPhase::kMain, 0) && ask_questions() &&
-                          thank();
+                          calibrate() && practise() && run_phase(TrialPhase::kMain, 0) &&
+                          ask_questions() && thank();
     ports_.recorder.await_saved();
     result_.ending = finished ? SessionEnding::kFinished : talk_.ending();
     result_.completed_trials = standing_.completed_count();
@@ -95,6 +103,12 @@ class Session {
       }
     }
     return true;
+  }
+
+  /// In every session anew; nothing where no trial waits.
+  bool calibrate() {
+    const auto next = standing_.next_slot();
+    return !calibration_ || !next || calibration_->calibrate(*next);
   }
 
   /// Demonstrations, then practice; nothing once main trials have begun.
@@ -224,24 +238,42 @@ class Session {
     return trial;
   }
 
-  /// Shows a trial until it is completed; after a pause it starts again from the interval.
-  bool run_trial(const PlannedTrial& planned, const SessionProgress& here) {
+  /// Shows a trial until it is completed; after a pause, and when too much of the gaze was lost, it
+  /// starts again from the interval.
+  bool run_trial(const PlannedTrial& planned, SessionProgress here) {
     const PlannedTrial trial = with_level(planned);
     std::int64_t number = standing_.attempts_before(trial.slot);
+    std::int64_t repeats = 0;
     while (true) {
-      AttemptResult attempt = run_attempt(trial, ++number, script_, here, ports_);
+      here.gaze_was_lost = std::exchange(gaze_was_lost_, false);
+      AttemptResult attempt =
+          run_attempt(trial, ++number, script_, here, ports_, repeats < most_repeats(script_));
       const bool completed = attempt.record.outcome == AttemptOutcome::kCompleted;
       if (completed) {
         note_completed(trial, attempt.record);
       }
+      const double lost_share = attempt.record.gaze_lost_share.value_or(0.0);
       ports_.recorder.save(std::move(attempt.record));
       if (completed) {
         return true;
       }
-      if (!talk_.handle(attempt.interruption)) {
+      if (attempt.interruption != Interruption::kNone) {
+        if (!talk_.handle(attempt.interruption)) {
+          return false;
+        }
+        continue;
+      }
+      ++repeats;
+      if (!ask_to_repeat(lost_share)) {
         return false;
       }
     }
+  }
+
+  bool ask_to_repeat(double lost_share) {
+    ++result_.repeated_trials;
+    const bool by_pointer = ports_.gaze->is_pointer();
+    return ask(gaze_was_lost_page(lost_share, by_pointer, progress())).has_value();
   }
 
   void note_completed(const PlannedTrial& trial, const AttemptRecord& record) {
@@ -257,6 +289,19 @@ class Session {
     const double latency_ms = record.gaze_latency_p95_ms.value_or(0.0);
     result_.slow_gaze_trials += latency_ms > kWarnedGazeLatency_ms ? 1 : 0;
     result_.late_gaze_trials += latency_ms > kMarkedGazeLatency_ms ? 1 : 0;
+    note_lost_gaze(record);
+  }
+
+  void note_lost_gaze(const AttemptRecord& record) {
+    gaze_was_lost_ = gaze_was_lost(script_, record.gaze_lost_share);
+    if (gaze_was_lost_) {
+      ++result_.lost_gaze_trials;
+      ports_.recorder.save(
+          NoteRecord{kGazeLost, "trial " + std::to_string(record.slot) + ", attempt " +
+                                    std::to_string(record.number) + ": " +
+                                    std::to_string(std::lround(100.0 * *record.gaze_lost_share)) +
+                                    " % of the stimulus"});
+    }
   }
 
   bool after_trial(TrialPhase phase, std::int64_t done, std::int64_t total) {
@@ -271,7 +316,13 @@ class Session {
       return true;
     }
     ports_.recorder.save(NoteRecord{"break", "after main trial " + std::to_string(done)});
-    return ask(break_page(script_.break_text, done, total, progress())).has_value();
+    Text text = script_.break_text;
+    if (calibration_) {
+      text.paragraphs.emplace_back(ports_.gaze->is_pointer() ? kPointAtTheMiddle
+                                                             : kLookAtTheMiddle);
+    }
+    return ask(break_page(text, done, total, progress())).has_value() &&
+           (!calibration_ || calibration_->check_drift(*standing_.next_slot()));
   }
 
   bool summarise_practice() {
@@ -309,11 +360,13 @@ class Session {
 
   const Script& script_;
   const SessionHistory& history_;
-  const Ports& ports_;
+  Ports ports_;  ///< with the present correction of the gaze
   SessionStanding standing_;
   Conversation talk_;
+  std::optional<GazeCalibration> calibration_;
   std::map<std::int64_t, std::int64_t> practice_use_;  ///< how often each rating was given
   std::optional<Page> feedback_;                       ///< on the last practice trial
+  bool gaze_was_lost_{false};                          ///< in the trial before
   SessionResult result_;
   const Design& design_;
   AdaptiveLevels levels_;

@@ -44,6 +44,17 @@ bool SessionStanding::main_has_begun() const {
   return static_cast<std::int64_t>(main.waiting.size()) < main.total;
 }
 
+std::optional<std::int64_t> SessionStanding::next_slot() const {
+  if (!main_has_begun()) {
+    const PhaseTrials practice = trials_of(TrialPhase::kPractice, round_);
+    if (!practice.waiting.empty()) {
+      return practice.waiting.front()->slot;
+    }
+  }
+  const PhaseTrials main = trials_of(TrialPhase::kMain, 0);
+  return main.waiting.empty() ? std::nullopt : std::optional(main.waiting.front()->slot);
+}
+
 std::int64_t SessionStanding::last_round() const {
   std::int64_t last = 0;
   for (const PlannedTrial& trial : plan_) {

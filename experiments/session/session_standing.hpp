@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -52,6 +53,8 @@ class SessionStanding {
   [[nodiscard]] std::vector<PracticeResult> practice_results(std::int64_t round) const;
 
   [[nodiscard]] bool main_has_begun() const;
+  /// The next trial that is not done: of practice until main trials have begun; none: all are.
+  [[nodiscard]] std::optional<std::int64_t> next_slot() const;
   [[nodiscard]] std::int64_t last_round() const;  ///< of practice that is planned; 0: none
   [[nodiscard]] std::int64_t attempts_before(std::int64_t slot) const;
   [[nodiscard]] std::int64_t completed_count() const;  ///< earlier sessions included

@@ -11,6 +11,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "engine/world.hpp"
 #include "experiments/session/drawn_levels.hpp"
+#include "experiments/session/gaze_path.hpp"
 #include "experiments/session/turning_viewer.hpp"
 
 namespace impetus {
@@ -28,12 +29,13 @@ struct DrawnBody {
 
 /// Where collisions are of high priority, for schedules by region.
 enum class RegionKind {
-  kNone,     ///< the schedule is not by region
-  kAllGood,  ///< everywhere
-  kAllBad,   ///< nowhere
-  kTracked,  ///< about the gaze
-  kRandom,   ///< about places drawn within the enclosure's image
-  kFixed,    ///< about a point of the screen
+  kNone,      ///< the schedule is not by region
+  kAllGood,   ///< everywhere
+  kAllBad,    ///< nowhere
+  kTracked,   ///< about the gaze
+  kRandom,    ///< about places drawn within the enclosure's image
+  kFixed,     ///< about a point of the screen
+  kRecorded,  ///< about another participant's recorded gaze
 };
 
 struct RegionRule {
@@ -66,7 +68,9 @@ struct StagedScene {
   std::string scheduler{};
   MetricOptions metric_options{};
   std::string reduction{};
-  ViewerTurn turn{};  ///< `viewer` is where it starts
+  ViewerTurn turn{};           ///< `viewer` is where it starts
+  double gaze_latency_s{0.0};  ///< imposed: samples younger than this are not used yet
+  std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
 
   [[nodiscard]] Viewer viewer_at_time(double time_s) const {
     return turned_viewer(viewer, turn, time_s);

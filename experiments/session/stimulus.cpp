@@ -2,8 +2,10 @@
 #include "experiments/session/stimulus.hpp"
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
+#include "experiments/session/gaze_loss.hpp"
 #include "experiments/session/region_coverage.hpp"
 #include "experiments/session/whole_frames.hpp"
 
@@ -16,6 +18,17 @@ void append(std::vector<T>& to, std::vector<T>& from) {
   from.clear();
 }
 
+/// The scene, with the recorded gaze that a yoked trial's region follows.
+StagedScene staged(const PlannedTrial& trial, const Ports& ports) {
+  StagedScene scene = ports.scenes.stage(trial, ports.display.geometry());
+  if (trial.yoked_trial_id) {
+    const GazePath& path = ports.gaze_paths->at(*trial.yoked_trial_id);
+    scene.recorded_gaze = std::make_shared<const GazePath>(
+        path.seen_from(ports.display.geometry().viewing_distance_m));
+  }
+  return scene;
+}
+
 }  // namespace
 
 Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Script& script,
@@ -25,7 +38,7 @@ Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Scrip
       progress_(progress),
       ports_(ports),
       follower_(follower),
-      playback_(ports.scenes.stage(shown, ports.display.geometry()), shown.seed, ports.work_clock) {
+      playback_(staged(shown, ports), shown.seed, ports.work_clock) {
   record_.slot = shown.slot;
   for (const BodyModel& body : scene().world.models()) {
     record_.body_names.push_back(body.name);
@@ -36,6 +49,10 @@ Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Scrip
   if (script.gaze && ports.gaze != nullptr) {
     record_.gaze_source = ports.gaze->source();
   }
+}
+
+double Stimulus::imposed_gaze_latency_s() const {
+  return script_.gaze ? script_.gaze->extra_latency_ms / 1e3 + scene().gaze_latency_s : 0.0;
 }
 
 Interruption Stimulus::show() {
@@ -61,7 +78,7 @@ bool Stimulus::show_fixation() {
 bool Stimulus::show_scene() {
   const std::int64_t last_frame = whole_frames(scene().duration_s, ports_.display.refresh_hz());
   fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
-  follower_.begin();
+  follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
   if (script_.clicks) {
     static_cast<void>(ports_.input.take_clicks());
   }
@@ -132,6 +149,10 @@ void Stimulus::take_simulation(std::int64_t last_frame_shown) {
   record_.gaze = follower_.take_samples();
   for (GazeSample& sample : record_.gaze) {
     sample.interval = interval_;
+  }
+  if (!record_.gaze_source.empty() && record_.onset_ns != 0) {
+    record_.gaze_lost_share =
+        gaze_lost_share(record_.gaze, record_.onset_ns, record_.frames.back().flip.flipped_ns);
   }
   record_.region_covered_share = mean_covered_share(scene(), record_.steps);
 }

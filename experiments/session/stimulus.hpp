@@ -37,6 +37,13 @@ class Stimulus {
 
   [[nodiscard]] const StagedScene& scene() const { return playback_.scene(); }
 
+  /// Samples of the gaze younger than this are not used.
+  [[nodiscard]] double imposed_gaze_latency_s() const;
+
+  /// Of the scene's time so far, the share without a valid sample; none: gaze was not followed, or
+  /// nothing was shown.
+  [[nodiscard]] std::optional<double> gaze_lost_share() const { return record_.gaze_lost_share; }
+
   /// Of the enclosure's image, the share that was inside the region, on average.
   [[nodiscard]] std::optional<double> region_covered_share() const {
     return record_.region_covered_share;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/trial.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <string>
 #include <utility>
 
 #include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/gaze_loss.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/session/response_kinds.hpp"
 #include "experiments/session/stimulus.hpp"
@@ -13,22 +16,25 @@
 namespace impetus {
 namespace {
 
-std::int64_t nanoseconds(double duration_ms) {
-  return static_cast<std::int64_t>(duration_ms * 1e6);
+const char* name_of(Interruption interruption) {
+  return interruption == Interruption::kPauseRequested  ? "pause"
+         : interruption == Interruption::kDisplayClosed ? "display closed"
+                                                        : kGazeLost;
 }
 
 /// Runs the phases of one attempt in order; a phase returns false when it was interrupted.
 class Attempt {
  public:
   Attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-          const SessionProgress& progress, const Ports& ports)
-      : asked_{script, trial, progress, test_interval(script, trial)},
+          const SessionProgress& progress, const Ports& ports, bool may_be_repeated)
+      : progress_(progress),
+        asked_{script, trial, progress_, test_interval(script, trial)},
         ports_(ports),
-        follower_(script.gaze ? ports.gaze : nullptr, ports.clock,
-                  script.gaze ? nanoseconds(script.gaze->extra_latency_ms) : 0) {
+        may_be_repeated_(may_be_repeated),
+        follower_(script.gaze ? ports.gaze : nullptr, ports.clock, ports.gaze_correction) {
     std::int64_t interval = 0;
     for (const PlannedTrial& shown : stimuli_of(script, trial)) {
-      stimuli_.emplace_back(shown, ++interval, script, progress, ports, follower_);
+      stimuli_.emplace_back(shown, ++interval, script, progress_, ports, follower_);
     }
     result_.record.slot = trial.slot;
     result_.record.number = number;
@@ -37,14 +43,17 @@ class Attempt {
     result_.record.realised_hold_s = own().scene().realised_hold_s;
     if (script.gaze && ports.gaze != nullptr) {
       result_.record.gaze_source = ports.gaze->source();
+      result_.record.imposed_gaze_latency_s = own().imposed_gaze_latency_s();
     }
   }
 
   AttemptResult run() {
-    const bool completed = show_interval() && show_stimuli() && ask_questions();
+    const bool completed = show_interval() && show_stimuli() && gaze_suffices() && ask_questions();
     collect();
     if (completed) {
       result_.record.outcome = AttemptOutcome::kCompleted;
+    } else {
+      result_.record.interrupted_by = name_of(result_.interruption);
     }
     return std::move(result_);
   }
@@ -55,6 +64,7 @@ class Attempt {
     if (!show_blank(asked_.script.timing.interval_ms)) {
       return false;
     }
+    progress_.gaze_was_lost = false;  // the mark is gone when the trial begins
     ports_.recorder.await_saved();
     return true;
   }
@@ -89,6 +99,14 @@ class Attempt {
     return true;
   }
 
+  /// Whether the trial need not be shown again for want of a gaze.
+  [[nodiscard]] bool gaze_suffices() const {
+    return !may_be_repeated_ ||
+           std::none_of(stimuli_.begin(), stimuli_.end(), [&](const Stimulus& stimulus) {
+             return gaze_was_lost(asked_.script, stimulus.gaze_lost_share());
+           });
+  }
+
   bool ask_questions() {
     if (stimuli_.size() > 1) {
       stimuli_.back().take_clicks();  // before the first is asked for its own
@@ -118,6 +136,7 @@ class Attempt {
     for (Stimulus& stimulus : stimuli_) {
       stimulus.append_to(record);
       depends_on_gaze = depends_on_gaze || stimulus.scene().depends_on_gaze;
+      record.gaze_lost_share = std::max(record.gaze_lost_share, stimulus.gaze_lost_share());
     }
     if (depends_on_gaze) {
       record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames, record.gaze);
@@ -127,8 +146,10 @@ class Attempt {
   /// The stimulus of the trial's own condition; the other is the standard.
   Stimulus& own() { return stimuli_[static_cast<std::size_t>(asked_.test_interval - 1)]; }
 
+  SessionProgress progress_;  ///< before what refers to it
   AskedTrial asked_;
   const Ports& ports_;
+  bool may_be_repeated_;
   GazeFollower follower_;
   std::deque<Stimulus> stimuli_;
   AttemptResult result_;
@@ -137,8 +158,9 @@ class Attempt {
 }  // namespace
 
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-                          const SessionProgress& progress, const Ports& ports) {
-  return Attempt(trial, number, script, progress, ports).run();
+                          const SessionProgress& progress, const Ports& ports,
+                          bool may_be_repeated) {
+  return Attempt(trial, number, script, progress, ports, may_be_repeated).run();
 }
 
 }  // namespace impetus

@@ -17,6 +17,8 @@ struct Ports {
   Gaze* gaze{nullptr};               ///< none: gaze is not followed
   const Clock* clock{nullptr};       ///< of the gaze's samples; needed with it
   const Clock* work_clock{nullptr};  ///< real time; needed by scenes with a budget in milliseconds
+  const GazePaths* gaze_paths{nullptr};  ///< of the trials that regions are yoked to
+  GazeCorrection gaze_correction{};      ///< by the last calibration
 };
 
 struct AttemptResult {
@@ -28,8 +30,10 @@ struct AttemptResult {
 /// then shows fixation and stimulus (where two intervals are asked for, both, with a blank between)
 /// and asks the script's questions. Each frame shows the state for its scheduled time, so every
 /// participant sees the same frames. Where the script asks for it, clicks are kept and the gaze is
-/// followed during the stimulus. Throws what the recorder throws.
+/// followed during the stimulus. A trial that `may_be_repeated` ends before its questions when too
+/// much of the gaze was lost, interrupted by kGazeLost. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
-                          const SessionProgress& progress, const Ports& ports);
+                          const SessionProgress& progress, const Ports& ports,
+                          bool may_be_repeated = false);
 
 }  // namespace impetus

@@ -9,6 +9,7 @@
 #include "experiments/stage/key_names.hpp"
 #include "experiments/stage/page_layout.hpp"
 #include "experiments/stage/palette.hpp"
+#include "experiments/stage/point_map.hpp"
 #include "experiments/stage/progress_bar.hpp"
 #include "experiments/stage/widgets.hpp"
 
@@ -47,6 +48,7 @@ std::optional<std::size_t> PageView::draw() {
   ImGui::PushFont(gui_.fonts().body[reading_size_]);
   ImGui::SetCursorScreenPos(ImVec2(column.left, top));
   draw_words(gui_, page_, reading_size_);
+  draw_point_map(gui_, page_.point_map);
   draw_fields();
   const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
   draw_time_left();

@@ -23,6 +23,13 @@ Colours colours_on(Ground ground) {
                        IM_COL32(84, 84, 88, 255)};
 }
 
+/// Quiet, for the experimenter: a ring, and what it means in two words.
+void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 colour) {
+  const float radius = 0.3F * font.FontSize;
+  draw.AddCircle(ImVec2(at.x + radius, at.y + 0.55F * font.FontSize), radius, colour, 0, 1.5F);
+  draw.AddText(&font, font.FontSize, ImVec2(at.x + 3.0F * radius, at.y), colour, "gaze lost");
+}
+
 float bar_height(const Gui& gui) {
   return std::max(4.0F, std::round(gui.height() * kBarShareOfHeight));
 }
@@ -52,6 +59,10 @@ void draw_progress(const Gui& gui, const SessionProgress& progress, Ground groun
   const ImVec2 at(std::floor((gui.width() - label_px.x) / 2.0F),
                   std::floor(top - 1.35F * font->FontSize));
   draw.AddText(font, font->FontSize, at, colours.label, progress.label.c_str());
+  if (progress.gaze_was_lost) {
+    draw_lost_gaze_mark(draw, ImVec2(at.x + label_px.x + font->FontSize, at.y), *font,
+                        colours.label);
+  }
 }
 
 }  // namespace impetus

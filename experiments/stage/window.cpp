@@ -6,6 +6,7 @@
 
 #include "experiments/stage/canvas.hpp"
 #include "experiments/stage/display_loss.hpp"
+#include "experiments/stage/fixation_target.hpp"
 #include "experiments/stage/page_turn.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/progress_bar.hpp"
@@ -89,6 +90,9 @@ Flip Window::show(const Picture& picture) {
     canvas_->window.show_cursor(picture.pointer);
     canvas_->painter.paint(picture, canvas_->whole());
     canvas_->gui.begin();
+    if (picture.target) {
+      draw_fixation_target(canvas_->gui, geometry_, *picture.target);
+    }
     draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
     canvas_->gui.end();
     flip = canvas_->pacer.flip();

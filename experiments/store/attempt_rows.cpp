@@ -52,16 +52,22 @@ std::int64_t insert_attempt_row(SQLite::Database& database, const AttemptOwner& 
       database,
       "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns, intended_hold_ms, "
       "realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames, sync_overridden, "
-      "gaze_source, gaze_late, gaze_latency_p95_ms, region_covered_share) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?)");
+      "gaze_source, gaze_late, interrupted_by, gaze_latency_p95_ms, region_covered_share, "
+      "gaze_lost_share, imposed_gaze_latency_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?)");
   SQLite::bind(insert, owner.trial_id, owner.session_id, attempt.number,
                attempt.outcome == AttemptOutcome::kCompleted ? "completed" : "interrupted",
                attempt.onset_ns, attempt.intended_hold_s * 1e3, attempt.realised_hold_s * 1e3,
                static_cast<std::int64_t>(attempt.frames.size()), static_cast<std::int64_t>(late),
                attempt.late_untimed_frames, owner.sync_overridden ? 1 : 0, attempt.gaze_source,
-               attempt.gaze_latency_p95_ms.value_or(0.0) > kMarkedGazeLatency_ms ? 1 : 0);
-  bind_or_null(insert, 14, attempt.gaze_latency_p95_ms);
-  bind_or_null(insert, 15, attempt.region_covered_share);
+               attempt.gaze_latency_p95_ms.value_or(0.0) > kMarkedGazeLatency_ms ? 1 : 0,
+               attempt.interrupted_by);
+  bind_or_null(insert, 15, attempt.gaze_latency_p95_ms);
+  bind_or_null(insert, 16, attempt.region_covered_share);
+  bind_or_null(insert, 17, attempt.gaze_lost_share);
+  if (attempt.imposed_gaze_latency_s) {
+    insert.bind(18, *attempt.imposed_gaze_latency_s * 1e3);
+  }
   insert.exec();
   return database.getLastInsertRowid();
 }

@@ -9,6 +9,7 @@
 
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/adaptive_rows.hpp"
+#include "experiments/store/yoke_rows.hpp"
 
 namespace impetus {
 namespace {
@@ -72,6 +73,27 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t en
                       query.getColumn(10).getString(), number_or_none(query, 11)});
   }
   return trials;
+}
+
+void take_yokes(SQLite::Database& database, std::int64_t enrolment,
+                std::vector<StoredTrial>& trials) {
+  const Yokes yokes = load_yokes(database, enrolment);
+  for (StoredTrial& trial : trials) {
+    const auto found = yokes.find(trial.slot);
+    if (found != yokes.end()) {
+      trial.yoked_trial_id = found->second;
+    }
+  }
+}
+
+Yokes yokes_of(const std::vector<StoredTrial>& trials) {
+  Yokes yokes;
+  for (const StoredTrial& trial : trials) {
+    if (trial.yoked_trial_id) {
+      yokes[trial.slot] = *trial.yoked_trial_id;
+    }
+  }
+  return yokes;
 }
 
 SessionHistory load_history(SQLite::Database& database, std::int64_t enrolment) {
@@ -181,6 +203,7 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pse
   enrolment.id = query.getColumn(0).getInt64();
   enrolment.seed = static_cast<std::uint64_t>(query.getColumn(1).getInt64());
   enrolment.trials = load_trials(study.database(), enrolment.id);
+  take_yokes(study.database(), enrolment.id, enrolment.trials);
   enrolment.history = load_history(study.database(), enrolment.id);
   return enrolment;
 }
@@ -215,6 +238,7 @@ Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
     for (StoredTrial& trial : trials) {
       trial.id = insert_trial(database, enrolment.id, trial);
     }
+    store_yokes(database, enrolment.id, yokes_of(trials));
     transaction.commit();
     enrolment.trials = std::move(trials);
     return enrolment;

@@ -100,7 +100,9 @@ CREATE TABLE calibration (
   sampling_hz REAL,
   accuracy_limit_deg REAL NOT NULL,
   passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
-  began_ns INTEGER NOT NULL
+  began_ns INTEGER NOT NULL,
+  correction_x0_m REAL, correction_xx REAL, correction_xy REAL,
+  correction_y0_m REAL, correction_yx REAL, correction_yy REAL
 ) STRICT;
 
 CREATE TABLE calibration_point (

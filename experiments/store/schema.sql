@@ -194,7 +194,8 @@ CREATE TABLE frame (
   PRIMARY KEY (attempt_id, frame)
 ) STRICT, WITHOUT ROWID;
 
--- Samples of the gaze during the stimulus, as they came: the newest valid one decides a step.
+-- Samples of the gaze during the stimulus, as they came, raw: the newest valid one, corrected by the
+-- session's last calibration, decides a step.
 CREATE TABLE gaze (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   sample INTEGER NOT NULL,            -- from 1
@@ -268,14 +269,19 @@ CREATE TABLE calibration (
   sampling_hz REAL,                   -- as measured
   accuracy_limit_deg REAL NOT NULL,   -- the protocol's
   passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
-  began_ns INTEGER NOT NULL
+  began_ns INTEGER NOT NULL,
+  -- Of a calibration: what was done from then on to raw samples, so that a step used
+  -- (x0 + xx·x + xy·y, y0 + yx·x + yy·y); NULL: nothing new.
+  correction_x0_m REAL, correction_xx REAL, correction_xy REAL,
+  correction_y0_m REAL, correction_yx REAL, correction_yy REAL
 ) STRICT;
 
 CREATE TABLE calibration_point (
   calibration_id INTEGER NOT NULL REFERENCES calibration (id),
   point INTEGER NOT NULL CHECK (point >= 1),
   x_m REAL NOT NULL, y_m REAL NOT NULL,            -- shown, right of and above the centre
-  gaze_x_m REAL, gaze_y_m REAL,                    -- mean of the valid samples; NULL: none
+  -- Mean of the valid samples, raw in a calibration, corrected in the others; NULL: none.
+  gaze_x_m REAL, gaze_y_m REAL,
   accuracy_deg REAL, precision_rms_deg REAL, precision_sd_deg REAL,
   samples INTEGER NOT NULL,
   lost INTEGER NOT NULL,

@@ -9,6 +9,7 @@
 
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
+#include "experiments/store/calibration_rows.hpp"
 
 namespace impetus {
 
@@ -90,6 +91,12 @@ void StudyWriter::save(NoteRecord note) {
 void StudyWriter::save(ChosenLevel chosen) {
   enqueue([this, chosen = std::move(chosen)](SQLite::Database& database) {
     update_chosen_level(database, trial_ids_.at(chosen.slot), chosen);
+  });
+}
+
+void StudyWriter::save(CalibrationRecord calibration) {
+  enqueue([this, calibration = std::move(calibration)](SQLite::Database& database) {
+    insert_calibration(database, session_id_, calibration);
   });
 }
 

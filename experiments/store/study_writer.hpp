@@ -57,6 +57,7 @@ class StudyWriter final : public Recorder {
   void save(QuestionRecord answer) override;
   void save(NoteRecord note) override;
   void save(ChosenLevel chosen) override;
+  void save(CalibrationRecord calibration) override;
   void mark_finished() override;
 
   /// Throws StoreError with the first thing that could not be saved.

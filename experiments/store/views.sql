@@ -99,7 +99,13 @@ SELECT participant.pseudonym AS participant,
        calibration.lost_share AS lost_share,
        calibration.sampling_hz AS sampling_hz,
        calibration.accuracy_limit_deg AS accuracy_limit_deg,
-       calibration.passed AS passed
+       calibration.passed AS passed,
+       calibration.correction_x0_m AS correction_x0_m,
+       calibration.correction_xx AS correction_xx,
+       calibration.correction_xy AS correction_xy,
+       calibration.correction_y0_m AS correction_y0_m,
+       calibration.correction_yx AS correction_yx,
+       calibration.correction_yy AS correction_yy
 FROM calibration
 JOIN session ON session.id = calibration.session_id
 JOIN enrolment ON enrolment.id = session.enrolment_id
@@ -217,7 +223,8 @@ JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
 
--- One row per gaze sample of a completed attempt, in the stimulus's own time.
+-- One row per gaze sample of a completed attempt, in the stimulus's own time: as it came, and
+-- corrected by the session's last calibration before it (the same where there was none).
 CREATE VIEW gaze_sample AS
 SELECT participant.pseudonym AS participant,
        protocol.name AS protocol,
@@ -227,9 +234,17 @@ SELECT participant.pseudonym AS participant,
        (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,
        gaze.x_m AS x_m,
        gaze.y_m AS y_m,
-       gaze.loss AS loss
+       gaze.loss AS loss,
+       coalesce(correction_x0_m + correction_xx * gaze.x_m + correction_xy * gaze.y_m, gaze.x_m)
+         AS corrected_x_m,
+       coalesce(correction_y0_m + correction_yx * gaze.x_m + correction_yy * gaze.y_m, gaze.y_m)
+         AS corrected_y_m
 FROM gaze
 JOIN attempt ON attempt.id = gaze.attempt_id AND attempt.outcome = 'completed'
+LEFT JOIN calibration ON calibration.id =
+  (SELECT max(latest.id) FROM calibration AS latest
+   WHERE latest.session_id = attempt.session_id AND latest.began_ns <= attempt.onset_ns
+     AND latest.correction_xx IS NOT NULL)
 JOIN trial ON trial.id = attempt.trial_id
 JOIN enrolment ON enrolment.id = trial.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id

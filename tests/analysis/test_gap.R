@@ -160,7 +160,8 @@ test_that("a study file without collisions' view is refused", {
   run <- run_script("gap.R", path, "--out", tempfile())
   expect_equal(run$status, 2)
   expect_equal(run$stderr, paste0("gap.R: ", path,
-    ": expected a study file, got a database without the view seen_collision"))
+    ": expected a study file of this version, got one without the view seen_collision; opening it ",
+    "with `impetus run` brings it up to date"))
 })
 
 test_that("the whole script recovers the planted gap study of 20 participants (slow)", {

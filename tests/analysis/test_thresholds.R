@@ -25,21 +25,21 @@ test_that("the likelihood at the fit is no worse than on a grid over all paramet
 test_that("planted thresholds lie within two bootstrap standard errors nine times in ten", {
   set.seed(502)
   x <- rep(kDelaysTestedMs, each = 15)
-  inside <- replicate(50, {
+  inside <- replicate(30, {
     data <- by_level(x, answers_at(x, 110, 45))
     fit <- fit_psychometric(data)
-    abs(fit$threshold - 110) < 2 * sd(bootstrap_psychometric(data, fit, NULL, 60)[, 1])
+    abs(fit$threshold - 110) < 2 * sd(bootstrap_psychometric(data, fit, NULL, 40)[, 1])
   })
-  # Measured over 100 sets: .92 (percentile intervals .88). Four binomial errors of 50 below: .77.
-  expect_gte(mean(inside), 0.77)
+  # Measured over 100 sets: .92 (percentile intervals .88). Four binomial errors of 30 below: .72.
+  expect_gte(mean(inside), 0.72)
 })
 
 test_that("two intervals: the threshold comes back with the guess rate fixed at one half", {
   set.seed(503)
   x <- rep(kDelaysTestedMs, each = 20)
-  thresholds <- replicate(40, fit_psychometric(by_level(x, answers_at(x, 110, 45, 0.5)),
+  thresholds <- replicate(25, fit_psychometric(by_level(x, answers_at(x, 110, 45, 0.5)),
     guess = 0.5)$threshold)
-  expect_lt(abs(mean(thresholds) - 110), 3.5 * sd(thresholds) / sqrt(40))
+  expect_lt(abs(mean(thresholds) - 110), 3.5 * sd(thresholds) / sqrt(25))
 })
 
 test_that("levels chosen by a staircase give the threshold, where the mean of reversals is off", {
@@ -70,7 +70,7 @@ test_that("a good fit passes and a broken one fails the deviance test", {
   p_of <- function(positive) {
     data <- by_level(x, positive)
     fit <- fit_psychometric(data)
-    again <- bootstrap_psychometric(data, fit, NULL, 60)
+    again <- bootstrap_psychometric(data, fit, NULL, 50)
     mean(again[, 3] >= fit$deviance, na.rm = TRUE)
   }
   expect_gt(p_of(answers_at(x, 110, 45)), 0.01)
@@ -91,20 +91,20 @@ test_that("answers all alike, or that fall, have no threshold and a remark names
 })
 
 test_that("a study's planted thresholds come back by condition, and from the hierarchical model", {
-  study <- gap_study(gap_answers(507, 10))
+  study <- gap_study(gap_answers(507, 6))
   functions <- psychometric_functions(study, draws = 0)
-  expect_equal(nrow(functions$rows), 40)
+  expect_equal(nrow(functions$rows), 24)
   means <- threshold_means(study, functions$rows)
   planted <- 10^c(1, 1.1, 1.4, 1.5)
   expect_equal(means$condition, c("0 × 0", "0 × 8", "8 × 0", "8 × 8"))
-  error <- (log10(means$high) - log10(means$low)) / 2 / qt(0.975, 9)
+  error <- (log10(means$high) - log10(means$low)) / 2 / qt(0.975, 5)
   expect_true(all(abs(log10(means$mean) - log10(planted)) < 3 * error))
   tests <- threshold_tests(study, functions$rows)
   model <- tests_of(tests, kThresholdFamily)
   error <- (log10(model$interval_high) - log10(model$interval_low)) / 2 / qnorm(0.975)
   expect_true(all(abs(log10(model$effect_size) - log10(planted)) < 3.5 * error))
   anova <- tests_of(tests, kThresholdAnovaFamily)
-  expect_lt(anova$p[anova$effect == "eccentricity_deg"], 1e-4)
+  expect_lt(anova$p[anova$effect == "eccentricity_deg"], 1e-3)
 })
 
 test_that("timed-out answers are no trials, are counted, and two kinds are not pooled", {
@@ -126,7 +126,8 @@ test_that("timed-out answers are no trials, are counted, and two kinds are not p
 
 test_that("the scripts run on a study in progress and on one participant", {
   trials <- gap_answers(509, 1, n = 3)
-  trials$positive[60:84] <- NA
+  trials <- trials[trials$distractors == 0, ]
+  trials$positive[35:42] <- NA
   path <- write_threshold_study(tempfile(fileext = ".sqlite"), trials, "gap-thresholds")
   out <- new_folder()
   run <- run_script("gap-thresholds.R", path, "--out", out)

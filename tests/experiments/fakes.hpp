@@ -84,6 +84,9 @@ class MemoryRecorder final : public Recorder {
   void save(QuestionRecord answer) override { answers.push_back(std::move(answer)); }
   void save(NoteRecord note) override { notes.push_back(std::move(note)); }
   void save(ChosenLevel chosen) override { levels.push_back(std::move(chosen)); }
+  void save(CalibrationRecord calibration) override {
+    calibrations.push_back(std::move(calibration));
+  }
   void mark_finished() override { finished = true; }
   void await_saved() override { awaited.push_back(attempts.size()); }
 
@@ -91,6 +94,7 @@ class MemoryRecorder final : public Recorder {
   std::vector<QuestionRecord> answers;
   std::vector<NoteRecord> notes;
   std::vector<ChosenLevel> levels;
+  std::vector<CalibrationRecord> calibrations;
   std::vector<std::size_t> awaited;
   bool finished{false};
 };

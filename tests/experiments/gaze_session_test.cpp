@@ -15,6 +15,7 @@ Protocol tiny_study(const std::function<void(json& protocol, json& scene)>& chan
   json protocol = json::parse(shipped("protocols/gaze-contingent.json"));
   json scene = json::parse(shipped("stimuli/l-blocks-in-a-cube.json"));
   scene["duration_s"] = 0.1;
+  protocol["gaze"].erase("calibration");
   protocol["design"]["repetitions"] = 1;
   protocol["design"]["factors"][1]["levels"] = {5, 10, 15};
   if (change) {
@@ -253,7 +254,7 @@ TEST(GazeProtocol, AnUnknownKindOfRegionIsRefusedWithTheKnownOnes) {
               protocol["design"]["factors"][0]["levels"][3] = "yoked";
             }),
             "gaze.json:/design/factors/0/levels/3: expected one of \"all-good\", \"all-bad\", "
-            "\"tracked\", \"random\", \"fixed\", got \"yoked\"");
+            "\"tracked\", \"random\", \"fixed\", \"recorded\", got \"yoked\"");
 }
 
 TEST(GazeProtocol, ADemonstrationNeedsNoGazeAndSetsSingleValues) {

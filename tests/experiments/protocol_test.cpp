@@ -22,7 +22,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "got \"level\""},
        {"/seed", 1,
         "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
-        "\"name\", \"rating\", \"scene\", \"schema_version\", \"session\", \"source\", \"timing\", "
+        "\"name\", \"participants\", \"rating\", \"scene\", \"schema_version\", "
+        "\"session\", \"solve\", \"source\", \"timing\", "
         "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});
 }
 
@@ -249,7 +250,8 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
 TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
   expect_scene_refusals(
       {{"/gravity", 9.8,
-        "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"duration_s\", "
+        "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"distractors\", "
+        "\"duration_s\", "
         "\"enclosure\", "
         "\"engine\", \"imposed\", \"meeting\", \"meshes\", \"schema_version\", \"source\", "
         "\"title\", "

@@ -25,8 +25,8 @@ Protocol short_study(const json& levels = json::array({"size", "gap", "collision
   return make_protocol(parse_json("d.json", document.dump()), parse_json("s.json", scene.dump()));
 }
 
-struct Run {
-  Run() {
+struct WholeRun {
+  WholeRun() {
     ShapeLibrary shapes;
     plan = make_plan(protocol.design, {protocol.name, "nobody", 1});
     put_solved(solve(protocol, shapes), plan);
@@ -39,15 +39,15 @@ struct Run {
   MemoryRecorder recorder;
 };
 
-const Run& whole_run() {
-  static const Run run;
+const WholeRun& whole_run() {
+  static const WholeRun run;
   return run;
 }
 
 bool of_two_bodies(const CollisionRecord& collision) { return !is_wall(collision.report.bodies.b); }
 
 TEST(SchedulerDistribution, EveryTrialIsCompletedWithoutAFrameAndReplaysBitForBit) {
-  const Run& run = whole_run();
+  const WholeRun& run = whole_run();
   ASSERT_EQ(run.recorder.attempts.size(), 3U);
   EXPECT_TRUE(run.recorder.finished);
   for (std::size_t i = 0; i < run.plan.size(); ++i) {
@@ -64,7 +64,7 @@ TEST(SchedulerDistribution, EveryTrialIsCompletedWithoutAFrameAndReplaysBitForBi
 }
 
 TEST(SchedulerDistribution, AReplayWithoutDigestsStillNoticesAChangedStart) {
-  const Run& run = whole_run();
+  const WholeRun& run = whole_run();
   StagedScene scene = run.scenes.stage(run.plan[0], assumed_screen());
   scene.world.mutable_states()[17].pose.position.x() += 1e-12;
   const ReplayResult replayed = replay(scene, run.recorder.attempts[0].steps);
@@ -87,7 +87,7 @@ TEST(SchedulerDistribution, ListsShareTheCollisionsAsWanted) {
 }
 
 TEST(SchedulerDistribution, ACollisionsPriorityIsItsMetricAndDecidesItsList) {
-  const Run& run = whole_run();
+  const WholeRun& run = whole_run();
   for (std::size_t i = 0; i < run.plan.size(); ++i) {
     const double threshold = run.plan[i].solved.at(0).value;
     const auto metric = make_metric(std::get<std::string>(run.plan[i].condition[0].value));

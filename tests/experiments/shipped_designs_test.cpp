@@ -13,15 +13,23 @@
 namespace impetus {
 namespace {
 
-std::vector<std::filesystem::path> shipped_protocols() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(source_file("protocols"))) {
-    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") {
-      paths.push_back(entry.path());
+/// All of them, loaded once.
+const std::vector<Protocol>& shipped_protocols() {
+  static const std::vector<Protocol> protocols = [] {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(source_file("protocols"))) {
+      if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") {
+        paths.push_back(entry.path());
+      }
     }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
+    std::sort(paths.begin(), paths.end());
+    std::vector<Protocol> loaded;
+    for (const std::filesystem::path& path : paths) {
+      loaded.push_back(load_protocol(path));
+    }
+    return loaded;
+  }();
+  return protocols;
 }
 
 /// Main trials, catch trials apart, of the studies whose number of trials is stated.
@@ -34,8 +42,7 @@ const std::map<std::string, std::size_t> kStated{{"causality", 81},
 
 TEST(ShippedDesigns, EnumerateAsStated) {
   std::size_t stated = 0;
-  for (const std::filesystem::path& path : shipped_protocols()) {
-    const Protocol protocol = load_protocol(path);
+  for (const Protocol& protocol : shipped_protocols()) {
     const Plan plan = plan_for(protocol, "P01", 1);
     const auto main = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
       return trial.phase == TrialPhase::kMain && !trial.catch_trial;
@@ -51,8 +58,7 @@ TEST(ShippedDesigns, EnumerateAsStated) {
 }
 
 TEST(ShippedDesigns, AreBalancedForEveryParticipant) {
-  for (const std::filesystem::path& path : shipped_protocols()) {
-    const Protocol protocol = load_protocol(path);
+  for (const Protocol& protocol : shipped_protocols()) {
     for (const char* participant : {"P01", "P02", "S17"}) {
       std::map<std::string, std::int64_t> shown;
       for (const PlannedTrial& trial : plan_for(protocol, participant, 1)) {

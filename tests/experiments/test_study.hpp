@@ -105,6 +105,7 @@ inline std::vector<StoredTrial> stored(const Plan& plan) {
   for (const PlannedTrial& trial : plan) {
     trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
                       trial.seed, trial.block, trial.catch_trial, trial.track});
+    trials.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return trials;
 }

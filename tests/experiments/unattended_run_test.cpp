@@ -37,17 +37,18 @@ struct Copied {
   json scene;
 };
 
-Copied short_distribution() {
-  Copied study("scheduler-distribution.json", "spheres-in-view.json");
-  study.protocol["design"]["factors"][0]["levels"] = {"distance", "gap"};
-  study.protocol["solve"][0]["pilot_s"] = 20;
-  study.protocol["solve"][0]["within"] = 0.05;
-  study.scene["duration_s"] = 10;
-  return study;
-}
+/// Ten seconds of the distribution study, by two schedulers.
+struct ShortDistribution : Copied {
+  ShortDistribution() : Copied("scheduler-distribution.json", "spheres-in-view.json") {
+    protocol["design"]["factors"][0]["levels"] = {"distance", "gap"};
+    protocol["solve"][0]["pilot_s"] = 20;
+    protocol["solve"][0]["within"] = 0.05;
+    scene["duration_s"] = 10;
+  }
+};
 
 TEST(UnattendedRun, StoresNobodysTrialsWithTheirThresholdsAndReplays) {
-  const Copied study = short_distribution();
+  const ShortDistribution study;
   const ProgramResult ran = study.run({});
   ASSERT_EQ(ran.status, 0) << ran.errors;
   EXPECT_EQ(ran.output, "Saved in a.sqlite\n");
@@ -67,7 +68,7 @@ TEST(UnattendedRun, StoresNobodysTrialsWithTheirThresholdsAndReplays) {
 }
 
 TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
-  const Copied study = short_distribution();
+  const ShortDistribution study;
   for (const std::string option : {"--participant", "--observer"}) {
     const ProgramResult ran = study.run({option, "P01"});
     EXPECT_EQ(ran.status, 2);
@@ -78,7 +79,7 @@ TEST(UnattendedRun, RefusesParticipantsAndWritesNothing) {
 }
 
 TEST(UnattendedRun, AThresholdThatCannotReachItsShareIsRefusedBeforeARowIsWritten) {
-  Copied study = short_distribution();
+  ShortDistribution study;
   study.protocol["design"]["factors"][0]["levels"] = {"gap-bound", "gap"};
   const ProgramResult ran = study.run({});
   EXPECT_EQ(ran.status, 2);

@@ -1,0 +1,17 @@
+// A run through the points of a calibration, as rows.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+
+#include "experiments/session/record.hpp"
+
+namespace impetus {
+
+/// Throws SQLite::Exception.
+void insert_calibration(SQLite::Database& database, std::int64_t session_id,
+                        const CalibrationRecord& record);
+
+}  // namespace impetus
