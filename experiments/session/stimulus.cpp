@@ -151,8 +151,8 @@ void Stimulus::take_simulation(std::int64_t last_frame_shown) {
     sample.interval = interval_;
   }
   if (!record_.gaze_source.empty() && record_.onset_ns != 0) {
-    record_.gaze_lost_share =
-        gaze_lost_share(record_.gaze, record_.onset_ns, record_.frames.back().flip.flipped_ns);
+    record_.gaze_lost_share = impetus::gaze_lost_share(record_.gaze, record_.onset_ns,
+                                                       record_.frames.back().flip.flipped_ns);
   }
   record_.region_covered_share = mean_covered_share(scene(), record_.steps);
 }
