@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
+#include "engine/impositions.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/step.hpp"
@@ -81,8 +82,6 @@ class World {
   [[nodiscard]] MovingTree moving(std::size_t body);
   void respond(double dt_s);
   const ResponseResult& response_to_contacts(double dt_s);
-  void hold_where_imposed(CollisionReport& collision);
-  void spin_where_imposed(CollisionReport& collision);
   void note_touching(const Viewer& viewer);
   [[nodiscard]] const TouchingPair* touched_before(BodyPair bodies) const;
   void change_settings(WorldSettings changed);
@@ -93,10 +92,10 @@ class World {
   WorldSettings settings_;
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
-  bool spin_was_imposed_{false};
   std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies
   PriorityMemory priorities_;
   LevelMemory levels_;
+  Impositions impositions_;
   StepMemory memory_;
 };
 
