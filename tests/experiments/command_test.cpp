@@ -193,8 +193,9 @@ TEST(Run, ABadProtocolIsRefusedAndNoStudyIsMade) {
       {"/design/factors/0/levels", json::array(),
        "/design/factors/0/levels: expected a list of at least 1 value without repeats, got []"},
       {"/design/practise", json::array(),
-       "/design: expected only the keys \"factors\", \"longest_runs\", \"practice\", "
-       "\"practice_until\", \"repetitions\", got \"practise\""},
+       "/design: expected only the keys \"adaptive\", \"blocks\", \"catch_trials\", \"factors\", "
+       "\"longest_runs\", \"practice\", \"practice_until\", \"repetitions\", "
+       "\"train_until\", got \"practise\""},
       {"/timing/fixation_ms", 490,
        "/timing/fixation_ms: expected a whole number of 60 Hz frames (16.67 ms), got 490"},
       {"/rating/maximum", 5,

@@ -62,7 +62,8 @@ TEST(ResponseKinds, ColumnsAreThoseOfTheStudyFilesTables) {
 }
 
 TEST(ResponseKinds, DetailsAreThoseThatARecordHas) {
-  TestLab lab(60.0, asked({kAskYesNo, kAskTwoInterval, kAskFreeText}));
+  const std::vector<std::string> questions{kAskYesNo, kAskTwoInterval, kAskFreeText};
+  TestLab lab(60.0, asked(questions));
   const AttemptRecord record = answered_trial(lab, trial_with_delay(300), 0);
   for (const ResponseKind& kind : response_kinds()) {
     if (kind.table != kSharedTable) {
