@@ -74,13 +74,15 @@ hierarchical_thresholds <- function(study) {
     fit <- listen_to(lme4::glmer(stats::reformulate(c("0", if (several) "condition" else "1",
       "centred", random), "positive"), trials, stats::binomial(link),
       control = lme4::glmerControl(optimizer = "bobyqa")))
-    if (!is.null(fit$value) && lme4::fixef(fit$value)[["centred"]] > 0) {
+    poor <- grepl("failed to converge|unidentifiable", fit$complaints)
+    if (!is.null(fit$value) && !any(poor) && lme4::fixef(fit$value)[["centred"]] > 0) {
       return(outcome(hierarchical_rows(study, fit$value, trials, random),
         c(remarks, paste("The hierarchical model has no lapses, no guesses but the two intervals'",
           "and one slope for all conditions, so its thresholds differ from the functions'."))))
     }
     remarks <- c(remarks, sprintf("The hierarchical model with %s was not fitted: %s.", random,
-      if (is.null(fit$value)) first_words(fit$complaints) else "answers do not rise"))
+      if (is.null(fit$value)) first_words(fit$complaints) else
+        if (any(poor)) first_words(fit$complaints[poor]) else "answers do not rise"))
   }
   outcome(remarks = remarks)
 }

@@ -9,14 +9,17 @@ answers_at <- function(x, threshold, spread, guess = 0, lapse = 0.02) {
 
 # gap-thresholds: log10 thresholds 1 + .4 at 8 degrees + .1 with 8 distractors + u_i, u_i ~ N(0, .1),
 # spread .2; `n` trials at each of seven gaps.
+# The attribute mean_shift is the mean of the u_i drawn.
 kGapLevelsArcmin <- c(3, 5, 10, 20, 40, 80, 160)
 gap_answers <- function(seed, participants, n = 8) {
   set.seed(seed)
   plan <- shuffled_plan(participants, expand.grid(gap_arcmin = kGapLevelsArcmin,
     eccentricity_deg = c(0, 8), distractors = c(0, 8), repetition = seq_len(n)))
+  shift <- rnorm(participants, 0, 0.1)
   threshold <- 1 + 0.4 * (plan$eccentricity_deg > 0) + 0.1 * (plan$distractors > 0) +
-    rnorm(participants, 0, 0.1)[factor(plan$participant)]
+    shift[factor(plan$participant)]
   plan$positive <- answers_at(log10(plan$gap_arcmin), threshold, 0.2, guess = 0.03)
+  attr(plan, "mean_shift") <- mean(shift)
   plan
 }
 

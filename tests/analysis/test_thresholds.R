@@ -91,11 +91,12 @@ test_that("answers all alike, or that fall, have no threshold and a remark names
 })
 
 test_that("a study's planted thresholds come back by condition, and from the hierarchical model", {
-  study <- gap_study(gap_answers(507, 6))
+  trials <- gap_answers(507, 6)
+  study <- gap_study(trials)
   functions <- psychometric_functions(study, draws = 0)
   expect_equal(nrow(functions$rows), 24)
   means <- threshold_means(study, functions$rows)
-  planted <- 10^c(1, 1.1, 1.4, 1.5)
+  planted <- 10^(c(1, 1.1, 1.4, 1.5) + attr(trials, "mean_shift"))
   expect_equal(means$condition, c("0 × 0", "0 × 8", "8 × 0", "8 × 8"))
   error <- (log10(means$high) - log10(means$low)) / 2 / qt(0.975, 5)
   expect_true(all(abs(log10(means$mean) - log10(planted)) < 3 * error))
