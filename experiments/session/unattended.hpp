@@ -1,7 +1,8 @@
 // Trials that nobody watches: simulated to their end without a display, and recorded.
 //
 // Every step's work and hash are kept, so that a replay compares all of them; which body a step
-// diverged in cannot be told, for digests of bodies are not kept: they would be most of the file.
+// diverged in cannot be told, for digests of bodies are kept of the start alone: they would be most
+// of the file.
 // SPDX-License-Identifier: MIT
 #pragma once
 

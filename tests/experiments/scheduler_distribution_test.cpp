@@ -123,8 +123,8 @@ TEST(EqualLists, AThresholdThatCannotReachItsShareIsRefusedByName) {
   ShapeLibrary shapes;
   EXPECT_EQ(refusal([&] { static_cast<void>(solve(study, shapes)); }),
             "d.json:/solve/0: expected a threshold that parts the pilot's collisions 50 to 50 "
-            "within 5 %, but under {\"scheduler\":\"gap-bound\"} the best found parts them 0 to "
-            "100");
+            "within 5 %, but under {\"scheduler\":\"gap-bound\"} the best found parts them 100 to "
+            "0");
 }
 
 /// The sentence with which the shipped study is refused with one value changed.
