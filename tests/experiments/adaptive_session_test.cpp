@@ -27,7 +27,7 @@ Protocol adaptive_protocol() {
   design.erase("longest_runs");
   design["adaptive"] = json::parse(R"({"factor": "delay_ms", "trials_per_track": 6,
     "staircase": {"up": 1, "down": 1, "starts": [300]}})");
-  return asked(protocol);
+  return study_of(protocol);
 }
 
 constexpr std::int64_t kTrials = 12;

@@ -50,6 +50,9 @@ TEST(ProtocolPage, StandsBesideEveryShippedProtocolAsItIsNow) {
 TEST(ProtocolPage, SaysEveryWordThatAParticipantReads) {
   for (const auto& file : shipped_protocols()) {
     const Protocol protocol = load_protocol(file);
+    if (!protocol.document.value.contains("session")) {
+      continue;  // nobody takes part
+    }
     const std::string page = protocol_page(protocol);
     std::vector<std::string> words;
     json session = protocol.document.value["session"];
