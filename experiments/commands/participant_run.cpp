@@ -57,22 +57,22 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
 }
 
 void tell_gaze_latency(const SessionResult& result) {
-  if (result.slow_gaze_trials > 0) {
+  if (result.gaze.slow_trials > 0) {
     std::fprintf(stderr,
                  "warning: from gaze sample to flip, %lld trials took more than %.0f ms (95th "
                  "percentile); %lld of them more than %.0f ms, and are marked\n",
-                 static_cast<long long>(result.slow_gaze_trials), kWarnedGazeLatency_ms,
-                 static_cast<long long>(result.late_gaze_trials), kMarkedGazeLatency_ms);
+                 static_cast<long long>(result.gaze.slow_trials), kWarnedGazeLatency_ms,
+                 static_cast<long long>(result.gaze.late_trials), kMarkedGazeLatency_ms);
   }
 }
 
 void tell_lost_gaze(const SessionResult& result) {
-  if (result.lost_gaze_trials + result.repeated_trials > 0) {
+  if (result.gaze.lost_trials + result.gaze.repeated_trials > 0) {
     std::fprintf(stderr,
                  "warning: too much of the gaze was lost in %lld trials, which are marked; %lld "
                  "were shown again for that\n",
-                 static_cast<long long>(result.lost_gaze_trials),
-                 static_cast<long long>(result.repeated_trials));
+                 static_cast<long long>(result.gaze.lost_trials),
+                 static_cast<long long>(result.gaze.repeated_trials));
   }
 }
 

@@ -118,6 +118,43 @@ std::string trial(const Protocol& protocol) {
   return page + row({span, what}) + question_words(script);
 }
 
+std::string gaze(const GazeTask& task) {
+  std::string page = heading("How the gaze is followed");
+  if (task.calibration) {
+    const CalibrationTask& calibration = *task.calibration;
+    page +=
+        "- Calibrated by nine points before practice, then validated; repeated when the mean "
+        "distance is above " +
+        number(calibration.accuracy_limit_deg) + "°, " + std::to_string(calibration.most_tries) +
+        " times at most, then the experimenter decides. At breaks one point is checked: above " +
+        number(calibration.drift_limit_deg) + "° it is calibrated again.\n";
+  }
+  if (task.loss && task.loss->policy != GazeLossRule::Policy::kKeep) {
+    const bool repeated = task.loss->policy == GazeLossRule::Policy::kRepeat;
+    page += "- A trial in which the gaze was lost for more than " +
+            number(100.0 * task.loss->most_lost_share) + " % of the stimulus is " +
+            (repeated ? "shown again, " + std::to_string(task.loss->most_repeats) +
+                            " times at most, then kept and marked.\n"
+                      : "marked.\n");
+  }
+  page += "- Imposed latency: " + number(task.extra_latency_ms) + " ms, and what the scene adds.\n";
+  if (task.yoked_to) {
+    page +=
+        "- Recorded regions follow the gaze of another participant: " + task.yoked_to->participant +
+        (task.yoked_to->protocol.empty() ? "" : " in " + task.yoked_to->protocol) + ".\n";
+  }
+  return page;
+}
+
+/// What is solved before the plan is stored, as the file asks for it.
+std::string solved(const json& document) {
+  if (!document.contains("solve")) {
+    return "";
+  }
+  return heading("What is solved before the plan is stored") + "```json\n" +
+         document["solve"].dump(2) + "\n```\n";
+}
+
 std::string quoted(const Text& text) {
   std::string page = "**" + text.title + "**\n\n";
   for (const std::string& paragraph : text.paragraphs) {
@@ -198,9 +235,11 @@ std::string protocol_page(const Protocol& protocol) {
   }
   page += summary(protocol, plan) + factors(protocol) + order(protocol);
   if (has_participants(document)) {
-    page += trial(protocol) + words_shown(protocol.script);
+    page += trial(protocol);
+    page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
+    page += words_shown(protocol.script);
   }
-  return page + scene(protocol) + recorded(protocol) + commands(protocol);
+  return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }
 
 }  // namespace impetus

@@ -7,6 +7,7 @@
 #include "experiments/session/script.hpp"
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
+#include "experiments/session/trial_sequence.hpp"
 
 namespace impetus {
 
@@ -14,10 +15,7 @@ struct SessionResult {
   SessionEnding ending{SessionEnding::kQuit};
   std::int64_t completed_trials{0};  ///< practice included, earlier sessions included
   std::int64_t expected_trials{0};   ///< in all; rounds of practice that nobody needs not included
-  std::int64_t slow_gaze_trials{0};  ///< of this session, with a gaze latency that warns
-  std::int64_t late_gaze_trials{0};  ///< of these, marked as late
-  std::int64_t lost_gaze_trials{0};  ///< of this session, kept though too much of the gaze was lost
-  std::int64_t repeated_trials{0};   ///< attempts of this session shown again for that
+  GazeTroubles gaze;                 ///< of this session
 };
 
 /// Welcomes, asks consent and demographics, instructs, calibrates the gaze, demonstrates, practises
@@ -25,8 +23,7 @@ struct SessionResult {
 /// decides), runs the trials with breaks, asks the questions, thanks. What `history` has is not
 /// asked or shown again; instructions are. Everything acknowledged is on disk before the next trial
 /// is shown. `design`, of which `plan` was made, is needed where it is adaptive. Throws what the
-/// recorder
-/// throws.
+/// recorder throws.
 SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
                           const Ports& ports, const Design& design = {});
 

@@ -90,8 +90,8 @@ TEST(GazeLoss, ALostTrialIsShownAgainAndThenKept) {
   EXPECT_EQ(attempts[1].interrupted_by, "");
   EXPECT_EQ(attempts[1].gaze_lost_share, 0.0);
   EXPECT_EQ(lab.titled("That one is shown once more"), 1);
-  EXPECT_EQ(result.repeated_trials, 1);
-  EXPECT_EQ(result.lost_gaze_trials, 0);
+  EXPECT_EQ(result.gaze.repeated_trials, 1);
+  EXPECT_EQ(result.gaze.lost_trials, 0);
 }
 
 TEST(GazeLoss, AfterTheMostRepeatsItIsKeptAndMarked) {
@@ -102,19 +102,19 @@ TEST(GazeLoss, AfterTheMostRepeatsItIsKeptAndMarked) {
   EXPECT_EQ(attempts[1].interrupted_by, "gaze lost");
   EXPECT_EQ(attempts[2].outcome, AttemptOutcome::kCompleted);
   EXPECT_EQ(attempts[2].gaze_lost_share, 1.0);
-  EXPECT_EQ(result.repeated_trials, 2);
-  EXPECT_EQ(result.lost_gaze_trials, 1);
+  EXPECT_EQ(result.gaze.repeated_trials, 2);
+  EXPECT_EQ(result.gaze.lost_trials, 1);
   ASSERT_EQ(lab.noted("gaze lost"), 1);
   EXPECT_EQ(lab.recorder.notes.front().text, "trial 1, attempt 3: 100 % of the stimulus");
 }
 
 TEST(GazeLoss, MarkedTrialsAreMarkedAndKeptOnesAreNot) {
   LossLab marked("mark", 2);
-  EXPECT_EQ(marked.run().lost_gaze_trials, 2);
+  EXPECT_EQ(marked.run().gaze.lost_trials, 2);
   EXPECT_EQ(marked.recorder.attempts.size(), 4U);
   EXPECT_EQ(marked.noted("gaze lost"), 2);
   LossLab kept("keep", 2);
-  EXPECT_EQ(kept.run().lost_gaze_trials, 0);
+  EXPECT_EQ(kept.run().gaze.lost_trials, 0);
   EXPECT_EQ(kept.noted("gaze lost"), 0);
   EXPECT_EQ(kept.recorder.attempts[0].gaze_lost_share, 1.0);
 }
