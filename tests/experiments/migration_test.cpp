@@ -9,6 +9,7 @@ namespace {
 constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
 constexpr const char* kSchema1 = "tests/recordings/gap.sqlite";
 constexpr const char* kSchema2 = "tests/recordings/gaze-contingent.sqlite";
+constexpr const char* kSchema3 = "tests/recordings/every-option.sqlite";
 
 std::filesystem::path old_study(const TemporaryFolder& folder, const char* recording = kSchema1) {
   std::filesystem::path path = folder / "old.sqlite";
@@ -38,7 +39,7 @@ TEST(Migration, ReadingAnOlderStudyLeavesTheFileAsItIs) {
 }
 
 TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
-  for (const char* recording : {kEarliest, kSchema1, kSchema2}) {
+  for (const char* recording : {kEarliest, kSchema1, kSchema2, kSchema3}) {
     const TemporaryFolder folder;
     StudyFile migrated = StudyFile::open_for_reading(old_study(folder, recording));
     StudyFile fresh = opened(folder / "new.sqlite");

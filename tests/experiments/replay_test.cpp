@@ -7,6 +7,7 @@
 #include <bit>
 #include <filesystem>
 
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "tests/experiments/fakes.hpp"
@@ -28,8 +29,9 @@ struct Golden {
 
   [[nodiscard]] StagedScene stage(const StoredAttempt& attempt) const {
     const auto condition = nlohmann::json::parse(attempt.trial.condition);
-    const PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
-                               condition_from_json(condition, protocol.design), attempt.trial.seed};
+    PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
+                         condition_from_json(condition, protocol.design), attempt.trial.seed};
+    planned.solved = solved_values_from(attempt.trial.solved);
     return scenes.stage(planned, attempt.screen);
   }
   [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt) {
@@ -85,6 +87,34 @@ TEST(GoldenRecording, EveryOptionOfTheEngineReplaysBitForBit) {
     EXPECT_EQ(result.steps, 60);
     EXPECT_EQ(words(attempt, result), "");
   }
+}
+
+/// Imposed spins between limits that were solved before the plan was stored.
+TEST(GoldenRecording, EveryCellOfTheResponseStudyReplaysBitForBit) {
+  Golden golden("response");
+  ASSERT_EQ(golden.attempts.size(), 33U);
+  std::int64_t solved = 0;
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_GE(result.steps, 480);
+    EXPECT_EQ(words(attempt, result), "");
+    solved += attempt.trial.solved.empty() ? 0 : 1;
+  }
+  EXPECT_EQ(solved, 33);
+}
+
+/// Levels that QUEST+ chose trial by trial, with distractors.
+TEST(GoldenRecording, EveryTrackOfTheGapThresholdsReplaysBitForBit) {
+  Golden golden("gap-thresholds");
+  ASSERT_EQ(golden.attempts.size(), 22U);  // 6 of practice, 4 tracks of 4 trials
+  std::int64_t chosen = 0;
+  for (const StoredAttempt& attempt : golden.attempts) {
+    const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+    EXPECT_GE(result.steps, 240);
+    EXPECT_EQ(words(attempt, result), "");
+    chosen += attempt.trial.adaptive_state.empty() ? 0 : 1;
+  }
+  EXPECT_EQ(chosen, 16);
 }
 
 TEST(GoldenRecording, OneBitOfAnInitialVelocityIsCaughtAndNamed) {

@@ -92,6 +92,15 @@ TEST(Series, AGroupGoesThroughAllPartsWhateverRunsBeside) {
   EXPECT_GT(ratings[0].size(), 1000U);
 }
 
+TEST(Series, TheShippedOneIsTheThesissThreeExperimentsInTheirOrder) {
+  std::vector<std::string> names;
+  const std::string file = std::string(IMPETUS_SOURCE_DIR) + "/protocols/series/collisions.json";
+  for (const auto& protocol : load_series(file).protocols) {
+    names.push_back(protocol.stem().string());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"causality", "gap", "response"}));
+}
+
 TEST(Series, AFileThatIsNotThereIsRefused) {
   const TemporaryFolder folder;
   const auto path = folder.write("two.json", series_text(protocol_path("causality"), "no.json"));
