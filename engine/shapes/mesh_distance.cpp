@@ -100,20 +100,31 @@ ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const Tri
   assert(!a.triangles.empty() && !b.triangles.empty());
   const std::vector<PlacedTriangle> of_a = placed(a, pose_a);
   const std::vector<PlacedTriangle> of_b = placed(b, pose_b);
+  const std::vector<Box> blocks_of_a = blocks_of(of_a);
   const std::vector<Box> blocks_of_b = blocks_of(of_b);
   ClosestPoints best{upper_bound_m(of_a, of_b), {}, {}};
   const auto may_be_nearer = [&best](const Box& one, const Box& other) {
     return squared_box_distance(one, other) < best.distance_m * best.distance_m;
   };
-  for (const PlacedTriangle& one : of_a) {
-    for (std::size_t block = 0; block < blocks_of_b.size(); ++block) {
-      if (!may_be_nearer(one, blocks_of_b[block])) {
+  // Of triangles equally near the first in the lists' order counts: nothing is asked out of turn.
+  std::vector<std::size_t> near_blocks;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    if (i % kBlock == 0) {
+      near_blocks.clear();
+      for (std::size_t block = 0; block < blocks_of_b.size(); ++block) {
+        if (may_be_nearer(blocks_of_a[i / kBlock], blocks_of_b[block])) {
+          near_blocks.push_back(block);
+        }
+      }
+    }
+    for (const std::size_t block : near_blocks) {
+      if (!may_be_nearer(of_a[i], blocks_of_b[block])) {
         continue;
       }
       const std::size_t end = std::min(of_b.size(), (block + 1) * kBlock);
       for (std::size_t other = block * kBlock; other < end; ++other) {
-        if (may_be_nearer(one, of_b[other])) {
-          const ClosestPoints found = triangle_distance(one.corners, of_b[other].corners);
+        if (may_be_nearer(of_a[i], of_b[other])) {
+          const ClosestPoints found = triangle_distance(of_a[i].corners, of_b[other].corners);
           best = found.distance_m < best.distance_m ? found : best;
         }
       }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/observers/gap_visibility.hpp"
@@ -25,20 +26,45 @@ DrawnBody judged(const StagedScene& scene, std::int32_t body, double threshold_m
   return look;
 }
 
-CollisionTruth truth_of(const CollisionRecord& collision, const StagedScene& scene,
-                        double threshold_m) {
-  const BodyPair& bodies = collision.report.bodies;
-  const DrawnBody a = judged(scene, bodies.a, threshold_m);
-  if (!is_wall(bodies.b)) {
-    const DrawnBody b = judged(scene, bodies.b, threshold_m);
-    return measure_truth(a, collision.pose_a, b, collision.pose_b,
-                         scene.viewer_at_time(collision.time_s));
+/// A collision's bodies, judged by a viewer.
+class JudgedCollision {
+ public:
+  JudgedCollision(const CollisionRecord& collision, const StagedScene& scene, double threshold_m)
+      : collision_(collision),
+        walls_(scene.world.settings().enclosure),
+        viewer_(scene.viewer_at_time(collision.time_s)),
+        a_(judged(scene, collision.report.bodies.a, threshold_m)) {
+    if (!is_wall(collision.report.bodies.b)) {
+      b_ = judged(scene, collision.report.bodies.b, threshold_m);
+    }
   }
-  const auto& cube = scene.world.settings().enclosure;
-  return cube ? measure_wall_truth(a, collision.pose_a, *cube, kEnclosure - bodies.b,
-                                   scene.viewer_at_time(collision.time_s))
-              : CollisionTruth{};
-}
+
+  /// No less than visible_arcmin(), soon known.
+  [[nodiscard]] double most_arcmin() const {
+    if (b_) {
+      return most_gap_arcmin(a_, collision_.pose_a, *b_, collision_.pose_b, viewer_);
+    }
+    return walls_ ? wall_gap_arcmin(a_, collision_.pose_a, *walls_, wall(), viewer_) : 0.0;
+  }
+
+  [[nodiscard]] double visible_arcmin() const {
+    if (b_) {
+      return measure_truth(a_, collision_.pose_a, *b_, collision_.pose_b, viewer_).visible_arcmin();
+    }
+    return walls_ ? measure_wall_truth(a_, collision_.pose_a, *walls_, wall(), viewer_)
+                        .visible_arcmin()
+                  : 0.0;
+  }
+
+ private:
+  [[nodiscard]] int wall() const { return kEnclosure - collision_.report.bodies.b; }
+
+  const CollisionRecord& collision_;
+  const std::optional<Enclosure>& walls_;
+  Viewer viewer_;
+  DrawnBody a_;
+  std::optional<DrawnBody> b_;
+};
 
 }  // namespace
 
@@ -66,16 +92,24 @@ double GazeObserver::seen_gap(double visible_arcmin, double eccentricity_deg, do
          normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
 }
 
-double GazeObserver::seen_collision(const CollisionRecord& collision,
-                                    const StagedScene& scene) const {
+bool GazeObserver::sees(double draw, const CollisionRecord& collision,
+                        const StagedScene& scene) const {
+  constexpr double kBeyondRounding = 1e-9;
   if (collision.first_frame_shown < 0) {
-    return 0.0;
+    return false;
   }
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
   const double threshold_m = m_per_deg * parameters_.threshold_arcmin / kArcminPerDegree;
-  return seen_gap(truth_of(collision, scene, threshold_m).visible_arcmin(),
-                  collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg),
-                  collision.report.approach_m_s / m_per_deg, scene.looks.size());
+  const JudgedCollision judged_collision(collision, scene, threshold_m);
+  const auto probability = [&](double arcmin) {
+    return seen_gap(arcmin, collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg),
+                    collision.report.approach_m_s / m_per_deg, scene.looks.size());
+  };
+  // In a crowd most gaps are too small for this draw whatever they are exactly, which takes long.
+  if (draw >= probability(judged_collision.most_arcmin()) + kBeyondRounding) {
+    return false;
+  }
+  return draw < probability(judged_collision.visible_arcmin());
 }
 
 std::vector<double> GazeObserver::draw_events_s(const AttemptRecord& shown,
@@ -83,7 +117,7 @@ std::vector<double> GazeObserver::draw_events_s(const AttemptRecord& shown,
   std::vector<double> events_s;
   double last_s = 0.0;
   for (const CollisionRecord& collision : shown.collisions) {
-    if (click_stream_.uniform() >= seen_collision(collision, scene)) {
+    if (!sees(click_stream_.uniform(), collision, scene)) {
       continue;
     }
     if (events_s.empty() || collision.time_s - last_s >= parameters_.merge_ms / 1e3) {

@@ -55,8 +55,9 @@ class GazeObserver final : public RatingObserver {
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
-  [[nodiscard]] double seen_collision(const CollisionRecord& collision,
-                                      const StagedScene& scene) const;
+  /// Whether a collision is seen: when `draw` (0–1) is below the probability that its gap is.
+  [[nodiscard]] bool sees(double draw, const CollisionRecord& collision,
+                          const StagedScene& scene) const;
   [[nodiscard]] std::vector<double> draw_events_s(const AttemptRecord& shown,
                                                   const StagedScene& scene);
   [[nodiscard]] std::vector<double> draw_clicks_s(const std::vector<double>& events_s,

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
+#include "engine/numerics/trigonometry.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr int kSampleRays = 64;
+constexpr double kArcminPerDegree = 60.0;
 
 /// Two spheres need no mesh: the closest points lie on the line of their centres.
 ClosestPoints sphere_distance(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
@@ -130,7 +133,7 @@ CollisionTruth truth_of(const ClosestPoints& closest, std::initializer_list<Plac
                         const Viewer& viewer) {
   CollisionTruth truth;
   truth.gap_m = closest.distance_m;
-  truth.gap_arcmin = 60.0 * visual_angle_deg(viewer, closest.on_a, closest.on_b);
+  truth.gap_arcmin = kArcminPerDegree * visual_angle_deg(viewer, closest.on_a, closest.on_b);
   truth.gap_px = (projected_px(viewer, closest.on_a) - projected_px(viewer, closest.on_b)).norm();
   if (truth.gap_m <= 0.0) {
     return truth;
@@ -163,7 +166,68 @@ Vector3 farthest_along(const Vector3& outward, const DrawnBody& look, const Pose
   return pose.transform(*farthest);
 }
 
+ClosestPoints wall_gap(const DrawnBody& look, const Pose& pose, const Enclosure& walls, int wall) {
+  const Vector3 outward = -inward_normal(walls, wall);
+  const Vector3 on_body = farthest_along(outward, look, pose);
+  const double gap_m = std::max(0.0, -reach_beyond(walls, wall, Sphere{on_body, 0.0}));
+  return {gap_m, on_body, on_body + gap_m * outward};
+}
+
+/// The corner of a placed mesh nearest to `point`, in world.
+Vector3 nearest_corner(const TriangleMesh& mesh, const Pose& pose, const Vector3& point) {
+  const Vector3 point_B = pose.orientation.conjugate() * (point - pose.position);
+  const auto nearest = std::min_element(
+      mesh.vertices.begin(), mesh.vertices.end(), [&](const Vector3& p, const Vector3& q) {
+        return (p - point_B).squaredNorm() < (q - point_B).squaredNorm();
+      });
+  return pose.transform(*nearest);
+}
+
+/// Of the drawn body about its origin.
+double reach_m(const DrawnBody& body) {
+  if (!body.mesh) {
+    return body.radius_m;
+  }
+  double most_m2 = 0.0;
+  for (const Vector3& vertex : body.mesh->vertices) {
+    most_m2 = std::max(most_m2, vertex.squaredNorm());
+  }
+  return std::sqrt(most_m2);
+}
+
+/// No less than the gap: between corners, each the nearest to the one before.
+double most_gap_m(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b, const Pose& pose_b) {
+  if (!a.mesh || !b.mesh) {
+    return sphere_distance(a, pose_a, b, pose_b).distance_m;
+  }
+  const Vector3 first = nearest_corner(*b.mesh, pose_b, pose_a.position);
+  const Vector3 on_a = nearest_corner(*a.mesh, pose_a, first);
+  return (nearest_corner(*b.mesh, pose_b, on_a) - on_a).norm();
+}
+
 }  // namespace
+
+double most_gap_arcmin(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
+                       const Pose& pose_b, const Viewer& viewer) {
+  constexpr double kBeyondRounding = 1.0 + 1e-6;
+  constexpr double kHalfTurn_deg = 180.0;
+  const double gap_m = most_gap_m(a, pose_a, b, pose_b);
+  const double nearest_m = std::min((pose_a.position - viewer.eye).norm() - reach_m(a),
+                                    (pose_b.position - viewer.eye).norm() - reach_m(b));
+  // Two points no nearer than this and so far apart are widest apart when both are as near as that.
+  const double half_sine = gap_m / (2.0 * nearest_m);
+  if (nearest_m <= 0.0 || half_sine >= 1.0) {
+    return kArcminPerDegree * kHalfTurn_deg;
+  }
+  const double half_rad = atan2_rad(half_sine, std::sqrt(1.0 - half_sine * half_sine));
+  return kArcminPerDegree * degrees(2.0 * half_rad) * kBeyondRounding;
+}
+
+double wall_gap_arcmin(const DrawnBody& look, const Pose& pose, const Enclosure& walls, int wall,
+                       const Viewer& viewer) {
+  const ClosestPoints gap = wall_gap(look, pose, walls, wall);
+  return kArcminPerDegree * visual_angle_deg(viewer, gap.on_a, gap.on_b);
+}
 
 CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
                              const Pose& pose_b, const Viewer& viewer) {
@@ -175,10 +239,7 @@ CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const Drawn
 
 CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const Enclosure& walls,
                                   int wall, const Viewer& viewer) {
-  const Vector3 outward = -inward_normal(walls, wall);
-  const Vector3 on_body = farthest_along(outward, look, pose);
-  const double gap_m = std::max(0.0, -reach_beyond(walls, wall, Sphere{on_body, 0.0}));
-  return truth_of({gap_m, on_body, on_body + gap_m * outward}, {{look, pose}}, viewer);
+  return truth_of(wall_gap(look, pose, walls, wall), {{look, pose}}, viewer);
 }
 
 }  // namespace impetus
