@@ -56,7 +56,8 @@ click_detection <- function(study) {
       pair_gain_tests(gains, pair)
     }))
   list(tests = tests, gains = gains, kernels = kernel_table(fits), matching = matching,
-    words = c(detection_words(combine_outcomes(tests), gains, fits, study$pairs), matching_words(matching)))
+    words = c(with_minus_signs(detection_words(combine_outcomes(tests), gains, fits,
+      study$pairs)), with_minus_signs(matching_words(matching))))
 }
 
 why_no_click_regression <- function(study, usable) {
@@ -173,6 +174,9 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
       tracked$interval_high[i], p_words(tracked$p_holm[i])), "")
   )
 }
+
+# Before a number stands a minus sign, not a hyphen.
+with_minus_signs <- function(words) gsub("(^|[ [])-([0-9])", "\\1−\\2", words)
 
 sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
 
