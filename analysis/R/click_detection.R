@@ -32,7 +32,7 @@ click_events <- function(study) {
 }
 
 # list(tests, gains, kernels, matching, words): everything about what was clicked at. `gains`: one
-# row per participant and sort of trials ("all", "tracked", "random").
+# row per participant and sort of trials ("all", and each kind of the study's pairs).
 click_detection <- function(study) {
   usable <- which(!is.na(study$trials$exposure_s) & study$trials$exposure_s > 2 * kClickBinS)
   reason <- why_no_click_regression(study, usable)
@@ -42,19 +42,22 @@ click_detection <- function(study) {
   records <- participants_records(study, events, usable, "all")
   fits <- Filter(Negate(is.null), lapply(records, click_gains))
   left_out <- setdiff(names(records), names(fits))
-  parts <- lapply(c("tracked", "random"), function(kind) {
-    lapply(participants_records(study, events, usable, kind), click_gains)
-  })
-  gains <- rbind(gains_table(fits, "all"), gains_table(parts[[1]], "tracked"),
-    gains_table(parts[[2]], "random"))
+  kinds <- unique(unlist(lapply(study$pairs, function(pair) c(pair$of, pair$against))))
+  gains <- do.call(rbind, c(list(gains_table(fits, "all")), lapply(kinds, function(kind) {
+    gains_table(lapply(participants_records(study, events, usable, kind), click_gains), kind)
+  })))
   trials <- data.frame(participant = study$trials$participant,
     exposure_s = study$trials$exposure_s)
   shown <- usable[!is.na(usable)]
   matching <- matching_table(trials[shown, ], renumbered(events, shown),
     renumbered(study$clicks, shown))
-  tests <- detection_tests(fits, records[names(fits)], gains, left_out, length(usable))
+  tests <- all_outcomes(detection_tests(fits, records[names(fits)], gains, left_out,
+    length(usable)), if (length(fits) > 1) for_each_pair(study, function(pair) {
+      pair_gain_tests(gains, pair)
+    }))
   list(tests = tests, gains = gains, kernels = kernel_table(fits), matching = matching,
-    words = c(detection_words(combine_outcomes(tests), gains, fits), matching_words(matching)))
+    words = c(with_minus_signs(detection_words(combine_outcomes(tests), gains, fits,
+      study$pairs)), with_minus_signs(matching_words(matching))))
 }
 
 why_no_click_regression <- function(study, usable) {
@@ -127,25 +130,26 @@ detection_tests <- function(fits, records, gains, left_out, trials) {
     do.call(all_outcomes, lapply(names(kGainWords), function(gain) {
       paired_test(each[, gain], kGainTFamily, kGainWords[[gain]],
         if (gain == "baseline") "clicks per second" else "clicks per event")
-    })), tracked_gain_tests(gains))
+    })))
 }
 
-# Were bad events more or less often clicked at when the region followed the gaze? Paired over the
-# participants whose trials of both kinds determine it.
-tracked_gain_tests <- function(gains) {
-  tracked <- gains[gains$scheduling == "tracked", ]
-  random <- gains[gains$scheduling == "random", ]
-  both <- intersect(tracked$participant, random$participant)
+# Were bad events more or less often clicked at in trials of one kind than of the other? Paired over
+# the participants whose trials of both kinds determine it.
+pair_gain_tests <- function(gains, pair) {
+  first <- gains[gains$scheduling == pair$of, ]
+  second <- gains[gains$scheduling == pair$against, ]
+  both <- intersect(first$participant, second$participant)
   if (length(both) < 2) return(outcome())
   do.call(all_outcomes, lapply(c("bad", "baseline"), function(gain) {
-    difference <- tracked[[gain]][match(both, tracked$participant)] -
-      random[[gain]][match(both, random$participant)]
-    paired_test(difference, kTrackedGainFamily, paste0(kGainWords[[gain]], ", tracked − random"),
+    difference <- first[[gain]][match(both, first$participant)] -
+      second[[gain]][match(both, second$participant)]
+    paired_test(difference, family_of(kTrackedGainFamily, pair),
+      paste0(kGainWords[[gain]], ", ", pair_words(pair)),
       if (gain == "bad") "clicks per event" else "clicks per second")
   }))
 }
 
-detection_words <- function(tests, gains, fits) {
+detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
   if (length(fits) == 0) {
     return("No participant's events determine the gains of the click regression.")
   }
@@ -155,7 +159,9 @@ detection_words <- function(tests, gains, fits) {
     ", 95 %% CI [%.3f, %.3f] (circular shift of clicks, %s)", row$interval_low,
     row$interval_high, p_words(row$p_holm))
   alone <- implied_d_prime(mean_of("bad"), mean_of("baseline"))
-  tracked <- tests_of(tests, kTrackedGainFamily)
+  tracked <- do.call(rbind, lapply(pairs, function(pair) {
+    tests_of(tests, family_of(kTrackedGainFamily, pair))
+  }))
   c(
     sprintf(paste("In the regression of the click rate, a bad event added %.3f clicks and a good",
       "one %.3f; the difference, sensitivity, was %.3f%s. The baseline, readiness to click at",
@@ -168,6 +174,9 @@ detection_words <- function(tests, gains, fits) {
       tracked$interval_high[i], p_words(tracked$p_holm[i])), "")
   )
 }
+
+# Before a number stands a minus sign, not a hyphen.
+with_minus_signs <- function(words) gsub("(^|[ [])-([0-9])", "\\1−\\2", words)
 
 sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
 

@@ -51,31 +51,33 @@ click_model_tests <- function(trials) {
   all_outcomes(result, outcome(count_effect_row(both, "scheduling:bodies", trials), both$remarks))
 }
 
-# Rate ratios tracked / random, overall and at each number of bodies, and their equivalence tests.
-click_contrast_tests <- function(trials, without = "") {
-  two <- contrast_trials(trials_with_exposure(trials))
+# Rate ratios of one kind to the other, overall and at each number of bodies, and their equivalence tests.
+click_contrast_tests <- function(trials, without = "", pair = kTrackedRandom) {
+  two <- contrast_trials(trials_with_exposure(trials), pair)
   reason <- why_no_click_model(two, "scheduling")
   if (!is.null(reason)) return(outcome(remarks = reason))
   fit <- function(terms, kind) fit_count_family(two, terms, character(), paste(kind, "of clicks"))
   row <- function(models, coefficients, place) {
     estimate <- sum_of_coefficients(models$full$beta, models$full$covariance, coefficients)
-    method <- paste0(count_method(models), " of tracked and random trials; Wald")
-    ratio <- ratio_row(paste0(kClickContrastFamily, without), method, contrast_label(place),
+    method <- sprintf("%s of %s trials; Wald", count_method(models), pair_words(pair, " and "))
+    label <- contrast_label(place, pair)
+    ratio <- ratio_row(paste0(family_of(kClickContrastFamily, pair), without), method, label,
       estimate, "rate ratio", two)
-    rbind(ratio, if (without == "") rate_equivalence_row(estimate, contrast_label(place), two))
+    rbind(ratio, if (without == "") rate_equivalence_row(estimate, label, two,
+      family_of(kClickEquivalenceFamily, pair)))
   }
   contrast_rows(two, c("scheduling", varying_factors(two, "bodies")), fit, row,
     has_cell_without_clicks(two))
 }
 
 # Two one-sided z tests of the log ratio against ratios of .8 and 1.25, with a 90 % interval.
-rate_equivalence_row <- function(estimate, label, trials) {
+rate_equivalence_row <- function(estimate, label, trials, family = kClickEquivalenceFamily) {
   above <- (estimate[["estimate"]] - log(kRateMargin[1])) / estimate[["error"]]
   below <- (estimate[["estimate"]] - log(kRateMargin[2])) / estimate[["error"]]
   p <- c(stats::pnorm(above, lower.tail = FALSE), stats::pnorm(below))
   limits <- estimate[["estimate"]] + c(-1, 1) * stats::qnorm(0.95) * estimate[["error"]]
   method <- sprintf("two one-sided z tests, margin %.2f to %.2f", kRateMargin[1], kRateMargin[2])
-  test_row(kClickEquivalenceFamily, method, label, "z", if (p[1] > p[2]) above else below, NA,
+  test_row(family, method, label, "z", if (p[1] > p[2]) above else below, NA,
     p = max(p), size_name = "rate ratio", size = exp(estimate[["estimate"]]),
     interval = exp(limits), interval_level = 0.90, participants = participant_count(trials),
     trials = nrow(trials))

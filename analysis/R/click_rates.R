@@ -27,22 +27,22 @@ click_table <- function(trials) {
   unique(do.call(rbind, unname(rows)))
 }
 
-# Rate ratios tracked / random with their 95 % intervals, overall and at each number of bodies, as
+# Rate ratios of a pair with their 95 % intervals, overall and at each number of bodies, as
 # rows without p.
-click_bootstrap <- function(trials) {
-  two <- contrast_trials(trials_with_exposure(trials))
+click_bootstrap <- function(trials, pair = kTrackedRandom) {
+  two <- contrast_trials(trials_with_exposure(trials), pair)
   if (participant_count(two) < 2) return(outcome())
   places <- c(kOverall, levels(two$bodies))
   outcomes <- lapply(places, function(place) {
     here <- if (place == kOverall) two else two[two$bodies == place, ]
-    parts <- split(here, here$scheduling)[c("tracked", "random")]
+    parts <- split(here, here$scheduling)[c(pair$of, pair$against)]
     ratio <- function(rates) rates[[1]] / rates[[2]]
     if (any(vapply(parts, function(part) sum(part$clicks) == 0, NA))) {
       return(outcome(remarks = sprintf(
-        "No bootstrap of %s: a kind has no clicks there.", contrast_label(place))))
+        "No bootstrap of %s: a kind has no clicks there.", contrast_label(place, pair))))
     }
-    outcome(test_row(kClickBootstrapFamily, "percentile bootstrap over participants, 2000 draws",
-      contrast_label(place), NA, NA, NA, p = NA, size_name = "rate ratio",
+    outcome(test_row(family_of(kClickBootstrapFamily, pair),
+      "percentile bootstrap over participants, 2000 draws", contrast_label(place, pair), NA, NA, NA, p = NA, size_name = "rate ratio",
       size = ratio(lapply(parts, rate_of)), interval = bootstrap_of_totals(parts, ratio),
       interval_level = 0.95, participants = participant_count(here), trials = nrow(here)))
   })

@@ -17,15 +17,18 @@ open_distribution_study <- function(words, usage) {
     refuse(files, ": expected collisions of '", protocol, "' with their distance, got none yet")
   }
   prepare_folder(arguments$out)
-  order_of <- c(vapply(kExpectedShapes, function(expected) expected[[1]][1], ""), "distance")
+  order_of <- unique(c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance"))
   seen <- unique(collisions$scheduler)
   collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
-  list(protocol = protocol, collisions = collisions, out = arguments$out,
-    unknown = sum(vapply(parts, `[[`, 0L, "unknown")), left_out = sum(vapply(parts, `[[`, 0L,
-      "left_out")), exclusions = do.call(rbind, lapply(parts, `[[`, "exclusions")))
+  total <- function(part) sum(vapply(parts, `[[`, 0L, part))
+  list(protocol = protocol, collisions = collisions, out = arguments$out, walls = total("walls"),
+    unknown = total("unknown"), left_out = total("left_out"),
+    exclusions = do.call(rbind, lapply(parts, `[[`, "exclusions")))
 }
 
-# list(collisions, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
+# list(collisions, walls, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
+# Collisions with a wall are out and counted: the thesis has none, and thresholds are solved on pairs
+# of bodies.
 read_distribution <- function(path, protocol) {
   study <- open_study(path, c(kViews, "seen_collision"))
   on.exit(DBI::dbDisconnect(study))
@@ -33,19 +36,24 @@ read_distribution <- function(path, protocol) {
     params = list(protocol))
   if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
   places <- sprintf("CAST(%s AS REAL) AS %s", names(kPlaces), names(kPlaces))
-  rows <- DBI::dbGetQuery(study, paste("SELECT participant, trial,", paste(places, collapse = ", "),
-    ", list = 0 AS high, CAST(trial_level.level AS TEXT) AS scheduler FROM seen_collision",
+  rows <- DBI::dbGetQuery(study, paste("SELECT participant, trial, body_a, body_b,",
+    paste(places, collapse = ", "), ", list = 0 AS high,",
+    "CAST(trial_level.level AS TEXT) AS scheduler FROM seen_collision",
     "JOIN trial_level USING (trial) WHERE protocol = ? AND phase = 'main'",
     "AND trial_level.factor = 'scheduler'"), params = list(protocol))
   mark <- function(x) if (nrow(x) > 0) cbind(x, file = basename(path), path = path) else NULL
   exclusions <- read_remarkable(study, protocol, enrolments, mark)$exclusions
-  if (nrow(rows) == 0) return(list(collisions = NULL, unknown = 0L, left_out = 0L))
+  if (nrow(rows) == 0) {
+    return(list(collisions = NULL, walls = 0L, unknown = 0L, left_out = 0L))
+  }
   rows <- mark(rows)
+  wall <- is_wall(rows$body_a) | is_wall(rows$body_b)
+  rows <- rows[!wall, setdiff(names(rows), c("body_a", "body_b"))]
   out <- is_excluded(rows, exclusions)
   known <- stats::complete.cases(rows[names(kPlaces)])
   rows$high <- rows$high == 1
   kept <- rows[known & !out, ]
-  list(collisions = if (isTRUE(nrow(kept) > 0)) kept, unknown = sum(!known & !out),
+  list(collisions = if (isTRUE(nrow(kept) > 0)) kept, walls = sum(wall), unknown = sum(!known & !out),
     left_out = sum(out), exclusions = exclusions)
 }
 
@@ -64,8 +72,8 @@ report_distribution_study <- function(study) {
   data <- distribution_sentences(study)
   write_report(path(".md"), "Schedulers: which collisions come first", results, data,
     paste("Every collision is a data point of one simulated run: numbers describe, nothing is",
-      "tested."), c(paste("Histograms: collisions of high (list 0) and low priority by place (thesis figs. 6.11 to",
-      "6.16)."),
+      "tested."), c(paste("Histograms: collisions of high (list 0) and low priority by place (thesis",
+      "figs. 6.11 to 6.16)."),
       "", "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
     shape_section(shapes), distribution_exclusions(study))
   say(c(figures, path(".csv"), path("-shapes.csv"), path(".md"), "", paste(data, collapse = " "),
@@ -82,6 +90,8 @@ distribution_sentences <- function(study) {
     if (length(unequal) > 0) sprintf("The lists do not share 50 : 50 ± 2 %% for %s.",
       paste0(unequal, sprintf(" (%.1f %% high)", 100 * high[unequal]), collapse = ", ")) else
       "High and low priority share 50 : 50 ± 2 % for every scheduler.",
+    if (study$walls > 0) sprintf("Left out: %s with a face of the view, which no list is made for.",
+      count_of(study$walls, "collision")),
     if (study$unknown > 0) sprintf("Without a recorded distance, speed or eccentricity, left out: %s.",
       count_of(study$unknown, "collision"))
   )

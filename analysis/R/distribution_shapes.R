@@ -32,6 +32,16 @@ kExpectedShapes <- list(
   list(c("collision-speed"), "eccentricity_deg", "weak")
 )
 
+# Why a shape need not be met, from geometry alone: scheduler, place, words.
+kShapeReasons <- list(
+  list("eccentricity", "distance_m", paste("Depth is the distance from the eye: the farthest places",
+    "are the far face's corners, and near the eye a body's own size keeps it from the edges")),
+  list("collision-speed", "distance_m", paste("A relative speed falls with distance as every",
+    "projected speed does")),
+  list("collision-speed", "speed_deg_s", paste("The relative speed of two bodies is at most twice",
+    "their mean speed"))
+)
+
 # c(change, step) of logical `high` over numbers `x`; NA for fewer than two values.
 shape_of <- function(x, high) {
   if (length(unique(x)) < 2) return(c(change = NA_real_, step = NA_real_))
@@ -111,9 +121,17 @@ shape_sentence <- function(row, shape) {
       100 * row$step, 100 * kStepShare)
   } else {
     limit <- if (shape == "weak") kWeakChange else kFlatChange
-    sprintf("the share changes by %+.2f from the 5th to the 95th percentile, ±%.2f is %s",
-      row$change, limit, if (shape == "weak") "weak" else "flat")
+    sprintf("the share changes by %s from the 5th to the 95th percentile, ±%.2f is %s",
+      sub("-", "−", sprintf("%+.2f", row$change)), limit, if (shape == "weak") "weak" else "flat")
   }
-  sprintf("%s: %s over %s was expected and is %s (%s).", row$scheduler, expected,
-    sub(" \\(.*", "", kPlaces[[row$place]]), if (isTRUE(met)) "met" else "NOT met", number)
+  sprintf("%s: %s over %s was expected and is %s (%s).%s", row$scheduler, expected,
+    sub(" \\(.*", "", kPlaces[[row$place]]), if (isTRUE(met)) "met" else "NOT met", number,
+    if (isTRUE(met)) "" else shape_reason(row))
+}
+
+# " ... ." where geometry says why the shape is not met, otherwise "".
+shape_reason <- function(row) {
+  mine <- Filter(function(reason) reason[[1]] == row$scheduler && reason[[2]] == row$place,
+    kShapeReasons)
+  if (length(mine) > 0) paste0(" ", mine[[1]][[3]], ".") else ""
 }

@@ -32,7 +32,7 @@ equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {
 }
 
 # One test of participants' differences, in rating points.
-equivalence_test <- function(differences, label, margin) {
+equivalence_test <- function(differences, label, margin, family = kEquivalenceFamily) {
   n <- length(differences)
   # Means of small whole numbers: a spread below 1e-9 is rounding.
   if (n < 2 || stats::sd(differences) < 1e-9) {
@@ -46,7 +46,7 @@ equivalence_test <- function(differences, label, margin) {
   p_upper <- stats::pt(below_upper, n - 1)
   interval <- t_interval(differences, 0.90)
   method <- sprintf("two one-sided t tests, margin ±%.2f", margin)
-  outcome(test_row(kEquivalenceFamily, method, label, "t",
+  outcome(test_row(family, method, label, "t",
     if (p_lower > p_upper) above_lower else below_upper, n - 1, p = max(p_lower, p_upper),
     size_name = "difference in rating points", size = mean(differences),
     interval = interval[c("low", "high")], interval_level = 0.90, participants = n))

@@ -1,9 +1,9 @@
 # What a participant was exposed to: how many collisions, how many of them bad, how visible, how far
-# from the gaze. Tracked is meant to differ from random in one of these, how far bad collisions are
-# from the gaze; if the two differ in others too, the contrast of their ratings is no fair one.
+# from the gaze. Tracked is meant to differ from the other kind in one of these, how far bad collisions
+# are from the gaze; if the two differ in others too, the contrast of their ratings is no fair one.
 #
 #   collisions of one participant and kind ─> exposure_of() ─> mean over participants: the table
-#                                                         └─> tracked − random, paired t tests
+#                                                         └─> the study's pairs, paired t tests
 #
 # Bad: resolved at the bounding sphere. Events: collisions of one sort (bad or good) closer than
 # the protocol's merge_within_ms are one. Visible gap: the gap as projected without its hidden share,
@@ -98,13 +98,14 @@ exposure_table <- function(each) {
   do.call(rbind, unname(rows))
 }
 
-# Paired t tests over participants of every measure, tracked − random, as an outcome. A participant's
+# Paired t tests over participants of every measure for a pair of kinds, as an outcome. A participant's
 # value for a kind is the mean over the numbers of bodies, and is missing where one of them is.
-exposure_tests <- function(each) {
+exposure_tests <- function(each, pair = kTrackedRandom) {
   outcomes <- lapply(names(kExposureMeasures), function(measure) {
-    differences <- contrast_differences(each, measure)[, kOverall]
-    family <- if (measure == kManipulated) kManipulationFamily else kExposureFamily
-    paired_test(differences[!is.na(differences)], family, kExposureMeasures[[measure]],
+    differences <- contrast_differences(each, measure, pair)[, kOverall]
+    family <- if (measure == kManipulated && pair$of == "tracked") kManipulationFamily else
+      kExposureFamily
+    paired_test(differences[!is.na(differences)], family_of(family, pair), kExposureMeasures[[measure]],
       kExposureMeasures[[measure]])
   })
   do.call(all_outcomes, outcomes)

@@ -1,11 +1,12 @@
-# The gaze-contingent study from its trials to figures, tables and words.
+# A gaze-contingent study from its trials to figures, tables and words.
 #
-#   trials ─┬─> scheduling_tests, click tests ─> gaze-contingent.csv, .md
+#   trials ─┬─> scheduling_tests, click tests ─> <protocol>.csv, .md
 #           ├─> means ─────────────────────────> -ratings.png, -clicks.png, and .pdf
 #           ├─> click_table ───────────────────> -clicks.csv
 #           ├─> click_detection ───────────────> -kernels.png, .pdf, .csv, -gains.csv, -matching.csv
 #           ├─> exposure_table ────────────────> -exposure.csv
-#           └─> gaze_quality ──────────────────> -gaze.csv
+#           ├─> gaze_quality ──────────────────> -gaze.csv
+#           └─> calibration_quality ───────────> -calibration.csv
 # SPDX-License-Identifier: MIT
 
 kWithoutLate <- ", without trials marked late"
@@ -14,16 +15,17 @@ report_gaze_study <- function(study) {
   study <- with_events(study)
   each <- exposure_by_participant(study)
   tables <- list(clicks = click_table(study$trials), exposure = exposure_table(each),
-    gaze = gaze_quality(study))
+    gaze = gaze_quality(study), calibration = calibration_quality(study))
   detection <- click_detection(study)
   tables <- c(tables, Filter(Negate(is.null), detection[c("gains", "kernels", "matching")]))
   tests <- gaze_study_tests(study, each, detection$tests)
-  data <- c(study_sentences(study), design_sentence(study$trials),
-    gaze_sentences(study, tables$gaze), exposure_sentences(study))
+  data <- c(study_sentences(study), design_sentence(study$trials, study$kinds),
+    gaze_sentences(study, tables$gaze), calibration_sentences(tables$calibration), exposure_sentences(study))
   results <- rating_paragraphs(study, tests)
-  clicks <- paragraphs(click_rate_words(study$trials), click_contrast_words(tests),
-    detection$words, click_model_words(tests))
-  exposure <- paragraphs(exposure_words(tests))
+  of_pairs <- function(words) lapply(study$pairs, function(pair) words(tests, pair))
+  clicks <- do.call(paragraphs, c(list(click_rate_words(study$trials)),
+    of_pairs(click_contrast_words), list(detection$words, click_model_words(tests))))
+  exposure <- do.call(paragraphs, of_pairs(exposure_words))
 
   say_progress("drawing the figures (about 10 s) ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
@@ -31,7 +33,7 @@ report_gaze_study <- function(study) {
     write_kernel_figure(detection, study$all_simulated, path("-kernels")))
   write_test_table(tests, path(".csv"))
   for (name in names(tables)) write_table(tables[[name]], path(paste0("-", name, ".csv")))
-  write_report(path(".md"), "Gaze-contingent scheduling: ratings and clicks", results, data,
+  write_report(path(".md"), study$title, results, data,
     tests$remarks, c(scheduling_captions(study),
     if (!is.null(detection$kernels)) c("", kernel_caption(detection, study$all_simulated))),
     gaze_sections(clicks, exposure, tables), left_out_section(study))
@@ -42,17 +44,24 @@ report_gaze_study <- function(study) {
 # Every test of the study, with Holm's correction within each family.
 gaze_study_tests <- function(study, each, detection = outcome()) {
   trials <- study$trials
-  contrasts <- function(trials, without = "") {
-    all_outcomes(contrast_model_tests(trials, without), click_contrast_tests(trials, without))
+  contrasts <- function(trials, pair, without = "") {
+    all_outcomes(contrast_model_tests(trials, without, pair),
+      click_contrast_tests(trials, without, pair))
   }
   say_progress("fitting the mixed models of ratings and clicks (about 60 s for 10 participants) ...")
   on_time <- trials[trials$gaze_late == 0, ]
-  primary <- contrasts(trials)
-  sensitivity <- if (nrow(on_time) < nrow(trials)) contrasts(on_time, kWithoutLate)
+  sensitivity <- if (nrow(on_time) < nrow(trials)) {
+    contrasts(on_time, planned_pair(study), kWithoutLate)
+  }
   combine_outcomes(
-    scheduling_tests(trials), primary, contrast_means_tests(trials, equivalence_margin(study$scale)),
-    click_model_tests(trials), click_bootstrap(trials), thesis_tests(trials),
-    detection, exposure_tests(each), sensitivity
+    scheduling_tests(trials),
+    for_each_pair(study, function(pair) contrasts(trials, pair)),
+    for_each_pair(study, function(pair) {
+      contrast_means_tests(trials, equivalence_margin(study$scale), pair)
+    }),
+    click_model_tests(trials), for_each_pair(study, function(pair) click_bootstrap(trials, pair)),
+    if (study$thesis) thesis_tests(trials), detection,
+    for_each_pair(study, function(pair) exposure_tests(each, pair)), sensitivity
   )
 }
 
@@ -81,14 +90,14 @@ thesis_tests <- function(trials) {
 
 # Paragraphs of sentences: the planned contrast first, for it is the study's question.
 rating_paragraphs <- function(study, tests) {
-  paragraphs(
-    c(scale_words(study$scale), means_words(study$trials, "scheduling")),
-    rating_contrast_words(tests, study$scale),
-    sensitivity_words(tests, sum(study$trials$gaze_late), kWithoutLate),
+  do.call(paragraphs, c(
+    list(c(scale_words(study$scale), means_words(study$trials, "scheduling"))),
+    lapply(study$pairs, function(pair) rating_contrast_words(tests, study$scale, pair)),
+    list(sensitivity_words(tests, sum(study$trials$gaze_late), kWithoutLate, planned_pair(study)),
     c(model_words(tests, "scheduling"), odds_words(tests, "scheduling", study$scale),
       other_factor_words(tests, "bodies"), interaction_words(tests),
-      anova_words(tests, "scheduling"), friedman_words(tests, "scheduling"))
-  )
+      anova_words(tests, "scheduling"), friedman_words(tests, "scheduling")))
+  ))
 }
 
 # Each argument's sentences as one line, empty lines between them; what says nothing is left out.
@@ -98,11 +107,11 @@ paragraphs <- function(...) {
 }
 
 # Has every participant as many ratings in each cell as the plan has repetitions?
-design_sentence <- function(trials) {
+design_sentence <- function(trials, kinds = kSchedulingKinds) {
   cells <- table(as.character(trials$participant), trials$scheduling, trials$bodies)
   most <- max(trials$repetition)
   short <- apply(cells < most, 1, any)
-  absent <- setdiff(kSchedulingKinds, levels(droplevels(trials$scheduling)))
+  absent <- setdiff(kinds, levels(droplevels(trials$scheduling)))
   design <- paste(count_of(dim(cells)[2], "kind"), "of scheduling ×",
     count_of(dim(cells)[3], "number"), "of bodies ×", count_of(most, "repetition"))
   c(
@@ -141,7 +150,7 @@ gaze_sections <- function(clicks, exposure, tables) {
     "## What was shown", "", exposure, "", exposure_lines(tables$exposure), "",
     paste("Each number was taken within each participant and then averaged over participants.",
       "Bad: resolved at the bounding sphere."), "",
-    "## The gaze", "", gaze_quality_lines(tables$gaze), ""
+    "## The gaze", "", gaze_quality_lines(tables$gaze), "", calibration_section(tables$calibration)
   )
 }
 
@@ -171,7 +180,7 @@ write_scheduling_figures <- function(study, path) {
   trials <- study$trials
   draw <- function(of, axes, margin) {
     write_scheduling_figure(trials, of, axes, margin, study$all_simulated,
-      path(if (of == "rating") "-ratings" else "-clicks"))
+      path(if (of == "rating") "-ratings" else "-clicks"), study$pairs)
   }
   c(
     draw("rating", rating_axes(study$scale), equivalence_margin(study$scale)),
@@ -185,17 +194,19 @@ scheduling_captions <- function(study) {
   people <- count_of(max(shown, 1), who_words(study$all_simulated))
   bars <- "bars: within-participant 95 % confidence intervals (Cousineau–Morey)"
   faint <- paste0("faint points: ", who_words(study$all_simulated), "s")
-  beside <- if (has_contrast(study$trials)) {
-    " b: tracked − random of each; black, the mean and its 95 % t interval"
+  pairs <- Filter(function(pair) has_contrast(study$trials, pair), study$pairs)
+  beside <- if (length(pairs) > 0) {
+    panels <- paste0(letters[seq_along(pairs) + 1], ": ", vapply(pairs, pair_words, ""))
+    paste0(" ", paste(panels, collapse = ", "), " of each; black, the mean and its 95 % t interval")
   }
   caption <- function(what, more) {
     paste0("a: mean ", what, " by kind of scheduling, ", people, "; ", if (shown > 1)
       paste0(bars, "; "), faint, ".", if (!is.null(beside)) paste0(beside, more, "."))
   }
   c(
-    paste("Ratings (thesis fig. 6.18).", caption("rating",
+    paste(if (study$thesis) "Ratings (thesis fig. 6.18)." else "Ratings.", caption("rating",
       sprintf("; grey band, the equivalence margin of ±%.2f points",
         equivalence_margin(study$scale)))), "",
-    paste("Clicks (thesis fig. 6.19).", caption("number of clicks per trial", ""))
+    paste(if (study$thesis) "Clicks (thesis fig. 6.19)." else "Clicks.", caption("number of clicks per trial", ""))
   )
 }

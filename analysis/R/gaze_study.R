@@ -1,36 +1,35 @@
-# The gaze-contingent study from its views: each rated trial with its clicks, its collisions, its gaze.
+# A gaze-contingent study (scheduling_pairs.R) from its views: each rated trial with its clicks, its collisions, its gaze.
 #
 #   rated_trial, trial_level ─> trials     seen_collision ─> collisions
 #   click_trial ──────────────> + clicks   gaze_sample ─> gaze (gaze_quality.R)
-#   trial_click ──> clicks (click_detection.R)
+#   trial_click ──> clicks (click_detection.R)    gaze_calibration ─> calibrations
 #
 # Invariant: every row of collisions, clicks and gaze belongs to a row of trials, by `row`, so what is left out
 # of the trials is left out everywhere.
 # SPDX-License-Identifier: MIT
 
-# From the fewest bad collisions to the most; the trials' levels keep this order.
-kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
-
 # Reads what the command line names, as open_rating_study does, and adds what only this study has.
-# The two factors become the columns scheduling and bodies, whatever unit their names carry.
-open_gaze_study <- function(words, usage) {
-  study <- open_rating_study(words, usage, "gaze-contingent",
+# The trials' kinds have the order of kSchedulingStudies. The two factors become the columns scheduling and bodies, whatever unit their names carry.
+open_gaze_study <- function(words, usage, protocol = "gaze-contingent") {
+  study <- open_rating_study(words, usage, protocol,
     factors = c(scheduling = "scheduling", bodies = "bodies"),
-    views = c("click_trial", "trial_click", "seen_collision", "gaze_sample"))
+    views = c("click_trial", "trial_click", "seen_collision", "gaze_sample", "gaze_calibration"))
+  study <- c(study, kSchedulingStudies[[protocol]])
   study$trials[names(study$factors)] <- study$trials[study$factors]
   study$factors <- c(scheduling = "scheduling", bodies = "bodies")
-  with_gaze(with_collisions(with_click_times(with_clicks(with_kinds_in_order(study)))))
+  with_calibrations(with_gaze(with_collisions(with_click_times(with_clicks(
+    with_kinds_in_order(study))))))
 }
 
 with_kinds_in_order <- function(study) {
   present <- levels(study$trials$scheduling)
-  unknown <- setdiff(present, kSchedulingKinds)
+  unknown <- setdiff(present, study$kinds)
   if (length(unknown) > 0) {
     refuse(paste(study$files, collapse = ", "), ": expected scheduling to be one of ",
-      paste(kSchedulingKinds, collapse = ", "), ", got ", paste(unknown, collapse = ", "))
+      paste(study$kinds, collapse = ", "), ", got ", paste(unknown, collapse = ", "))
   }
   study$trials$scheduling <- factor(as.character(study$trials$scheduling),
-    intersect(kSchedulingKinds, present))
+    intersect(study$kinds, present))
   study
 }
 
@@ -72,6 +71,20 @@ with_gaze <- function(study) {
     "SELECT trial, count(*) AS samples, sum(loss IS 'blink') AS blink,",
     "sum(loss IS 'off screen') AS off_screen, sum(loss IS 'lost') AS lost,",
     "CAST(max(time_s) - min(time_s) AS REAL) AS span_s FROM gaze_sample"), "GROUP BY trial")
+  study
+}
+
+# Adds study$calibrations: every calibration, validation and drift check of the participants who have
+# a trial in the analysis.
+with_calibrations <- function(study) {
+  parts <- lapply(unique(study$trials$path), function(path) {
+    file <- open_study(path)
+    on.exit(DBI::dbDisconnect(file))
+    DBI::dbGetQuery(file, "SELECT * FROM gaze_calibration WHERE protocol = ? ORDER BY calibration",
+      params = list(study$protocol))
+  })
+  rows <- do.call(rbind, parts)
+  study$calibrations <- rows[rows$participant %in% as.character(study$trials$participant), ]
   study
 }
 

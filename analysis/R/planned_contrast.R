@@ -1,11 +1,11 @@
-# The planned contrast of the gaze-contingent study: tracked − random, overall and at each number of
-# bodies, for ratings.
+# The planned contrast of a gaze-contingent study, such as tracked − random, overall and at each
+# number of bodies, for ratings.
 #
 #   trials of these two kinds ─┬─> mixed model, odds ratios            primary
 #                              └─> participants' differences ─┬─> paired t tests
 #                                                             └─> equivalence tests
 #
-# The model sees tracked and random trials alone: its random slope is then the contrast's own, which
+# The model sees the trials of the two kinds alone: its random slope is then the contrast's own, which
 # a test of it needs (Barr 2013), and odds have to be proportional between these two only.
 # SPDX-License-Identifier: MIT
 
@@ -13,41 +13,43 @@ kContrastFamily <- "planned contrast tracked − random, mixed model"
 kContrastMeansFamily <- "planned contrast tracked − random, participants' means"
 kOverall <- "overall"
 
-# The tracked and random trials; random is the first level, so a coefficient is tracked − random.
-contrast_trials <- function(trials) {
-  two <- trials[trials$scheduling %in% c("tracked", "random"), ]
-  two$scheduling <- factor(as.character(two$scheduling), c("random", "tracked"))
+# The trials of a pair; `against` is the first level, so a coefficient is of − against.
+contrast_trials <- function(trials, pair = kTrackedRandom) {
+  two <- trials[trials$scheduling %in% c(pair$of, pair$against), ]
+  two$scheduling <- factor(as.character(two$scheduling), c(pair$against, pair$of))
   two$bodies <- droplevels(two$bodies)
   two
 }
 
-# Differences tracked − random of each participant's means of the column `of`: participants by
+# Differences of − against of each participant's means of the column `of`: participants by
 # "overall" and each number of bodies. Overall is the mean of the others; NA where a cell is empty.
-contrast_differences <- function(trials, of = "rating") {
-  two <- contrast_trials(trials)
+contrast_differences <- function(trials, of = "rating", pair = kTrackedRandom) {
+  two <- contrast_trials(trials, pair)
   bodies <- levels(trials$bodies)
   two$bodies <- factor(as.character(two$bodies), bodies)
   means <- participant_means(two, c("scheduling", "bodies"), of)
   at <- function(kind) means[, paste(kind, bodies, sep = " : "), drop = FALSE]
-  differences <- at("tracked") - at("random")
+  differences <- at(pair$of) - at(pair$against)
   differences <- cbind(rowMeans(differences), differences)
   colnames(differences) <- c(kOverall, bodies)
   differences
 }
 
-# Has any participant rated tracked and random at one number of bodies?
-has_contrast <- function(trials) any(!is.na(contrast_differences(trials)))
-
-# "tracked − random, overall", "tracked − random, at 5 bodies"
-contrast_label <- function(place) {
-  paste("tracked − random,", ifelse(place == kOverall, place, paste("at", place, "bodies")))
+# Has any participant rated both kinds of the pair at one number of bodies?
+has_contrast <- function(trials, pair = kTrackedRandom) {
+  any(!is.na(contrast_differences(trials, pair = pair)))
 }
 
-# Odds ratios of a higher rating in a tracked trial against a random one, as an outcome.
+# "tracked − random, overall", "tracked − random, at 5 bodies"
+contrast_label <- function(place, pair = kTrackedRandom) {
+  paste0(pair_words(pair), ", ", ifelse(place == kOverall, place, paste("at", place, "bodies")))
+}
+
+# Odds ratios of a higher rating in a trial of one kind against the other, as an outcome.
 # `without`: words added to the family when some trials are left out.
-contrast_model_tests <- function(trials, without = "") {
-  two <- contrast_trials(trials)
-  reason <- why_no_contrast(two)
+contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom) {
+  two <- contrast_trials(trials, pair)
+  reason <- why_no_contrast(two, pair)
   if (!is.null(reason)) return(outcome(remarks = reason))
   two$rating <- factor(two$rating, ordered = TRUE)
   terms <- c("scheduling", varying_factors(two, "bodies"))
@@ -56,27 +58,29 @@ contrast_model_tests <- function(trials, without = "") {
   }
   row <- function(models, coefficients, place) {
     estimate <- sum_of_coefficients(models$full$beta, stats::vcov(models$full), coefficients)
-    method <- sprintf("cumulative-link mixed model of tracked and random trials, logit, %s; Wald",
-      models$random)
-    ratio_row(paste0(kContrastFamily, without), method, contrast_label(place), estimate,
+    method <- sprintf("cumulative-link mixed model of %s trials, logit, %s; Wald",
+      pair_words(pair, " and "), models$random)
+    ratio_row(paste0(family_of(kContrastFamily, pair), without), method,
+      contrast_label(place, pair), estimate,
       "odds ratio of a higher rating", two)
   }
   contrast_rows(two, terms, fit, row, has_one_sided_cell(two, "scheduling:bodies"))
 }
 
-why_no_contrast <- function(two) {
+why_no_contrast <- function(two, pair = kTrackedRandom) {
   none <- why_no_test(two)
   if (!is.null(none)) return(none)
   if (participant_count(two) < 3) {
     return("The mixed model of the planned contrast needs three participants or more.")
   }
   if (nlevels(droplevels(two$scheduling)) < 2) {
-    return("There is no planned contrast: it needs rated trials of tracked and of random.")
+    return(sprintf("There is no planned contrast: it needs rated trials of %s and of %s.",
+      pair$of, pair$against))
   }
   terms <- c("scheduling", varying_factors(two, "bodies"))
   if (!any(vapply(terms, function(term) separates(two, term), NA))) return(NULL)
-  paste("The levels of scheduling or bodies separate the ratings of tracked and random trials",
-    "completely, so the mixed model of the planned contrast was not fitted.")
+  paste("The levels of scheduling or bodies separate the ratings of", pair_words(pair, " and "),
+    "trials completely, so the mixed model of the planned contrast was not fitted.")
 }
 
 # The contrast from a fitted model, overall and at each number of bodies, whatever the model is.
@@ -85,7 +89,7 @@ why_no_contrast <- function(two) {
 contrast_rows <- function(two, terms, fit, row, endless) {
   alone <- fit(terms, "mixed model of the planned contrast")
   if (!is.null(alone$failure)) return(outcome(remarks = alone$remarks))
-  coefficient <- "schedulingtracked"
+  coefficient <- paste0("scheduling", levels(two$scheduling)[2])
   overall <- outcome(row(alone, coefficient, kOverall), alone$remarks)
   if (!"bodies" %in% terms) return(overall)
   if (endless) {
@@ -119,17 +123,18 @@ ratio_row <- function(family, method, effect, estimate, size_name, trials) {
 
 # Paired t tests and equivalence tests of participants' mean ratings, as an outcome. `margin`: in
 # rating points.
-contrast_means_tests <- function(trials, margin) {
-  differences <- contrast_differences(trials)
+contrast_means_tests <- function(trials, margin, pair = kTrackedRandom) {
+  differences <- contrast_differences(trials, pair = pair)
   outcomes <- lapply(colnames(differences), function(place) {
     known <- differences[!is.na(differences[, place]), place]
-    remark <- left_out_remark(paste("the paired tests of", contrast_label(place)),
+    remark <- left_out_remark(paste("the paired tests of", contrast_label(place, pair)),
       nrow(differences) - length(known))
     all_outcomes(
       outcome(remarks = remark),
-      paired_test(known, kContrastMeansFamily, contrast_label(place),
+      paired_test(known, family_of(kContrastMeansFamily, pair), contrast_label(place, pair),
         "difference in rating points"),
-      if (length(known) > 1) equivalence_test(known, contrast_label(place), margin)
+      if (length(known) > 1) equivalence_test(known, contrast_label(place, pair), margin,
+        family_of(kEquivalenceFamily, pair))
     )
   })
   do.call(all_outcomes, outcomes)

@@ -1,34 +1,55 @@
-# The figures of the gaze-contingent study: the thesis's 6.18 (ratings) and 6.19 (clicks).
+# The figures of a gaze-contingent study, such as the thesis's 6.18 (ratings) and 6.19 (clicks).
 #
 #   a: kinds of scheduling within each number of bodies; means with within-participant intervals
 #      before, participants faint behind
-#   b: the planned contrast, tracked − random, of each participant; its mean with a 95 % t interval
+#   b: the planned contrast, such as tracked − random, of each participant; its mean with a 95 % t
+#      interval
+#   c: a second pair of kinds, where the study has one, on the axis of b
 #
 # Sizes, type and colours are those of the rating figure.
 # SPDX-License-Identifier: MIT
 
 kKindColours <- c(
-  "all-good" = "#009E73", tracked = "#0072B2", random = "#D55E00", "all-bad" = "#000000"
+  "all-good" = "#009E73", tracked = "#0072B2", recorded = "#CC79A7", random = "#D55E00",
+  "all-bad" = "#000000"
 )
-kKindShapes <- c("all-good" = 15, tracked = 16, random = 17, "all-bad" = 18)
+kKindShapes <- c("all-good" = 15, tracked = 16, recorded = 15, random = 17, "all-bad" = 18)
 kKindSpacing <- 0.2  # between two kinds, in units of the distance of two groups
 
-# Writes <stem>.png and <stem>.pdf; panel b is left out when nobody rated both tracked and random.
-# `of`: the column, rating or clicks; `axes`: list(means,
-# differences), ggplot2 parts for the two vertical axes; `margin`: half width of the equivalence
-# band, or NULL.
-write_scheduling_figure <- function(trials, of, axes, margin, simulated, stem) {
+# Writes <stem>.png and <stem>.pdf; the panel of a pair is left out when nobody rated both its kinds.
+# `of`: the column, rating or clicks; `axes`: list(means, differences): ggplot2 parts for the vertical
+# axis of panel a, and a function of a pair that gives those of its panel; `margin`: half width of the
+# equivalence band, or NULL.
+write_scheduling_figure <- function(trials, of, axes, margin, simulated, stem,
+                                    pairs = list(kTrackedRandom)) {
   write_figure(function() {
     kinds <- kinds_panel(trials, of, simulated) + axes$means
-    if (!has_contrast(trials)) return(ggplot2::ggplotGrob(kinds))
-    contrast <- contrast_panel(trials, of, margin, simulated) + axes$differences
+    pairs <- Filter(function(pair) has_contrast(trials, pair), pairs)
+    if (length(pairs) == 0) return(ggplot2::ggplotGrob(kinds))
     whole <- ggplot2::ggplotGrob(kinds + ggplot2::labs(tag = "a"))
     whole$widths[whole$layout$l[whole$layout$name == "panel"]] <- grid::unit(1.7, "null")
-    cbind(whole, ggplot2::ggplotGrob(contrast + ggplot2::labs(tag = "b")), size = "first")
+    reach <- unlist(lapply(pairs, function(pair) range(contrast_differences(trials, of, pair),
+      na.rm = TRUE)))
+    for (i in seq_along(pairs)) {
+      panel <- contrast_panel(trials, of, margin, simulated, pairs[[i]]) +
+        axes$differences(pairs[[i]]) + ggplot2::expand_limits(y = reach) +
+        ggplot2::labs(tag = letters[i + 1])
+      if (i > 1) panel <- panel + unseen_legend()
+      whole <- cbind(whole, ggplot2::ggplotGrob(panel), size = "first")
+    }
+    whole
   }, stem)
 }
 
 who_words <- function(simulated) if (simulated) "simulated participant" else "participant"
+
+# One legend says it for every pair; its room is kept, so that panels stay of one height.
+unseen_legend <- function() {
+  list(
+    ggplot2::guides(colour = ggplot2::guide_legend(override.aes = list(alpha = 0))),
+    ggplot2::theme(legend.text = ggplot2::element_text(colour = "transparent"))
+  )
+}
 
 kinds_panel <- function(trials, of, simulated) {
   cells <- c("bodies", "scheduling")
@@ -59,8 +80,8 @@ kinds_panel <- function(trials, of, simulated) {
     rating_theme()
 }
 
-contrast_panel <- function(trials, of, margin, simulated) {
-  differences <- contrast_differences(trials, of)
+contrast_panel <- function(trials, of, margin, simulated, pair = kTrackedRandom) {
+  differences <- contrast_differences(trials, of, pair)
   places <- colnames(differences)
   each <- data.frame(
     participant = rep(rownames(differences), ncol(differences)),
@@ -109,8 +130,9 @@ long_cell_means <- function(means, factors) {
 # Ratings: the whole scale with both its ends in words, and which side of 0 is better.
 rating_axes <- function(scale) {
   better <- if (scale$rating_best == scale$rating_maximum) "above" else "below"
-  title <- sprintf("Rating, tracked − random\n(%s 0: tracked is better)", better)
-  list(means = axis_of_rating(scale, words = TRUE), differences = difference_axis(title))
+  list(means = axis_of_rating(scale, words = TRUE), differences = function(pair) {
+    difference_axis(sprintf("Rating, %s\n(%s 0: %s is better)", pair_words(pair), better, pair$of))
+  })
 }
 
 # Whole numbers of clicks; an interval that would reach below 0 ends there.
@@ -119,7 +141,8 @@ click_axes <- function() {
     means = list(ggplot2::scale_y_continuous("Clicks per trial (\"a bad collision\")",
       limits = c(0, NA), breaks = whole_breaks, oob = scales::oob_squish,
       expand = ggplot2::expansion(mult = c(0.02, 0.05)))),
-    differences = difference_axis("Clicks per trial, tracked − random\n(below 0: tracked is better)")
+    differences = function(pair) difference_axis(sprintf(
+      "Clicks per trial, %s\n(below 0: %s is better)", pair_words(pair), pair$of))
   )
 }
 

@@ -15,12 +15,12 @@ estimates_words <- function(rows, format = "%.2f") {
 }
 
 # What the primary tests of a contrast allow to be said. `better`, `worse`: "rated better" ...;
-# `good`: per row, is tracked the better one?
-verdict_words <- function(rows, good, better, worse) {
+# `good`: per row, is the pair's first kind the better one?
+verdict_words <- function(rows, good, better, worse, pair = kTrackedRandom) {
   found <- !is.na(rows$p_holm) & rows$p_holm < kSignificance
   said <- function(chosen, words) {
-    if (any(chosen)) sprintf("Tracked was %s than random %s.", words,
-      and_words(place_of(rows$effect[chosen])))
+    if (any(chosen)) sprintf("%s was %s than %s %s.", sentence_case(pair$of), words,
+      pair$against, and_words(place_of(rows$effect[chosen])))
   }
   paste(c(
     said(found & good, better), said(found & !good, worse),
@@ -47,24 +47,27 @@ equivalence_verdict <- function(rows, margin) {
 }
 
 # The contrast of ratings: model, means, equivalence, the thesis's test.
-rating_contrast_words <- function(tests, scale) {
+rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
   up_is_good <- scale$rating_best == scale$rating_maximum
-  rows <- tests_of(tests, kContrastFamily)
-  means <- tests_of(tests, kContrastMeansFamily)
+  rows <- tests_of(tests, family_of(kContrastFamily, pair))
+  means <- tests_of(tests, family_of(kContrastMeansFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf(paste("Planned contrast, tracked against random (cumulative-link mixed model of these",
+      sprintf(paste("%s, %s (cumulative-link mixed model of these",
         "two kinds, %s; Holm over %d tests): odds ratio of a higher rating %s."),
-        random_words(rows$method[1]), nrow(rows), estimates_words(rows)),
-      verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse")),
+        contrast_title(pair), pair_words(pair, " against "), random_words(rows$method[1]), nrow(rows), estimates_words(rows)),
+      verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
+        pair)),
     if (nrow(means) > 0) sprintf(
-      "The same in rating points (tracked − random, paired t tests of participants' means): %s.",
-      estimates_words(means, "%+.2f")),
-    equivalence_verdict(tests_of(tests, kEquivalenceFamily),
+      "The same in rating points (%s, paired t tests of participants' means): %s.",
+      pair_words(pair), estimates_words(means, "%+.2f")),
+    equivalence_verdict(tests_of(tests, family_of(kEquivalenceFamily, pair)),
       sprintf("±%.2f points", equivalence_margin(scale))),
-    thesis_words(tests, kPooledFamily)
+    if (pair$planned) thesis_words(tests, kPooledFamily)
   )
 }
+
+contrast_title <- function(pair) if (pair$planned) "Planned contrast" else "Beside it"
 
 random_words <- function(method) {
   sprintf("random %s for each participant", if (grepl("slope", method)) "intercept and slope" else
@@ -116,52 +119,55 @@ click_effect_words <- function(rows) {
   }, "")
 }
 
-click_contrast_words <- function(tests) {
-  rows <- tests_of(tests, kClickContrastFamily)
-  bootstrap <- tests_of(tests, kClickBootstrapFamily)
+click_contrast_words <- function(tests, pair = kTrackedRandom) {
+  rows <- tests_of(tests, family_of(kClickContrastFamily, pair))
+  bootstrap <- tests_of(tests, family_of(kClickBootstrapFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf(paste("Planned contrast of clicks (%s of tracked and random trials, %s; Holm over %d",
-        "tests): rate ratio tracked / random %s."),
-        sub(" mixed model.*$", " mixed model", rows$method[1]), random_words(rows$method[1]),
-        nrow(rows), estimates_words(rows)),
-      verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often")),
+      sprintf(paste("%s of clicks (%s of %s trials, %s; Holm over %d",
+        "tests): rate ratio %s %s."), if (pair$planned) "Planned contrast" else "Beside it, contrast",
+        sub(" mixed model.*$", " mixed model", rows$method[1]), pair_words(pair, " and "),
+        random_words(rows$method[1]), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
+      verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often",
+        pair)),
     if (nrow(bootstrap) > 0) sprintf("By bootstrap over participants: %s.",
       estimates_words(bootstrap)),
-    equivalence_verdict(tests_of(tests, kClickEquivalenceFamily),
+    equivalence_verdict(tests_of(tests, family_of(kClickEquivalenceFamily, pair)),
       sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
-    thesis_words(tests, kClickPooledFamily)
+    if (pair$planned) thesis_words(tests, kClickPooledFamily)
   )
 }
 
-# Did the manipulation work, and did tracked and random differ in more than it?
-exposure_words <- function(tests) {
-  rows <- tests_of(tests, kExposureFamily)
+# Did the manipulation work, and did the two kinds differ in more than it?
+exposure_words <- function(tests, pair = kTrackedRandom) {
+  rows <- tests_of(tests, family_of(kExposureFamily, pair))
   if (nrow(rows) == 0) return(character())
   found <- rows$p_holm < kSignificance
   c(
-    manipulation_words(tests),
+    if (pair$of == "tracked") manipulation_words(tests, pair),
     if (any(found)) sprintf(paste(
-      "Tracked and random differed in exposure too (tracked − random; paired t tests over",
+      "%s differed in exposure too (%s; paired t tests over",
       "participants, Holm over %d): %s. A difference between their ratings or clicks may come from",
-      "this as much as from where the good collisions were."), nrow(rows),
+      "this as much as from where the good collisions were."),
+      sentence_case(pair_words(pair, " and ")), pair_words(pair), nrow(rows),
       differences_words(rows[found, ])) else
-      sprintf("Of %d measures of exposure none was found to differ between tracked and random.",
-        nrow(rows)),
+      sprintf("Of %d measures of exposure none was found to differ between %s.",
+        nrow(rows), pair_words(pair, " and ")),
     if (any(!found)) sprintf(paste("A difference was not detected, which is not evidence of its",
       "absence, in: %s."), differences_words(rows[!found, ]))
   )
 }
 
-manipulation_words <- function(tests) {
-  row <- tests_of(tests, kManipulationFamily)
+manipulation_words <- function(tests, pair = kTrackedRandom) {
+  row <- tests_of(tests, family_of(kManipulationFamily, pair))
   if (nrow(row) == 0) return("The distance of bad collisions from the gaze is not known.")
   words <- differences_words(row)
   if (row$p_holm < kSignificance && row$effect_size > 0) {
-    return(sprintf("Tracking kept bad collisions away from the gaze (tracked − random): %s.", words))
+    return(sprintf("Tracking kept bad collisions away from the gaze (%s): %s.",
+      pair_words(pair), words))
   }
-  sprintf(paste("That tracking kept bad collisions farther from the gaze than random places did was",
-    "not detected: %s."), words)
+  sprintf(paste("That tracking kept bad collisions farther from the gaze than %s places did was",
+    "not detected: %s."), pair$against, words)
 }
 
 differences_words <- function(rows) {
@@ -171,15 +177,15 @@ differences_words <- function(rows) {
 }
 
 # The primary contrasts again without the trials marked late; nothing when there are none.
-sensitivity_words <- function(tests, late, without) {
+sensitivity_words <- function(tests, late, without, pair = kTrackedRandom) {
   if (late == 0) return(character())
-  ratings <- tests_of(tests, paste0(kContrastFamily, without))
-  clicks <- tests_of(tests, paste0(kClickContrastFamily, without))
+  ratings <- tests_of(tests, paste0(family_of(kContrastFamily, pair), without))
+  clicks <- tests_of(tests, paste0(family_of(kClickContrastFamily, pair), without))
   what <- c(
     if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
     if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks))
   )
-  sprintf("Sensitivity: without the %s marked late, tracked against random: %s.",
-    count_of(late, "trial"), if (length(what) == 0) "too few trials are left" else
+  sprintf("Sensitivity: without the %s marked late, %s: %s.", count_of(late, "trial"),
+    pair_words(pair, " against "), if (length(what) == 0) "too few trials are left" else
       paste(what, collapse = "; "))
 }

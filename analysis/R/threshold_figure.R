@@ -53,8 +53,8 @@ thresholds_panel <- function(study, rows) {
   mean$place <- match(mean$condition, order_of) - 0.15
   rows$x <- rows$place + 0.1 + spread(rows$participant) * 0.3
   ggplot2::ggplot(mean, ggplot2::aes(place, mean)) +
-    ggplot2::geom_line(ggplot2::aes(x, in_unit(study, threshold), group = participant), rows,
-      linewidth = 0.2, colour = "grey72") +
+    (if (length(order_of) > 1) ggplot2::geom_line(ggplot2::aes(x, in_unit(study, threshold),
+      group = participant), rows, linewidth = 0.2, colour = "grey72")) +
     ggplot2::geom_linerange(ggplot2::aes(x, in_unit(study, threshold), ymin = in_unit(study, low),
       ymax = in_unit(study, high)), rows, linewidth = 0.2, colour = "grey60", na.rm = TRUE) +
     ggplot2::geom_point(ggplot2::aes(x, in_unit(study, threshold)), rows, size = 0.9, stroke = 0,
@@ -62,9 +62,14 @@ thresholds_panel <- function(study, rows) {
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.7, na.rm = TRUE) +
     ggplot2::geom_point(size = 1.9) +
     ggplot2::scale_x_continuous(condition_label(study), breaks = seq_along(order_of),
-      labels = order_of, limits = c(0.5, length(order_of) + 0.5)) +
-    (if (study$log10) ggplot2::scale_y_log10(paste("Threshold,", label_of(study$axis))) else
-      ggplot2::scale_y_continuous(paste("Threshold,", label_of(study$axis)))) + rating_theme()
+      labels = if (length(order_of) > 1) order_of, limits = c(0.5, length(order_of) + 0.5)) +
+    (if (study$log10) ggplot2::scale_y_log10(threshold_label(study)) else
+      ggplot2::scale_y_continuous(threshold_label(study))) + rating_theme()
+}
+
+threshold_label <- function(study) {
+  name <- label_of(study$axis)
+  paste0("Threshold, ", tolower(substr(name, 1, 1)), substring(name, 2))
 }
 
 threshold_axis <- function(study) {

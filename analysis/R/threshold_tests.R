@@ -64,7 +64,8 @@ threshold_remarks <- function(study, rows) {
 # intervals, as an outcome. Two intervals: p = 1/2 + 1/2 Phi.
 hierarchical_thresholds <- function(study) {
   trials <- study$trials
-  trials$centred <- trials$x - mean(trials$x)
+  # In standard deviations: levels of hundreds of ms make the model ill-conditioned.
+  trials$centred <- (trials$x - mean(trials$x)) / stats::sd(trials$x)
   trials$condition <- droplevels(trials$condition_of)
   several <- nlevels(trials$condition) > 1
   link <- if (is.null(study$guess)) "probit" else half_probit()
@@ -93,9 +94,10 @@ hierarchical_rows <- function(study, model, trials, random) {
   slope <- beta[["centred"]]
   rows <- lapply(setdiff(names(beta), "centred"), function(name) {
     gradient <- c(-1 / slope, beta[[name]] / slope^2)
-    error <- sqrt(drop(t(gradient) %*% covariance[c(name, "centred"), c(name, "centred")] %*%
+    unit <- stats::sd(trials$x)
+    error <- unit * sqrt(drop(t(gradient) %*% covariance[c(name, "centred"), c(name, "centred")] %*%
       gradient))
-    x <- mean(trials$x) - beta[[name]] / slope
+    x <- mean(trials$x) - unit * beta[[name]] / slope
     limits <- in_unit(study, x + c(-1, 1) * stats::qnorm(0.975) * error)
     condition <- sub("^condition|^\\(Intercept\\)|^1$", "", name)
     test_row(kThresholdFamily, paste0("binomial mixed model, ",

@@ -8,15 +8,18 @@
 # Number of bodies does not enter either.
 # SPDX-License-Identifier: MIT
 
-kPlantedQuality <- c("all-good" = 2.2, tracked = 1.0, random = -0.2, "all-bad" = -1.8)
-kPlantedClicksPerS <- c("all-good" = 0.06, tracked = 0.20, random = 0.32, "all-bad" = 0.50)
+kPlantedQuality <- c("all-good" = 2.2, tracked = 1.0, recorded = -0.2, random = -0.2,
+  "all-bad" = -1.8)
+kPlantedClicksPerS <- c("all-good" = 0.06, tracked = 0.20, recorded = 0.32, random = 0.32,
+  "all-bad" = 0.50)
 kPlantedTheta <- 4
 
 # One row per main trial with ratings and clicks, from a seed. `difference` false: random is tracked.
-gaze_trials <- function(seed, participants = 10, repetitions = 3, difference = TRUE) {
+gaze_trials <- function(seed, participants = 10, repetitions = 3, difference = TRUE,
+                        kinds = kSchedulingKinds) {
   set.seed(seed)
   plan <- shuffled_plan(participants, expand.grid(
-    scheduling = names(kPlantedQuality), bodies = c(5, 10, 15),
+    scheduling = kinds, bodies = c(5, 10, 15),
     repetition = seq_len(repetitions), stringsAsFactors = FALSE
   ))
   kind <- if (difference) plan$scheduling else sub("random", "tracked", plan$scheduling)
@@ -41,7 +44,8 @@ as_read <- function(trials) {
 
 # Writes a study file of these trials, each of 10 s. Columns of `trials` beside the design:
 # clicks, and those of attempts that only this study has, with defaults here.
-write_gaze_study <- function(path, trials, merge_within_ms = 100, ...) {
+write_gaze_study <- function(path, trials, merge_within_ms = 100, protocol = "gaze-contingent",
+                             ...) {
   attempt <- list(gaze_source = "simulated eye", gaze_latency_p95_ms = 45, gaze_late = 0,
     region_covered_share = 0.3)
   for (column in setdiff(names(attempt), names(trials))) trials[[column]] <- attempt[[column]]
@@ -49,7 +53,7 @@ write_gaze_study <- function(path, trials, merge_within_ms = 100, ...) {
     high_anchor = "very believable")
   scale <- scale[setdiff(names(scale), names(trials))]
   design <- cbind(trials[setdiff(names(trials), c(names(attempt), "clicks"))], scale)
-  write_study(path, design, protocol = "gaze-contingent", ...)
+  write_study(path, design, protocol = protocol, ...)
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   on.exit(DBI::dbDisconnect(study))
   execute <- function(statement, ...) DBI::dbExecute(study, statement, params = list(...))
@@ -85,6 +89,19 @@ add_gaze <- function(path, samples) {
   path
 }
 
+# Adds calibrations: rows of session_id, kind, number and whatever other columns are not the same for
+# all.
+add_calibrations <- function(path, rows) {
+  columns <- list(before_slot = 1, gaze_source = "simulated eye", accuracy_deg = 0.5,
+    worst_accuracy_deg = 0.6, precision_rms_deg = 0.05, lost_share = 0, sampling_hz = 250,
+    accuracy_limit_deg = 1, passed = 1, began_ns = 0)
+  for (column in setdiff(names(columns), names(rows))) rows[[column]] <- columns[[column]]
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbAppendTable(study, "calibration", rows)
+  path
+}
+
 # Collisions at random for every trial of `trials`, as add_collisions takes them: three between
 # bodies per body and 10 s, a third as many with walls, bad by kind, and farther from the gaze when
 # tracked has made them so.
@@ -93,7 +110,8 @@ random_collisions <- function(trials, truth = TRUE) {
   trials <- trials[!is.na(trials$rating), ]
   rows <- trials[rep(seq_len(nrow(trials)), rpois(nrow(trials), 4 * trials$bodies)), ]
   n <- nrow(rows)
-  bad_share <- c("all-good" = 0, tracked = 0.7, random = 0.8, "all-bad" = 1)
+  bad_share <- c("all-good" = 0, tracked = 0.7, recorded = 0.75, random = 0.8,
+    "all-bad" = 1)
   bad <- runif(n) < bad_share[rows$scheduling]
   tracked <- rows$scheduling == "tracked"
   eccentricity_deg <- ifelse(tracked & bad, 5, 0) + rexp(n, 1 / 6)

@@ -16,7 +16,7 @@ test_that("the negative-binomial model recovers the planted rates and their disp
   trials <- click_trials(121, participants = 20)
   result <- with_failing("slope", click_model_tests(trials))  # none was planted
   rows <- result$rows[result$rows$family == kClickRatioFamily, ]
-  planted <- kPlantedClicksPerS[-1] / kPlantedClicksPerS[1]
+  planted <- kPlantedClicksPerS[kSchedulingKinds][-1] / kPlantedClicksPerS[1]
   error <- log(rows$effect_size) / rows$statistic
   # Three standard errors: misses for one of three ratios in 120 seeds.
   expect_true(all(abs(log(rows$effect_size) - log(planted)) < 3 * error))

@@ -81,14 +81,15 @@ test_that("one participant gives figures, tables and words, no test", {
   expect_equal(run$status, 0)
   files <- file.path(out, paste0("gaze-contingent", c("-ratings.png", "-ratings.pdf",
     "-clicks.png", "-clicks.pdf", "-kernels.png", "-kernels.pdf", ".csv", "-clicks.csv",
-    "-exposure.csv", "-gaze.csv", "-gains.csv", "-kernels.csv", "-matching.csv", ".md")))
-  expect_equal(run$stdout[1:14], files)
+    "-exposure.csv", "-gaze.csv", "-calibration.csv", "-gains.csv", "-kernels.csv",
+    "-matching.csv", ".md")))
+  expect_equal(run$stdout[1:15], files)
   expect_true(all(file.size(files) > 0))
   expect_equal(nrow(read.csv(files[7])), 0)
   expect_true(paste("One participant: the figure and the means describe; no inferential test",
     "was made.") %in% run$stdout)
   expect_equal(nrow(read.csv(files[9])), 12)
-  expect_equal(nrow(read.csv(files[13])), length(kMatchingWindowsS))
+  expect_equal(nrow(read.csv(files[14])), length(kMatchingWindowsS))
 })
 
 test_that("without a pair of tracked and random there are figures and words, and no contrast", {
