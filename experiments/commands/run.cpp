@@ -94,6 +94,7 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
     part.series_place = static_cast<std::int64_t>(i) + 1;
     if (i + 1 < count) {
       part.protocol.script.thanks = part_done(i + 1, count);
+      part.protocol.script.part_follows = true;
     }
     if (!names.insert(part.protocol.name).second) {
       throw InputError(options.protocol + ":/protocols/" + std::to_string(i) +

@@ -187,9 +187,9 @@ Page quit_page(const SessionProgress& progress) {
   return page;
 }
 
-Page thanks_page(const Text& text, const SessionProgress& progress) {
+Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress) {
   Page page = text_page(text, progress);
-  page.choices = {{"Close", "space"}};
+  page.choices = {{part_follows ? "Continue" : "Close", "space"}};
   page.can_pause = false;
   return page;
 }
