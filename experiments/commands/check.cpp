@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_page.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/series_file.hpp"
 #include "experiments/session/plan.hpp"
 #include "experiments/session/response_kinds.hpp"
 
@@ -103,16 +105,22 @@ void print_design(const Protocol& protocol) {
   std::printf("  hash         %s\n", protocol.hash.c_str());
 }
 
+void check_one(const std::filesystem::path& file, const CheckOptions& options) {
+  const Protocol protocol = load_protocol(file);
+  check_frames(protocol, options.refresh_hz, options.allow_rounding);
+  if (options.explain) {
+    std::printf("%s", protocol_page(protocol).c_str());
+  } else {
+    print_design(protocol);
+  }
+}
+
 int check(const CheckOptions& options) {
   int status = kDone;
   for (const std::string& file : options.files) {
     try {
-      const Protocol protocol = load_protocol(file);
-      check_frames(protocol, options.refresh_hz, options.allow_rounding);
-      if (options.explain) {
-        std::printf("%s", protocol_page(protocol).c_str());
-      } else {
-        print_design(protocol);
+      for (const std::filesystem::path& protocol : load_series(file).protocols) {
+        check_one(protocol, options);
       }
     } catch (const std::runtime_error& error) {
       std::fflush(stdout);
@@ -127,8 +135,9 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Validate protocols and print their designs");
-  command->add_option("files", options->files, "Protocol files")->required();
+  CLI::App* command =
+      app.add_subcommand("check", "Validate protocols, or series of them, and print their designs");
+  command->add_option("files", options->files, "Files of protocols or series")->required();
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()

@@ -76,10 +76,10 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
-  check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
   const bool group = options.participants > 0;
   plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
            options.seed.value_or(1));
+  check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
   return part;
 }
 
@@ -94,6 +94,7 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
     part.series_place = static_cast<std::int64_t>(i) + 1;
     if (i + 1 < count) {
       part.protocol.script.thanks = part_done(i + 1, count);
+      part.protocol.script.part_follows = true;
     }
     if (!names.insert(part.protocol.name).second) {
       throw InputError(options.protocol + ":/protocols/" + std::to_string(i) +

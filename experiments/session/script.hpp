@@ -138,6 +138,7 @@ struct Script {
   std::int64_t break_every{0};  ///< main trials; 0: no breaks
   std::vector<FreeQuestion> questions;
   Text thanks;
+  bool part_follows{false};  ///< after the thanks: another protocol of a series
   std::optional<RatingScale> scale{};
   TrialTiming timing;
   std::optional<ClickTask> clicks;

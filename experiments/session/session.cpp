@@ -106,7 +106,7 @@ class Session {
     // Saved before the words: closing the window on the last page loses nothing.
     ports_.recorder.mark_finished();
     ports_.recorder.await_saved();
-    ports_.input.ask(thanks_page(script_.thanks, progress()));
+    ports_.input.ask(thanks_page(script_.thanks, script_.part_follows, progress()));
     return true;
   }
 

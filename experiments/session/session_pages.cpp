@@ -108,7 +108,8 @@ std::optional<Page> practice_feedback(const Script& script, const AttemptRecord&
   text.title = text.title.empty() ? "Practice" : text.title;
   if (!script.practice_rule && !has_right_answers(script)) {  // which would ask for better ones
     text.paragraphs.emplace_back(
-        "There are no right or wrong answers: it is how it looked to you.");
+        script.yes_no ? "Answer by how it looked to you."
+                      : "There are no right or wrong answers: it is how it looked to you.");
   }
   return text_page(text, progress);
 }
@@ -186,9 +187,9 @@ Page quit_page(const SessionProgress& progress) {
   return page;
 }
 
-Page thanks_page(const Text& text, const SessionProgress& progress) {
+Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress) {
   Page page = text_page(text, progress);
-  page.choices = {{"Close", "space"}};
+  page.choices = {{part_follows ? "Continue" : "Close", "space"}};
   page.can_pause = false;
   return page;
 }

@@ -57,6 +57,8 @@ Page break_page(const Text& text, std::int64_t done, std::int64_t total,
 Page question_page(const FreeQuestion& question, const SessionProgress& progress);
 Page pause_page(const SessionProgress& progress);
 Page quit_page(const SessionProgress& progress);
-Page thanks_page(const Text& text, const SessionProgress& progress);
+
+/// The last page: leaving it closes the session, or goes on to the next part of a series.
+Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress);
 
 }  // namespace impetus

@@ -158,6 +158,17 @@ TEST(Responses, PracticeFeedbackSaysInWordsWhetherItWasRight) {
   EXPECT_EQ(feedback({kAskFreeText}, 300, 0), "none");
 }
 
+TEST(Responses, PracticeFeedbackOnYesOrNoWithoutARuleDoesNotDenyThatOneIsRight) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["yes_no"].erase("right_when");
+  TestLab lab(60.0, study_of(protocol));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), kYes);
+  const auto page = practice_feedback(lab.protocol.script, record, {});
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->title, "You answered “yes”");
+  EXPECT_EQ(page->paragraphs, (std::vector<std::string>{"Answer by how it looked to you."}));
+}
+
 TEST(Responses, PracticeFeedbackSaysThatTheTimeWasUp) {
   TestLab lab(60.0, asked({kAskRating}));
   lab.input.on_page = [](const Page&) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/session/input_error.hpp"
+#include "experiments/session/session_pages.hpp"
 #include "tests/experiments/program.hpp"
 
 namespace impetus {
@@ -49,6 +50,12 @@ TEST(Series, AParticipantGoesThroughAllPartsInOrder) {
                   "ending) FROM (SELECT * FROM session JOIN enrolment ON enrolment.id = "
                   "enrolment_id JOIN protocol ON protocol.id = protocol_id ORDER BY session.id)"),
             "causality two 1 finished,gap two 2 finished");
+}
+
+TEST(Series, TheLastPageOfAPartContinuesAndThatOfTheSeriesCloses) {
+  const Text text{"Part 1 of 2 is complete", {}};
+  EXPECT_EQ(thanks_page(text, true, {}).choices.front().label, "Continue");
+  EXPECT_EQ(thanks_page(text, false, {}).choices.front().label, "Close");
 }
 
 TEST(Series, DemographicsAreAskedOnce) {
@@ -99,6 +106,15 @@ TEST(Series, TheShippedOneIsTheThesissThreeExperimentsInTheirOrder) {
     names.push_back(protocol.stem().string());
   }
   EXPECT_EQ(names, (std::vector<std::string>{"causality", "gap", "response"}));
+}
+
+TEST(Series, CheckingItChecksEachOfItsProtocols) {
+  const TemporaryFolder folder;
+  folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
+  const ProgramResult run = run_program(folder, {"check", "two.json"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_NE(run.output.find("causality.json: valid\n"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("gap.json: valid\n"), std::string::npos) << run.output;
 }
 
 TEST(Series, AFileThatIsNotThereIsRefused) {
