@@ -89,7 +89,7 @@ bool GazeCalibration::take_correction(const Occasion& occasion) {
       record_of(*found, CalibrationKind::kCalibration, occasion, task_.accuracy_limit_deg);
   record.correction =
       ports_.gaze->is_pointer() ? GazeCorrection{} : fit_gaze_correction(fixated(record));
-  record.passed = record.correction.has_value();
+  record.passed = record.correction && record.accuracy_deg;  // a pointer needs no correction
   if (record.correction) {
     ports_.gaze_correction = *record.correction;
   }

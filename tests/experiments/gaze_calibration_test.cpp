@@ -102,6 +102,18 @@ Fixation wandering(const ScreenPoint& looked_at) {
                      std::abs(looked_at.y_m) * 0.7};
 }
 
+TEST(GazeCalibrated, WithoutAnySampleNotEvenAPointersCalibrationPasses) {
+  CalibrationLab lab;
+  lab.eye.pointer = true;
+  lab.eye.fault = [](const ScreenPoint&) { return std::nullopt; };
+  lab.run();
+  ASSERT_GE(lab.recorder.calibrations.size(), 2U);
+  for (const CalibrationRecord& record : lab.recorder.calibrations) {
+    EXPECT_FALSE(record.passed);
+    EXPECT_EQ(record.accuracy_deg, std::nullopt);
+  }
+}
+
 TEST(GazeCalibrated, AfterThePoorTriesTheExperimenterLetsItGoOn) {
   CalibrationLab lab;
   lab.eye.fault = wandering;
