@@ -35,6 +35,7 @@ const std::vector<Room> kRooms = {
     {"experiments/models", {"engine"}, {"assimp", "JSON"}},
     {"experiments/session", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
+    {"experiments/trade", {"experiments/scenes"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
     {"experiments/protocol",
      {"experiments/session", "experiments/scenes", "experiments/observers"},
@@ -42,7 +43,7 @@ const std::vector<Room> kRooms = {
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
-     {"experiments/protocol", "experiments/store", "experiments/stage"},
+     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -12,7 +12,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, got ";
+      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, "
+      "trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");
