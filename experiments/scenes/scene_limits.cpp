@@ -106,6 +106,28 @@ void add_fall_problems(const json& scene, Problems& problems) {
   }
 }
 
+/// What may be drawn for each body of a random spin.
+void add_spin_problems(const json& scene, Problems& problems) {
+  const json::json_pointer place("/imposed/random_spin");
+  if (!scene.contains(place)) {
+    return;
+  }
+  for (const char* body : {"a", "b"}) {
+    const json& limits = scene[place][body];
+    Vector3 most;
+    for (int i = 0; i < 3; ++i) {
+      const auto component = static_cast<std::size_t>(i);
+      most[i] = std::max(std::abs(limits["least_rad_s"][component].get<double>()),
+                         std::abs(limits["most_rad_s"][component].get<double>()));
+    }
+    if (most.norm() > kMostSpin_rad_s) {
+      problems.push_back({place.to_string() + "/" + body,
+                          "expected a spin of " + text_of(kMostSpin_rad_s, " rad/s") +
+                              " at most, got " + text_of(most.norm(), " rad/s")});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<SceneProblem> limit_problems(const json& scene) {
@@ -123,6 +145,7 @@ std::vector<SceneProblem> limit_problems(const json& scene) {
     add_weight_problems(scene, m_per_deg, problems);
   }
   add_fall_problems(scene, problems);
+  add_spin_problems(scene, problems);
   return problems;
 }
 

@@ -1,6 +1,6 @@
 // What of a scene lies beyond the engine's limits (engine/dynamics/limits.hpp).
 //
-// Those of places, speeds, spins and steps that the schema keeps within them are not asked again.
+// Those of places, speeds, spins of bodies and steps are not asked: the schema keeps within them.
 // SPDX-License-Identifier: MIT
 #pragma once
 

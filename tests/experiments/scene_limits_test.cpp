@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "engine/dynamics/limits.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
@@ -55,6 +58,33 @@ TEST(SceneLimits, AFallBeyondWherePlacesAreKnownIsRefused) {
   EXPECT_EQ(scene_refusal(scene),
             "/engine/gravity_m_s2: expected a fall of 1e+08 m at most in the 3600 s that the scene "
             "lasts, got 6.48e+09 m");
+}
+
+TEST(SceneLimits, ARandomSpinBeyondTheLimitIsRefused) {
+  json scene = json::parse(shipped("stimuli/two-l-blocks-off-centre.json"));
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  scene["imposed"]["random_spin"]["b"]["most_rad_s"] = {6000, 8000, 100};
+  EXPECT_EQ(scene_refusal(scene),
+            "/imposed/random_spin/b: expected a spin of 10000 rad/s at most, got 10000.5 rad/s");
+}
+
+TEST(SceneLimits, TheSchemaKeepsWithinAllOthers) {
+  const json& schema = scene_schema();
+  const json& engine = schema["properties"]["engine"]["properties"];
+  EXPECT_GE(1.0 / engine["step_hz"]["maximum"].get<double>(), kLeastStep_s);
+  EXPECT_LE(1.0 / engine["step_hz"]["minimum"].get<double>(), kMostStep_s);
+  const double farthest_m =
+      metres_of(std::sqrt(3.0) * schema["definitions"]["vector"]["items"]["maximum"].get<double>());
+  const double longest_s = schema["properties"]["duration_s"]["maximum"].get<double>();
+  EXPECT_LE(farthest_m, kMostSpeed_m_s) << "a second";
+  EXPECT_LE(farthest_m * (1.0 + longest_s), kMostDistance_m) << "at the end";
+  const double most_deg_s = schema["definitions"]["vector"]["items"]["maximum"].get<double>();
+  EXPECT_LE(std::sqrt(3.0) * most_deg_s * 0.0174533, kMostSpin_rad_s);
+  for (const json& measure : schema["definitions"]["shape"]["properties"]) {
+    if (measure.value("type", std::string()) == std::string("number")) {
+      EXPECT_LE(metres_of(measure["maximum"].get<double>()), kMostSize_m);
+    }
+  }
 }
 
 TEST(SceneLimits, TheProgramRefusesToCheckAndToPreviewSuchAScene) {
