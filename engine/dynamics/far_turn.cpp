@@ -11,7 +11,7 @@
 namespace impetus {
 namespace {
 
-/// Radians that a point of L can turn within the body in a step and the iterations converge well.
+/// Radians that L can turn within the body in a step and the iterations converge well.
 constexpr double kFar = 0.5;
 /// Geometric mean of the turns about the two axes in a part of the step (radians).
 constexpr double kPartOfTurn = 0.2;
@@ -133,8 +133,12 @@ class FarTurn {
 }  // namespace
 
 bool turns_far(const BodyModel& model, const BodyState& state, double dt_s) {
-  const double most = model.inverse_inertia.diagonal().maxCoeff();
-  return dt_s * most * state.angular_momentum.norm() > kFar;
+  const Matrix3& inverse = model.inverse_inertia;
+  const double products =
+      std::max({std::abs(inverse(0, 1)), std::abs(inverse(0, 2)), std::abs(inverse(1, 2))});
+  const double apart =
+      inverse.diagonal().maxCoeff() - inverse.diagonal().minCoeff() + 2.0 * products;
+  return dt_s * apart * state.angular_momentum.norm() > kFar;
 }
 
 Quaternion turned_far(const BodyModel& model, const BodyState& state, double dt_s) {

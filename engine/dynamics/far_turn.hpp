@@ -19,7 +19,8 @@ namespace impetus {
 /// Of a step, at most: a turn beyond what these take well is taken less well, but keeps energy.
 inline constexpr int kMostTurnParts = 4096;
 
-/// Whether motion.hpp's iterations could fail to converge.
+/// Whether motion.hpp's iterations could fail to converge: by how far L can turn within the body. A
+/// ball, within which it does not turn, never turns far.
 bool turns_far(const BodyModel& model, const BodyState& state, double dt_s);
 
 /// The orientation after `dt_s` seconds.
