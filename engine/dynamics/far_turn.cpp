@@ -13,6 +13,8 @@ namespace {
 
 /// Radians that L can turn within the body in a step and the iterations converge well.
 constexpr double kFar = 0.5;
+/// Share of the energy that it is found to again.
+constexpr double kRounding = 1e-15;
 /// Geometric mean of the turns about the two axes in a part of the step (radians).
 constexpr double kPartOfTurn = 0.2;
 
@@ -92,14 +94,24 @@ class FarTurn {
     turned_ = turned_ * by;
   }
 
-  /// Moves the momentum on its sphere along the steepest way to the energy that it had, and the
-  /// body with it.
+  /// Moves the momentum on its sphere to the energy that it had, and the body with it.
   void return_to(double energy) {
-    constexpr int kIterations = 12;
-    constexpr double kRounding = 1e-15;
-    constexpr double kMostStep = 0.2;  // of the sphere's radius
     const double size = seen_.norm();
     const Vector3 before = seen_ / size;
+    go_steepest(energy, size);
+    if (std::abs(twice_energy() - energy) > kRounding * energy) {
+      go_towards_extreme(energy, size);
+    }
+    const Vector3 after = seen_ / size;
+    const Vector3 axis = after.cross(before);
+    turned_ =
+        turned_ * Quaternion(1.0 + after.dot(before), axis.x(), axis.y(), axis.z()).normalized();
+  }
+
+  /// Newton's steps along the steepest way: a few, unless a saddle is near.
+  void go_steepest(double energy, double size) {
+    constexpr int kIterations = 12;
+    constexpr double kMostStep = 0.2;  // of the sphere's radius
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       const Vector3 along = seen_ / size;
       const Vector3 gradient = 2.0 * inverse_.cwiseProduct(seen_);
@@ -113,10 +125,26 @@ class FarTurn {
       const double step = std::clamp(excess / slope, -kMostStep * size, kMostStep * size);
       seen_ = (seen_ - step / slope * steepest).normalized() * size;
     }
-    const Vector3 after = seen_ / size;
-    const Vector3 axis = after.cross(before);
-    turned_ =
-        turned_ * Quaternion(1.0 + after.dot(before), axis.x(), axis.y(), axis.z()).normalized();
+  }
+
+  /// Halves the arc to the principal axis of the least energy, or of the most: the energy that is
+  /// looked for is always on it.
+  void go_towards_extreme(double energy, double size) {
+    constexpr int kHalvings = 60;
+    const bool falls = twice_energy() > energy;
+    int extreme = 0;
+    static_cast<void>(falls ? inverse_.minCoeff(&extreme) : inverse_.maxCoeff(&extreme));
+    const Vector3 from = seen_ / size;
+    const Vector3 to =
+        from[extreme] < 0.0 ? Vector3(-Vector3::Unit(extreme)) : Vector3::Unit(extreme);
+    double near = 0.0;
+    double far = 1.0;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double middle = 0.5 * (near + far);
+      seen_ = ((1.0 - middle) * from + middle * to).normalized() * size;
+      double& end = (twice_energy() > energy) == falls ? near : far;
+      end = middle;
+    }
   }
 
   double dt_s_;
