@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/staged_scene.hpp"
@@ -19,10 +20,10 @@ namespace impetus {
 
 class TrialStarts {
  public:
-  /// `scene` as for build_scene(); all must outlive this.
-  TrialStarts(const nlohmann::json& scene, const ScreenGeometry& screen, ShapeLibrary& library,
+  /// `scene` as for build_scene(); `library` must outlive this.
+  TrialStarts(nlohmann::json scene, const ScreenGeometry& screen, ShapeLibrary& library,
               std::uint64_t seed)
-      : scene_(scene), screen_(screen), library_(library), seed_(seed) {}
+      : scene_(std::move(scene)), screen_(screen), library_(library), seed_(seed) {}
 
   /// Start `number`, from 1, with trees of `kind`; "": the scene's own.
   [[nodiscard]] StagedScene staged(const std::string& kind, std::int64_t number) const;
@@ -31,8 +32,8 @@ class TrialStarts {
   [[nodiscard]] StagedScene as_drawn(const nlohmann::json& scene, std::int64_t number) const;
   void jitter(World& world, std::int64_t number) const;
 
-  const nlohmann::json& scene_;
-  const ScreenGeometry& screen_;
+  nlohmann::json scene_;
+  ScreenGeometry screen_;
   ShapeLibrary& library_;
   std::uint64_t seed_;
 };

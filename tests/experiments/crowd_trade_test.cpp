@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "experiments/session/collision_truth.hpp"
+#include "experiments/trade/removal_curve.hpp"
 #include "tests/experiments/crowded_trade.hpp"
 
 namespace impetus {
