@@ -85,6 +85,14 @@ plain <- function(x) format(x, scientific = FALSE, trim = TRUE, drop0trailing = 
 
 plain_each <- function(x) vapply(x, function(one) if (is.na(one)) NA_character_ else plain(one), "")
 
+# The least error drawn holds all that is less.
+error_labels <- function(x) {
+  text <- plain_each(x)
+  least <- which(x == suppressWarnings(min(x, na.rm = TRUE)) & x %in% kPanels$least)
+  text[least] <- paste0("\u2264 ", text[least])
+  text
+}
+
 trade_figure <- function(rows) {
   impacts <- impacts_of(rows)
   pairs <- pairs_of(rows)
@@ -102,15 +110,15 @@ trade_figure <- function(rows) {
     ggplot2::geom_text(ggplot2::aes(ms, Inf, label = paste(ms, "ms")), budgets, angle = 90,
       hjust = 1.1, vjust = -0.35, size = 5.5 / ggplot2::.pt, colour = "grey35") +
     ggplot2::geom_step(data = frontier, linewidth = 2.2, colour = "grey86") +
-    ggplot2::geom_line(ggplot2::aes(colour = kind), linewidth = 0.4) +
-    ggplot2::geom_point(ggplot2::aes(colour = kind), size = 2.3, shape = 16) +
-    ggplot2::geom_text(ggplot2::aes(label = level), size = 4.6 / ggplot2::.pt, colour = "white",
+    ggplot2::geom_path(ggplot2::aes(colour = kind), linewidth = 0.4) +
+    ggplot2::geom_point(ggplot2::aes(colour = kind), size = 2, shape = 16) +
+    ggplot2::geom_text(ggplot2::aes(label = level), size = 4.2 / ggplot2::.pt, colour = "white",
       fontface = "bold") +
     ggplot2::facet_wrap("title", ncol = 1, scales = "free_y") +
     ggplot2::scale_x_log10(paste0("Milliseconds a step, ", plain(signif(pairs, 2)),
       if (pairs == 1) " pair" else " pairs"), labels = plain_each,
       breaks = 10^(-5:3)) +
-    ggplot2::scale_y_log10(NULL, labels = plain_each,
+    ggplot2::scale_y_log10(NULL, labels = error_labels,
       breaks = as.vector(outer(c(1, 3), 10^(-4:4))),
       expand = ggplot2::expansion(mult = c(0.07, 0.12))) +
     ggplot2::scale_colour_manual(NULL, values = kColours[kinds], breaks = kinds) +

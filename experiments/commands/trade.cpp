@@ -237,7 +237,8 @@ std::string settings_text(const Trade& trade, const std::vector<TradeChoice>& ch
 
 void tell(const std::vector<TradeChoice>& choices, double pairs,
           const std::filesystem::path& folder) {
-  std::printf("%s pairs of bodies to refine a step\n", two_digits(pairs).c_str());
+  std::printf("a step refines %s %s of bodies (95th percentile)\n", two_digits(pairs).c_str(),
+              pairs == 1.0 ? "pair" : "pairs");
   std::string last;
   for (const TradeChoice& choice : choices) {
     const std::string words = words_for(choice.option);

@@ -39,9 +39,11 @@ std::string draw_trade_figure(const std::filesystem::path& folder) {
   const std::string table = (folder / "trade.csv").string();
   write_whole_file(script, trade_script());
   const std::string by_hand = "Rscript " + script + " " + table;
+  const std::filesystem::path figure = folder / "trade.svg";
+  std::filesystem::remove(figure);
   const int status = status_of({"Rscript", "--vanilla", script, table});
-  if (status == 0) {
-    return "figure: " + (folder / "trade.svg").string() + ", " + (folder / "trade.pdf").string();
+  if (status == 0 && std::filesystem::exists(figure)) {
+    return "figure: " + figure.string() + ", " + (folder / "trade.pdf").string();
   }
   const std::string missing = status == kNoProgram ? "Rscript is missing" : "Rscript failed";
   return "no figure: " + missing + "; with R and ggplot2 (apt-get install r-cran-ggplot2), " +

@@ -62,21 +62,25 @@ TradeChoice choice_for(double budget_ms, const std::vector<TradeOption>& options
   return choice_of(*quickest, budget_ms, pairs, runs);
 }
 
-std::string with_interval(const Estimate& estimate) {
-  std::string text = two_digits(estimate.value);
-  if (std::isfinite(estimate.low) && std::isfinite(estimate.high)) {
+/// With its interval where it has both ends and is no less than what matters.
+std::string with_interval(const Estimate& estimate, double least) {
+  std::string text = two_digits_from(least, estimate.value);
+  if (std::isfinite(estimate.low) && std::isfinite(estimate.high) && estimate.value >= least) {
     text += " (" + two_digits(estimate.low) + "–" + two_digits(estimate.high) + ")";
   }
   return text;
 }
+
+constexpr double kLeastVelocity = 1e-3;  // a share of the approach
 
 std::string table_line(const TradeChoice& choice) {
   const TradeOption& option = choice.option;
   return "| " + two_digits(choice.budget_ms) + (choice.keeps ? "" : ", not kept") + " | " +
          name_of(option.kind) + " | " + std::to_string(option.level) + " | " + option.reduction +
          " | " + two_digits(option.mean_us) + " | " + two_digits(choice.pairs_ms) + " | " +
-         two_digits(choice.step_ms) + " | " + with_interval(option.normal_deg) + " | " +
-         with_interval(option.gap_arcmin) + " | " + with_interval(option.linear) + " |\n";
+         two_digits(choice.step_ms) + " | " + with_interval(option.normal_deg, kLeastNormal_deg) +
+         " | " + with_interval(option.gap_arcmin, kLeastGap_arcmin) + " | " +
+         with_interval(option.linear, kLeastVelocity) + " |\n";
 }
 
 }  // namespace

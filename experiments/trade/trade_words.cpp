@@ -44,10 +44,19 @@ std::string two_digits(double value) {
   }
   const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
   const double unit = std::pow(10.0, before_point - 2);
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", std::max(0, 2 - before_point),
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.*f", std::max(0, 2 - before_point),
                 std::round(value / unit) * unit);
+  std::string text = digits;
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
   return text;
+}
+
+std::string two_digits_from(double least, double value) {
+  return value < least ? "< " + two_digits(least) : two_digits(value);
 }
 
 std::string words_for(const TradeOption& option) {
@@ -56,8 +65,12 @@ std::string words_for(const TradeOption& option) {
 }
 
 std::string error_words(const TradeOption& option) {
-  return "median normal error " + two_digits(option.normal_deg.value) + "°, 95 % of gaps below " +
-         two_digits(option.gap_arcmin.value) + " minutes of arc";
+  const double normal_deg = option.normal_deg.value;
+  return "median normal error " +
+         (normal_deg < kLeastNormal_deg ? "below " + two_digits(kLeastNormal_deg)
+                                        : two_digits(normal_deg)) +
+         "°, 95 % of gaps below " +
+         two_digits(std::max(kLeastGap_arcmin, option.gap_arcmin.value)) + " minutes of arc";
 }
 
 }  // namespace impetus
