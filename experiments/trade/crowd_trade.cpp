@@ -143,8 +143,8 @@ class Trajectory {
     input_.dt_s = 1.0 / scene.step_hz;
   }
 
-  [[nodiscard]] static std::int64_t steps_of(const StagedScene& scene) {
-    return static_cast<std::int64_t>(std::floor(scene.duration_s * scene.step_hz));
+  [[nodiscard]] static std::int64_t steps_of(const StagedScene& scene, double longest_s) {
+    return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
   }
 
   /// What the next step is given. To be called once before each.
@@ -184,7 +184,7 @@ class Crowd {
         request_(request),
         clock_(clock),
         progress_(progress),
-        steps_(Trajectory::steps_of(scene)),
+        steps_(Trajectory::steps_of(scene, request.longest_s)),
         tried_(scene.world) {
     scene_.world.set_costs(costs_of_tests(scene.world.settings().costs));
   }

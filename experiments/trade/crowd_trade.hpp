@@ -30,6 +30,7 @@ struct CrowdRequest {
   std::vector<std::int64_t> budgets;
   double sampled_every_s{0.25};  ///< of the scene's time
   std::uint64_t seed{1};         ///< of where the viewer looks, and of all that is random
+  double longest_s{30.0};        ///< of the scene's time: no more of it is tried
 };
 
 /// A sampled step, whatever the order.

@@ -13,8 +13,8 @@ namespace {
 
 using Poses = std::vector<Pose>;
 
-std::int64_t steps_of(const StagedScene& scene) {
-  return static_cast<std::int64_t>(std::floor(scene.duration_s * scene.step_hz));
+std::int64_t steps_of(const StagedScene& scene, double longest_s) {
+  return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
 }
 
 /// A trial of a scene, step by step.
@@ -49,10 +49,10 @@ class Trial {
 };
 
 /// Poses of all bodies after each step, at the finest level.
-std::vector<Poses> reference_of(const StagedScene& scene) {
+std::vector<Poses> reference_of(const StagedScene& scene, double longest_s) {
   Trial trial(scene, {}, kUnlimitedTests, 0);
   std::vector<Poses> course;
-  for (std::int64_t step = 1; step <= steps_of(scene); ++step) {
+  for (std::int64_t step = 1; step <= steps_of(scene, longest_s); ++step) {
     Poses poses;
     for (const BodyState& state : trial.step()) {
       poses.push_back(state.pose);
@@ -127,7 +127,7 @@ std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& r
       const PartingSetting& setting = all[i].setting;
       if (!scene || setting.kind != all[i - 1].setting.kind) {
         scene.emplace(start(setting.kind, number));
-        reference = reference_of(*scene);
+        reference = reference_of(*scene, request.longest_s);
       }
       all[i].trials.push_back(
           parted(*scene, reference, tried(*scene, setting, request.seed), request.thresholds));

@@ -56,7 +56,8 @@ struct PartingRequest {
   std::vector<PartingSetting> settings;  ///< of one kind one after the other
   std::int64_t starts{5};
   PartingThresholds thresholds;
-  std::uint64_t seed{1};  ///< of what is random in an order
+  std::uint64_t seed{1};   ///< of what is random in an order
+  double longest_s{30.0};  ///< of a trial: longer ones are cut, their bodies censored there
 };
 
 /// The scene with trees of `kind` at start `number`, from 1.
