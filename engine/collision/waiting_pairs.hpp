@@ -12,8 +12,8 @@
 //                    × acuity there, relative to the fovea's (relative_acuity.hpp)
 //                    / (what the tests of the next level cost × levels until then)
 //
-// A gap shows where coarse bounds touch and surfaces do not. Let the deepest nodes overlap by δ, and
-// let D be what the fit errors lose until a finer level. Its bounds lie closer to the surfaces
+// A gap shows where coarse bounds touch and surfaces do not. Let the deepest nodes overlap by δ,
+// and let D be what the fit errors lose until a finer level. Its bounds lie closer to the surfaces
 // by between nothing and D, as far as is known each as likely. Where that is more than δ they part,
 // and the gap that goes with them is at least the rest: (D − δ)² / 2D, on average. Of several finer
 // levels the one that pays most counts. Bounds that overlap deeply, as those of bodies that

@@ -57,15 +57,16 @@ std::vector<std::int64_t> few_of(const std::vector<std::int64_t>& budgets) {
 /// Every kind and level without a budget; and, with the scene's own trees, each traversal by
 /// eccentricity within each budget.
 std::vector<PartingSetting> settings_of(const ScheduledTrade& trade,
-                                        const std::vector<Traversal>& traversals,
+                                        const ScheduledTradeOptions& options,
                                         const std::vector<std::int64_t>& budgets) {
   std::vector<PartingSetting> settings;
-  for (const std::string& kind : trade.kinds) {
+  const std::vector<std::string> own{""};
+  for (const std::string& kind : options.kinds.empty() ? own : options.kinds) {
     for (const int level : levels_of(trade)) {
       settings.push_back({kind, level, {"distance"}, {}});
     }
   }
-  for (const Traversal traversal : traversals) {
+  for (const Traversal traversal : traversals_of(options)) {
     for (const std::int64_t budget : few_of(budgets)) {
       settings.push_back({"", kUnlimitedLevel, {"eccentricity", traversal}, budget});
     }
@@ -96,7 +97,7 @@ std::vector<TradeRow> parting_part(const ScheduledTrade& trade,
                                    const std::vector<std::int64_t>& budgets) {
   ProgressLine line("whole trials");
   PartingRequest request;
-  request.settings = settings_of(trade, traversals_of(options), budgets);
+  request.settings = settings_of(trade, options, budgets);
   request.starts = options.starts;
   request.thresholds = {options.parted_deg, options.parted_turn_deg};
   request.seed = trade.seed;

@@ -21,6 +21,7 @@ struct ScheduledTradeOptions {
   int starts{3};                      ///< of whole trials
   double parted_deg{0.5};
   double parted_turn_deg{10.0};
+  std::vector<std::string> kinds;  ///< of trees in whole trials; none: the scene's own
 };
 
 void add_options(CLI::App& command, ScheduledTradeOptions& options);
@@ -29,7 +30,6 @@ void add_options(CLI::App& command, ScheduledTradeOptions& options);
 struct ScheduledTrade {
   const JsonDocument& scene;
   ScreenGeometry screen;
-  std::vector<std::string> kinds;
   std::vector<int> levels;  ///< none: all but the finest
   std::uint64_t seed{1};
 };

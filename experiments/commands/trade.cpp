@@ -273,8 +273,8 @@ int trade(const TradeOptions& options) {
   }
   std::vector<TradeRow> rows = scene_rows(trade.demand, title_of(scene));
   const ImpactMeasures impacts = add_impacts(trade, shapes, rows);
-  append(scheduled_trade_rows({scene, screen, options.kinds, options.levels, options.seed},
-                              options.scheduled, shapes),
+  append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
+                              shapes),
          rows);
   const std::vector<TradeChoice> choices = choose(trade, impacts, shapes);
   const double pairs = pairs_per_step(trade.demand);
@@ -314,6 +314,7 @@ void add_trade(CLI::App& app, Command& chosen) {
   command->add_flag("--force", options->force, "Overwrite an existing result");
   command->callback([options, &chosen] {
     chosen = [options] {
+      options->scheduled.kinds = options->kinds;
       if (options->kinds.empty()) {
         options->kinds = tree_kind_names();
       }
