@@ -10,9 +10,9 @@
 #include "experiments/protocol/scene_loading.hpp"
 
 #ifdef IMPETUS_WINDOW
+#include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/level_collision.hpp"
 #include "experiments/session/steady_clock.hpp"
@@ -34,23 +34,6 @@ struct PreviewOptions {
 
 #ifdef IMPETUS_WINDOW
 
-/// The lab's screen; what is assumed, and said, where none was entered.
-ScreenGeometry screen_of(const PreviewOptions& options) {
-  if (!options.screen_file.empty()) {
-    return load_screen(options.screen_file);
-  }
-  if (std::filesystem::exists(default_screen_file())) {
-    return load_screen(default_screen_file());
-  }
-  ScreenGeometry screen = assumed_screen();
-  std::printf(
-      "No screen was entered: %.1f cm x %.1f cm seen from %.0f cm is assumed; `impetus screen` "
-      "asks.\n",
-      screen.width_m * 100.0, screen.height_m * 100.0, screen.viewing_distance_m * 100.0);
-  screen.width_px = screen.height_px = 0;
-  return screen;
-}
-
 constexpr double kExactHold = 0.0;
 
 int picture_px(const char* name, int given, int usual) {
@@ -68,7 +51,8 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
   const PictureSize size{picture_px("--width", options.width_px, 480),
                          picture_px("--height", options.height_px, 360)};
   ShapeLibrary shapes;
-  const StagedScene staged = build_scene(scene.value, screen_of(options), kExactHold, shapes);
+  const StagedScene staged =
+      build_scene(scene.value, chosen_screen(options.screen_file), kExactHold, shapes);
   try {
     const CollisionByLevel collision = collision_by_level(staged);
     write_png(strip_of(collision, staged, size), options.strip);
@@ -100,7 +84,7 @@ void show(const JsonDocument& scene, const PreviewOptions& options) {
     return;
   }
   const WindowOptions asked = window_options(options.window_size);
-  const ScreenGeometry screen = screen_of(options);
+  const ScreenGeometry screen = chosen_screen(options.screen_file);
   ShapeLibrary shapes;
   build_shapes(scene.value, screen, shapes);
   const SteadyClock clock;

@@ -1,50 +1,288 @@
 // `impetus trade`: what each kind of tree, level and reduction costs and errs, on a scene of the
-// user's; written as a table.
+// user's; as a table, a figure and advice.
+//
+//   scene ──simulate──> who meets, how fast, how many pairs ──random impacts──> rows
+//   rows ──budgets──> choices, each run in the scene ──> advice, settings to paste
+//
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/numerics/trigonometry.hpp"
+#include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/scheduled_trade.hpp"
+#include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
-#include "experiments/trade/trade_row.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/steady_clock.hpp"
+#include "experiments/trade/chosen_settings.hpp"
+#include "experiments/trade/csv_line.hpp"
+#include "experiments/trade/impact_rows.hpp"
+#include "experiments/trade/scene_pairs.hpp"
+#include "experiments/trade/scene_rows.hpp"
+#include "experiments/trade/step_time.hpp"
+#include "experiments/trade/trade_choice.hpp"
+#include "experiments/trade/trade_words.hpp"
 
 namespace impetus {
 namespace {
 
+using nlohmann::json;
+
 struct TradeOptions {
   std::string scene;
   std::string out{"trade"};
+  std::string screen_file;
+  std::vector<std::string> kinds;
+  std::vector<int> levels;
+  std::vector<std::string> reductions;
+  std::vector<double> budgets_ms{1.0, 4.0, 16.0, 50.0};
+  int depth{-1};
+  int impacts{200};
   std::uint64_t seed{1};
   bool force{false};
+  ScheduledTradeOptions scheduled;
 };
 
-/// Before anything is measured. Throws InputError.
-void prepare_folder(const std::filesystem::path& folder, bool force) {
-  std::error_code error;
-  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder)) {
-    throw InputError("--out: expected a folder, but " + folder.string() + " is a file");
-  }
-  if (!force && std::filesystem::exists(folder / "trade.csv")) {
-    throw InputError((folder / "trade.csv").string() +
-                     ": exists already and is not overwritten without --force");
-  }
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError("--out: expected a folder to write to, could not make " + folder.string());
+constexpr int kUsualDepth = 3;
+constexpr int kGreatestSceneDepth = 6;
+constexpr std::size_t kMostPairs = 6;
+constexpr double kExactHold = 0.0;
+constexpr double kLongestRun_s = 5.0;
+
+void require(bool fulfilled, const std::string& sentence) {
+  if (!fulfilled) {
+    throw InputError(sentence);
   }
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+std::vector<std::string> all_reductions() {
+  const auto names = reduction_names();
+  return {names.begin(), names.end()};
+}
+
+void require_names(const char* option, const std::vector<std::string>& given,
+                   const std::vector<std::string>& known) {
+  for (const std::string& name : given) {
+    require(std::find(known.begin(), known.end(), name) != known.end(),
+            std::string(option) + ": expected some of " + listed(known) + ", got " + name);
+  }
+}
+
+void check(const TradeOptions& options) {
+  require_names("--kinds", options.kinds, tree_kind_names());
+  require_names("--reductions", options.reductions, all_reductions());
+  const std::string range = std::to_string(kGreatestSceneDepth);
+  require(options.depth >= -1 && options.depth <= kGreatestSceneDepth,
+          "--depth: expected from 0 to " + range + ", got " + std::to_string(options.depth));
+  for (const int level : options.levels) {
+    require(level >= 0 && level <= kGreatestSceneDepth,
+            "--levels: expected from 0 to " + range + ", got " + std::to_string(level));
+  }
+  require(options.impacts >= 10 && options.impacts <= 100'000,
+          "--impacts: expected from 10 to 100000, got " + std::to_string(options.impacts));
+  for (const double budget_ms : options.budgets_ms) {
+    require(budget_ms > 0.0,
+            "--budgets-ms: expected milliseconds above 0, got " + std::to_string(budget_ms));
+  }
+}
+
+/// Before anything is measured. Throws InputError.
+void prepare_folder(const std::filesystem::path& folder, bool force) {
+  require(!std::filesystem::exists(folder) || std::filesystem::is_directory(folder),
+          "--out: expected a folder, but " + folder.string() + " is a file");
+  require(
+      force || !std::filesystem::exists(folder / "trade.csv"),
+      (folder / "trade.csv").string() + ": exists already and is not overwritten without --force");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  require(!error, "--out: expected a folder to write to, could not make " + folder.string());
+}
+
+/// What the parts work on.
+struct Trade {
+  const JsonDocument& scene;
+  const TradeOptions& options;
+  ScreenGeometry screen;
+  int depth{0};
+  StagedScene staged;
+  SceneDemand demand;
+};
+
+int depth_of(const TradeOptions& options, const json& scene) {
+  if (options.depth >= 0) {
+    return options.depth;
+  }
+  int depth = std::max(kUsualDepth, scene["engine"].value("tree_depth", 0));
+  for (const int level : options.levels) {
+    depth = std::max(depth, level);
+  }
+  return depth;
+}
+
+std::string title_of(const JsonDocument& scene) {
+  return std::filesystem::path(scene.name).stem().string();
+}
+
+bool are_balls(const TradeBodies& bodies) {
+  return std::all_of(bodies.alike.begin(), bodies.alike.end(),
+                     [](const ImpactBody& body) { return body.look.mesh == nullptr; });
+}
+
+std::vector<ScenePair> pairs_of(const Trade& trade, std::vector<TreeKind>& kinds,
+                                ShapeLibrary& shapes) {
+  ProgressLine line("building trees");
+  shapes.tell([&line](double share) { line.tell(share); });
+  const TradeBodies bodies =
+      trade_bodies(trade.scene.value, metres_per_degree(trade.screen.viewing_distance_m), kinds,
+                   trade.depth, shapes);
+  shapes.tell({});
+  if (are_balls(bodies)) {  // a ball is its own tree, whatever the kind
+    kinds.resize(1);
+  }
+  return scene_pairs(bodies, trade.demand, trade.staged, kMostPairs);
+}
+
+/// So that a pair counts as often as it meets, and none too little to say anything.
+int impacts_of(const ScenePair& pair, std::int64_t meetings, int impacts) {
+  constexpr int kFewest = 20;
+  return std::max(std::min(kFewest, impacts), static_cast<int>(impacts * pair.meetings / meetings));
+}
+
+std::vector<ImpactMeasures> measure_pairs(const Trade& trade, ShapeLibrary& shapes) {
+  ImpactSettings settings;
+  for (const std::string& kind : trade.options.kinds) {
+    settings.kinds.push_back(tree_kind(kind));
+  }
+  const std::vector<ScenePair> pairs = pairs_of(trade, settings.kinds, shapes);
+  require(!pairs.empty(),
+          trade.scene.name + ": expected two bodies that can meet, got none of which one can move");
+  settings.levels = trade.options.levels;
+  for (int level = 0; trade.options.levels.empty() && level <= trade.depth; ++level) {
+    settings.levels.push_back(level);
+  }
+  settings.reductions = trade.options.reductions;
+  settings.seed = trade.options.seed;
+  std::int64_t meetings = 0;
+  for (const ScenePair& pair : pairs) {
+    meetings += pair.meetings;
+  }
+  std::vector<ImpactMeasures> measures;
+  const SteadyClock clock;
+  for (const ScenePair& pair : pairs) {
+    ProgressLine line("impacts of " + pair.pair.name());
+    settings.impacts = impacts_of(pair, meetings, trade.options.impacts);
+    measures.push_back(
+        measure_impacts(pair.pair, settings, clock, [&line](double share) { line.tell(share); }));
+  }
+  return measures;
+}
+
+void append(std::vector<TradeRow> more, std::vector<TradeRow>& rows) {
+  std::move(more.begin(), more.end(), std::back_inserter(rows));
+}
+
+/// The part of impacts: its rows, and the measures to choose by.
+ImpactMeasures add_impacts(const Trade& trade, ShapeLibrary& shapes, std::vector<TradeRow>& rows) {
+  const std::vector<ImpactMeasures> measures = measure_pairs(trade, shapes);
+  for (const ImpactMeasures& each : measures) {
+    append(impact_rows(each), rows);
+  }
+  if (measures.size() == 1) {
+    return measures.front();
+  }
+  ImpactMeasures all = pooled(measures, "all pairs");
+  append(impact_rows(all), rows);
+  return all;
+}
+
+std::vector<TradeChoice> choose(const Trade& trade, const ImpactMeasures& measures,
+                                ShapeLibrary& shapes) {
+  ProgressLine line("running the scene");
+  const SteadyClock clock;
+  double done = 0.0;
+  const RunScene run = [&](const TradeOption& option) {
+    const StagedScene staged =
+        build_scene(scene_with(trade.scene.value, option), trade.screen, kExactHold, shapes);
+    line.tell(done += 0.1);
+    return quantile_of(step_times_ms(staged, clock, kLongestRun_s), 0.95).value;
+  };
+  std::vector<double> budgets_ms = trade.options.budgets_ms;
+  std::sort(budgets_ms.begin(), budgets_ms.end());
+  return choices_for(budgets_ms, trade_options(measures), pairs_per_step(trade.demand), run);
+}
+
+std::string settings_text(const Trade& trade, const std::vector<TradeChoice>& choices) {
+  json settings = json::object();
+  for (const TradeChoice& choice : choices) {
+    settings[csv_number(choice.budget_ms) + " ms"] = {
+        {"engine", engine_with(trade.scene.value, choice.option)}};
+  }
+  return settings.dump(2) + "\n";
+}
+
+void tell(const std::vector<TradeChoice>& choices, double pairs,
+          const std::filesystem::path& folder) {
+  std::printf("a step refines %s %s of bodies (95th percentile)\n", two_digits(pairs).c_str(),
+              pairs == 1.0 ? "pair" : "pairs");
+  std::string last;
+  for (const TradeChoice& choice : choices) {
+    const std::string words = words_for(choice.option);
+    if (words != last || !choice.keeps) {  // what a larger budget leaves as it was says nothing new
+      std::printf("%s\n", advice(choice).c_str());
+    }
+    last = words;
+  }
+  std::printf("written to %s: trade.csv, choices.md, choices.csv, choices.json\n%s\n",
+              folder.string().c_str(), draw_trade_figure(folder).c_str());
+}
+
 int trade(const TradeOptions& options) {
+  check(options);
   const JsonDocument scene = load_scene(options.scene);
   const std::filesystem::path folder = options.out;
   prepare_folder(folder, options.force);
-  std::vector<TradeRow> rows;  // each part adds its own
+  ShapeLibrary shapes;
+  const ScreenGeometry screen = chosen_screen(options.screen_file);
+  Trade trade{scene,
+              options,
+              screen,
+              depth_of(options, scene.value),
+              build_scene(scene.value, screen, kExactHold, shapes),
+              {}};
+  check(options.scheduled, trade.staged);
+  {
+    ProgressLine line("simulating the scene");
+    trade.demand = demand_of(trade.staged, [&line](double share) { line.tell(share); });
+  }
+  std::vector<TradeRow> rows = scene_rows(trade.demand, title_of(scene));
+  const ImpactMeasures impacts = add_impacts(trade, shapes, rows);
+  append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
+                              shapes),
+         rows);
+  const std::vector<TradeChoice> choices = choose(trade, impacts, shapes);
+  const double pairs = pairs_per_step(trade.demand);
   write_whole_file(folder / "trade.csv", csv_of(rows));
-  std::printf("written to %s\n", (folder / "trade.csv").string().c_str());
+  write_whole_file(folder / "choices.csv", choices_csv(choices));
+  write_whole_file(folder / "choices.md", choices_page(choices, title_of(scene), pairs));
+  write_whole_file(folder / "choices.json", settings_text(trade, choices));
+  tell(choices, pairs, folder);
   return kDone;
 }
 
@@ -56,10 +294,36 @@ void add_trade(CLI::App& app, Command& chosen) {
       "trade", "Measure speed against accuracy on a scene, and advise what to choose");
   command->add_option("scene", options->scene, "Scene file")->required();
   command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
-  command->add_option("--seed", options->seed, "Another number, other poses")
+  command->add_option("--kinds", options->kinds, "Of " + listed(tree_kind_names()) + "; all")
+      ->delimiter(',');
+  command->add_option("--levels", options->levels, "Such as 0,2,3; all to the depth")
+      ->delimiter(',');
+  command
+      ->add_option("--reductions", options->reductions, "Of " + listed(all_reductions()) + "; all")
+      ->delimiter(',');
+  command->add_option("--depth", options->depth,
+                      "Of the trees; the scene's, at least 3, when left out");
+  command->add_option("--budgets-ms", options->budgets_ms, "Milliseconds a step; 1,4,16,50")
+      ->delimiter(',');
+  command->add_option("--impacts", options->impacts, "To measure at")->capture_default_str();
+  add_options(*command, options->scheduled);
+  command->add_option("--seed", options->seed, "Another number, other impacts")
       ->capture_default_str();
+  command->add_option("--screen", options->screen_file,
+                      "Screen file instead of the user's settings");
   command->add_flag("--force", options->force, "Overwrite an existing result");
-  command->callback([options, &chosen] { chosen = [options] { return trade(*options); }; });
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      options->scheduled.kinds = options->kinds;
+      if (options->kinds.empty()) {
+        options->kinds = tree_kind_names();
+      }
+      if (options->reductions.empty()) {
+        options->reductions = all_reductions();
+      }
+      return trade(*options);
+    };
+  });
 }
 
 }  // namespace impetus

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace impetus {
 namespace {
@@ -56,6 +57,15 @@ Estimate quantile_of(std::vector<double> values, double p) {
     } else if (at_most_i >= 1.0 - kTail) {
       found.high = values[static_cast<std::size_t>(i)];
     }
+  }
+  return found;
+}
+
+Estimate mean_of(const std::vector<double>& values) {
+  Estimate found;
+  found.n = static_cast<std::int64_t>(values.size());
+  if (!values.empty()) {
+    found.value = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(found.n);
   }
   return found;
 }

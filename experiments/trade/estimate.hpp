@@ -26,6 +26,9 @@ struct Estimate {
 /// interval that so few values cannot tell is NaN; so is everything of no values.
 Estimate quantile_of(std::vector<double> values, double p);
 
+/// The mean, without an interval.
+Estimate mean_of(const std::vector<double>& values);
+
 /// `k` of `n`, with 0 ≤ k ≤ n; NaN of none.
 Estimate share_of(std::int64_t k, std::int64_t n);
 

@@ -24,6 +24,7 @@
 #include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/creature_mesh.hpp"
+#include "engine/shapes/first_touch.hpp"
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/mesh_distance.hpp"
@@ -79,20 +80,18 @@ inline BodyModel impact_model(const ImpactSolid& solid, std::shared_ptr<const Vo
 
 /// Moves `pose` along `direction` (unit) until its mesh is within `gap_m` of the other, and returns
 /// the closest points; none when it passes by.
-inline std::optional<ClosestPoints> advance_to_touch(const ImpactSolid& a, Pose& pose,
-                                                     const Vector3& direction, const ImpactSolid& b,
-                                                     const Pose& pose_b, double gap_m) {
-  for (int step = 0; step < 400; ++step) {
-    const ClosestPoints closest = mesh_distance(a.mesh, pose, b.mesh, pose_b);
-    if (closest.distance_m <= gap_m) {
-      return closest.distance_m > 0.0 ? std::optional(closest) : std::nullopt;
-    }
-    if ((pose.position - pose_b.position).dot(direction) > a.radius_m + b.radius_m) {
-      return std::nullopt;
-    }
-    pose.position += (closest.distance_m - 0.5 * gap_m) * direction;
-  }
-  return std::nullopt;
+inline std::optional<FirstTouch> advance_to_touch(const ImpactSolid& a, Pose& pose,
+                                                  const Vector3& direction, const ImpactSolid& b,
+                                                  const Pose& pose_b, double gap_m) {
+  const auto moved = [&](double way_m) {
+    return Pose{pose.position + way_m * direction, pose.orientation};
+  };
+  const double way_to_b_m = (pose_b.position - pose.position).dot(direction);
+  const auto found =
+      first_touch([&](double way_m) { return mesh_distance(a.mesh, moved(way_m), b.mesh, pose_b); },
+                  gap_m, way_to_b_m + a.radius_m + b.radius_m);
+  pose = moved(found ? found->way_m : 0.0);
+  return found;
 }
 
 /// An impact of two of `solids`, none when the bodies pass by or only graze.
@@ -114,11 +113,12 @@ inline std::optional<ExactImpact> try_impact(RandomStream& random,
   of_b.pose.orientation = random_turn(random);
   const Vector3 spin_a = random_in_cube(random, 0.5) / a.radius_m;
   const Vector3 spin_b = random_in_cube(random, 0.5) / b.radius_m;
-  const auto closest = advance_to_touch(a, of_a.pose, direction, b, of_b.pose,
+  const auto touched = advance_to_touch(a, of_a.pose, direction, b, of_b.pose,
                                         kGap * std::min(a.radius_m, b.radius_m));
-  if (!closest) {
+  if (!touched) {
     return std::nullopt;
   }
+  const ClosestPoints* closest = &touched->closest;
   impact.touch.normal = (closest->on_a - closest->on_b) / closest->distance_m;
   impact.touch.point = 0.5 * (closest->on_a + closest->on_b);
   const double along = -impact.touch.normal.dot(direction);

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/trade/trade_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "experiments/trade/csv_line.hpp"
+#include "experiments/trade/trade_words.hpp"
+
+namespace impetus {
+namespace {
+
+/// Runs the scene with each option once.
+class KnownRuns {
+ public:
+  explicit KnownRuns(const RunScene& run_scene) : run_scene_(run_scene) {}
+
+  double step_ms(const TradeOption& option) {
+    const auto key = std::make_tuple(option.kind, option.level, option.reduction);
+    const auto known = known_.find(key);
+    return known != known_.end() ? known->second : known_[key] = run_scene_(option);
+  }
+
+ private:
+  const RunScene& run_scene_;
+  std::map<std::tuple<TreeKind, int, std::string>, double> known_;
+};
+
+/// Runs are not for free: of options that are too slow, so many are tried before the quickest.
+constexpr std::size_t kMostTries = 6;
+
+TradeChoice choice_of(const TradeOption& option, double budget_ms, double pairs, KnownRuns& runs) {
+  TradeChoice choice;
+  choice.budget_ms = budget_ms;
+  choice.option = option;
+  choice.pairs_ms = option.step_ms(pairs);
+  choice.step_ms = runs.step_ms(option);
+  choice.keeps = choice.pairs_ms <= budget_ms && !(choice.step_ms > budget_ms);
+  return choice;
+}
+
+TradeChoice choice_for(double budget_ms, const std::vector<TradeOption>& options, double pairs,
+                       KnownRuns& runs) {
+  double most_ms = budget_ms;
+  for (std::size_t i = 0; i < kMostTries; ++i) {
+    const std::vector<TradeOption> within = ranked(options, pairs, most_ms);
+    if (within.empty()) {
+      break;
+    }
+    const TradeChoice choice = choice_of(within.front(), budget_ms, pairs, runs);
+    if (choice.keeps) {
+      return choice;
+    }
+    // The scene took so many times what its pairs did; what takes less than that must be next.
+    most_ms = std::min(0.99 * choice.pairs_ms, choice.pairs_ms * budget_ms / choice.step_ms);
+  }
+  const auto quickest = std::min_element(
+      options.begin(), options.end(),
+      [](const TradeOption& x, const TradeOption& y) { return x.mean_us < y.mean_us; });
+  return choice_of(*quickest, budget_ms, pairs, runs);
+}
+
+/// With its interval where it has both ends and is no less than what matters.
+std::string with_interval(const Estimate& estimate, double least) {
+  std::string text = two_digits_from(least, estimate.value);
+  if (std::isfinite(estimate.low) && std::isfinite(estimate.high) && estimate.value >= least) {
+    text += " (" + two_digits(estimate.low) + "–" + two_digits(estimate.high) + ")";
+  }
+  return text;
+}
+
+constexpr double kLeastVelocity = 1e-3;  // a share of the approach
+
+std::string table_line(const TradeChoice& choice) {
+  const TradeOption& option = choice.option;
+  return "| " + two_digits(choice.budget_ms) + (choice.keeps ? "" : ", not kept") + " | " +
+         name_of(option.kind) + " | " + std::to_string(option.level) + " | " + option.reduction +
+         " | " + two_digits(option.mean_us) + " | " + two_digits(choice.pairs_ms) + " | " +
+         two_digits(choice.step_ms) + " | " + with_interval(option.normal_deg, kLeastNormal_deg) +
+         " | " + with_interval(option.gap_arcmin, kLeastGap_arcmin) + " | " +
+         with_interval(option.linear, kLeastVelocity) + " |\n";
+}
+
+}  // namespace
+
+std::vector<TradeChoice> choices_for(const std::vector<double>& budgets_ms,
+                                     const std::vector<TradeOption>& options, double pairs,
+                                     const RunScene& run_scene) {
+  KnownRuns runs(run_scene);
+  std::vector<TradeChoice> choices;
+  for (const double budget_ms : budgets_ms) {
+    choices.push_back(choice_for(budget_ms, options, pairs, runs));
+  }
+  return choices;
+}
+
+std::string advice(const TradeChoice& choice) {
+  const std::string begin = choice.keeps ? "within " + two_digits(choice.budget_ms) + " ms, "
+                                         : "nothing keeps within " + two_digits(choice.budget_ms) +
+                                               " ms; the quickest are ";
+  return begin + words_for(choice.option) + ": " + error_words(choice.option) + ".";
+}
+
+std::string choices_page(const std::vector<TradeChoice>& choices, const std::string& title,
+                         double pairs) {
+  std::string text = "# What to choose: " + title + "\n\n";
+  for (const TradeChoice& choice : choices) {
+    text += "- " + advice(choice) + "\n";
+  }
+  text +=
+      "\n| budget, ms | tree | level | reduction | µs a pair | ms a step, pairs | ms a step, run | "
+      "normal error, ° | 95 % of gaps below, ′ | velocity error "
+      "|\n|---|---|---|---|---|---|---|---|"
+      "---|---|\n";
+  for (const TradeChoice& choice : choices) {
+    text += table_line(choice);
+  }
+  text +=
+      "\nA step refines " + two_digits(pairs) +
+      " pairs of bodies (95th percentile of the steps that have any). \"Pairs\" is what they "
+      "take at what one took by itself; \"run\" the 95th percentile of the steps of this scene, "
+      "run with the choice, without schedule and budget. Errors are medians against the exact "
+      "meshes at first touch; in brackets 95 % intervals. Gaps are between the surfaces where "
+      "the bounds first touch, seen at the screen's centre with nothing hidden. The velocity "
+      "error is a share of the speed of approach. `choices.json` holds each choice as the "
+      "scene's \"engine\".\n";
+  return text;
+}
+
+std::string choices_csv(const std::vector<TradeChoice>& choices) {
+  std::string text =
+      csv_line({"budget_ms", "keeps", "kind", "level", "reduction", "pair_us", "pairs_ms",
+                "step_ms", "normal_error_deg", "normal_error_low", "normal_error_high",
+                "gap_p95_arcmin", "gap_p95_low", "gap_p95_high", "linear_error", "angular_error"});
+  for (const TradeChoice& choice : choices) {
+    const TradeOption& option = choice.option;
+    text += csv_line({csv_number(choice.budget_ms), choice.keeps ? "true" : "false",
+                      name_of(option.kind), std::to_string(option.level), option.reduction,
+                      csv_number(option.mean_us), csv_number(choice.pairs_ms),
+                      csv_number(choice.step_ms), csv_number(option.normal_deg.value),
+                      csv_number(option.normal_deg.low), csv_number(option.normal_deg.high),
+                      csv_number(option.gap_arcmin.value), csv_number(option.gap_arcmin.low),
+                      csv_number(option.gap_arcmin.high), csv_number(option.linear.value),
+                      csv_number(option.angular.value)});
+  }
+  return text;
+}
+
+}  // namespace impetus

@@ -1,0 +1,45 @@
+// What to choose for each budget, checked by running the scene with it.
+//
+//   options within the budget, best first ──run the scene──> the first whose steps keep to it
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/trade/trade_option.hpp"
+#include "experiments/trade/trade_row.hpp"
+
+namespace impetus {
+
+struct TradeChoice {
+  double budget_ms{0.0};
+  TradeOption option;
+  double pairs_ms{0.0};  ///< what the pairs of a step take, from what they took one by one
+  double step_ms{0.0};   ///< 95th percentile of the steps of the scene run with it; NaN: none touch
+  bool keeps{true};      ///< to the budget, both; the quickest option is given when none does
+};
+
+/// Milliseconds of a step of the scene run with an option: its 95th percentile.
+using RunScene = std::function<double(const TradeOption& option)>;
+
+/// One choice for each budget, in their order. Precondition: there is an option.
+std::vector<TradeChoice> choices_for(const std::vector<double>& budgets_ms,
+                                     const std::vector<TradeOption>& options, double pairs,
+                                     const RunScene& run_scene);
+
+/// "within 4 ms, oriented boxes to level 3 with grouped averages: median normal error 6°, 95 % of
+/// gaps below 9 minutes of arc."
+std::string advice(const TradeChoice& choice);
+
+/// As a table to read, with a sentence for every choice and what its numbers rest on.
+std::string choices_page(const std::vector<TradeChoice>& choices, const std::string& title,
+                         double pairs);
+
+/// The same numbers as CSV.
+std::string choices_csv(const std::vector<TradeChoice>& choices);
+
+}  // namespace impetus
