@@ -2,6 +2,7 @@
 #include "engine/trees/build_tree.hpp"
 
 #include "engine/trees/fitted_tree.hpp"
+#include "engine/trees/heterogeneous_tree.hpp"
 #include "engine/trees/medial_tree.hpp"
 #include "engine/trees/octree.hpp"
 #include "engine/trees/solid_requirement.hpp"
@@ -18,8 +19,9 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
   switch (settings.kind) {
     case TreeKind::kBox:
     case TreeKind::kSwept:
-    case TreeKind::kHeterogeneous:
       return build_fitted_tree(solid, settings, progress).tree;
+    case TreeKind::kHeterogeneous:
+      return heterogeneous_tree(solid, settings, progress).tree;
     case TreeKind::kVoxel:
       return build_voxel_tree(solid, settings, progress).tree;
     case TreeKind::kMedial:

@@ -11,7 +11,7 @@ namespace impetus {
 /// Raised when a change makes any builder's tree differ: trees of another version are built anew.
 /// Recordings depend on their trees, so kRecordingFormat (engine/dynamics/state_hash.hpp) rises
 /// too.
-inline constexpr int kTreeBuilderVersion = 1;
+inline constexpr int kTreeBuilderVersion = 2;
 
 /// A tree of at most `settings.depth` + 1 levels, fewer when nothing finer would change anything,
 /// in the frame of `solid`, which should be about its centre of mass. Every level covers the whole

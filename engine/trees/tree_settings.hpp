@@ -13,7 +13,7 @@ namespace impetus {
 /// voxel          cubes of a regular grid, their places implicit
 /// box            oriented boxes
 /// swept          spheres swept along a point, a segment or a rectangle, whichever fits best
-/// heterogeneous  for each node the volume of any kind that fits best for its cost
+/// heterogeneous  for each node the volume that fits best for its cost, or all medial spheres
 enum class TreeKind { kOctree, kMedial, kVoxel, kBox, kSwept, kHeterogeneous };
 
 struct TreeSettings {

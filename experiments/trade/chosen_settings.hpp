@@ -8,12 +8,13 @@
 
 namespace impetus {
 
-/// The scene's "engine" with the option's kind of tree, its level as the deepest, and its
-/// reduction. A schedule stays, its lists no deeper than the level; a single level becomes the
-/// option's. What the option does not decide stays as it is. Precondition: `scene` is valid.
-nlohmann::json engine_with(const nlohmann::json& scene, const TradeOption& option);
+/// The scene's "engine" with trees of the option's kind to `depth`, as they were measured, its
+/// level as the deepest that is used, and its reduction. A schedule stays, its lists no deeper than
+/// the level; without one the level is stated. What the option does not decide stays as it is.
+/// Preconditions: `scene` is valid; the option's level is at most `depth`.
+nlohmann::json engine_with(const nlohmann::json& scene, const TradeOption& option, int depth);
 
 /// The scene in which every collision is handled as the option says: without schedule and budget.
-nlohmann::json scene_with(nlohmann::json scene, const TradeOption& option);
+nlohmann::json scene_with(nlohmann::json scene, const TradeOption& option, int depth);
 
 }  // namespace impetus

@@ -33,9 +33,9 @@ struct BoundsMeasures {
   TreeKind kind{TreeKind::kOctree};
   int level{0};
   double bytes{0.0};  ///< of both trees' nodes to this level; of one tree where both are the same
-  std::vector<double> tests;     ///< of node pairs, to this level
-  std::vector<double> overlaps;  ///< of nodes at this level
-  std::vector<double> refine_us;
+  std::vector<double> tests;         ///< of node pairs, to this level
+  std::vector<double> overlaps;      ///< of nodes at this level
+  std::vector<double> refine_us;     ///< placing and tests
   std::int64_t missed{0};            ///< impacts that the level does not see: none should be
   std::int64_t collisions{0};        ///< approaches at which the bounds touch
   std::int64_t false_collisions{0};  ///< of these, those whose surfaces do not

@@ -57,6 +57,10 @@ void add_bounds(const ImpactMeasures& measures, const BoundsMeasures& bounds,
   };
   add("tests", "1", "", bounds.tests, "p99", 0.99);
   add("overlaps", "1", "", bounds.overlaps, "p99", 0.99);
+  maker.of("descent_time", "us", "", true)
+      .add("mean", mean_of(bounds.refine_us))
+      .add("median", quantile_of(bounds.refine_us, 0.5))
+      .add("p99", quantile_of(bounds.refine_us, 0.99));
   Estimate bytes;
   bytes.n = 1;
   bytes.value = bounds.bytes;

@@ -2,6 +2,7 @@
 //
 //   measure             unit     statistic            against           of
 //   tests, overlaps     1        median, p99                            kind, level
+//   descent_time        us       mean, median, p99    -                 kind, level: tests alone
 //   memory              B        total                                  kind, level
 //   missed              1        share                                  kind, level: 0 is expected
 //   false_collisions    1        share of collisions  exact             kind, level

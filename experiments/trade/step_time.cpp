@@ -28,4 +28,32 @@ std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, 
   return times_ms;
 }
 
+std::vector<TradeRow> run_rows(const std::string& title, const TradeOption& option,
+                               const std::vector<double>& times_ms) {
+  struct Statistic {
+    const char* name;
+    double p;
+  };
+  std::vector<TradeRow> rows;
+  for (const Statistic& each :
+       {Statistic{"median", 0.5}, Statistic{"p95", 0.95}, Statistic{"p99", 0.99}}) {
+    const Estimate found = quantile_of(times_ms, each.p);
+    TradeRow& row = rows.emplace_back();
+    row.part = "run";
+    row.subject = title;
+    row.kind = name_of(option.kind);
+    row.level = option.level;
+    row.reduction = option.reduction;
+    row.measure = "step_time";
+    row.unit = "ms";
+    row.statistic = each.name;
+    row.n = found.n;
+    row.value = found.value;
+    row.low = found.low;
+    row.high = found.high;
+    row.by_clock = true;
+  }
+  return rows;
+}
+
 }  // namespace impetus

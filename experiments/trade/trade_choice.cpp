@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "experiments/trade/csv_line.hpp"
 #include "experiments/trade/trade_words.hpp"
@@ -12,44 +10,29 @@
 namespace impetus {
 namespace {
 
-/// Runs the scene with each option once.
-class KnownRuns {
- public:
-  explicit KnownRuns(const RunScene& run_scene) : run_scene_(run_scene) {}
-
-  double step_ms(const TradeOption& option) {
-    const auto key = std::make_tuple(option.kind, option.level, option.reduction);
-    const auto known = known_.find(key);
-    return known != known_.end() ? known->second : known_[key] = run_scene_(option);
-  }
-
- private:
-  const RunScene& run_scene_;
-  std::map<std::tuple<TreeKind, int, std::string>, double> known_;
-};
-
 /// Runs are not for free: of options that are too slow, so many are tried before the quickest.
 constexpr std::size_t kMostTries = 6;
 
-TradeChoice choice_of(const TradeOption& option, double budget_ms, double pairs, KnownRuns& runs) {
+TradeChoice choice_of(const TradeOption& option, double budget_ms, double pairs,
+                      const RunScene& run_scene) {
   TradeChoice choice;
   choice.budget_ms = budget_ms;
   choice.option = option;
   choice.pairs_ms = option.step_ms(pairs);
-  choice.step_ms = runs.step_ms(option);
+  choice.step_ms = run_scene(option);
   choice.keeps = choice.pairs_ms <= budget_ms && !(choice.step_ms > budget_ms);
   return choice;
 }
 
 TradeChoice choice_for(double budget_ms, const std::vector<TradeOption>& options, double pairs,
-                       KnownRuns& runs) {
+                       const RunScene& run_scene) {
   double most_ms = budget_ms;
   for (std::size_t i = 0; i < kMostTries; ++i) {
     const std::vector<TradeOption> within = ranked(options, pairs, most_ms);
     if (within.empty()) {
       break;
     }
-    const TradeChoice choice = choice_of(within.front(), budget_ms, pairs, runs);
+    const TradeChoice choice = choice_of(within.front(), budget_ms, pairs, run_scene);
     if (choice.keeps) {
       return choice;
     }
@@ -59,7 +42,7 @@ TradeChoice choice_for(double budget_ms, const std::vector<TradeOption>& options
   const auto quickest = std::min_element(
       options.begin(), options.end(),
       [](const TradeOption& x, const TradeOption& y) { return x.mean_us < y.mean_us; });
-  return choice_of(*quickest, budget_ms, pairs, runs);
+  return choice_of(*quickest, budget_ms, pairs, run_scene);
 }
 
 /// With its interval where it has both ends and is no less than what matters.
@@ -88,10 +71,9 @@ std::string table_line(const TradeChoice& choice) {
 std::vector<TradeChoice> choices_for(const std::vector<double>& budgets_ms,
                                      const std::vector<TradeOption>& options, double pairs,
                                      const RunScene& run_scene) {
-  KnownRuns runs(run_scene);
   std::vector<TradeChoice> choices;
   for (const double budget_ms : budgets_ms) {
-    choices.push_back(choice_for(budget_ms, options, pairs, runs));
+    choices.push_back(choice_for(budget_ms, options, pairs, run_scene));
   }
   return choices;
 }

@@ -23,7 +23,8 @@ struct TradeChoice {
   bool keeps{true};      ///< to the budget, both; the quickest option is given when none does
 };
 
-/// Milliseconds of a step of the scene run with an option: its 95th percentile.
+/// Milliseconds of a step of the scene run with an option: its 95th percentile. Asked for some
+/// options more than once.
 using RunScene = std::function<double(const TradeOption& option)>;
 
 /// One choice for each budget, in their order. Precondition: there is an option.

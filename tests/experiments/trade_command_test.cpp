@@ -132,11 +132,10 @@ TEST(ChosenSettings, OfEveryKindLevelAndReductionMakeAValidSceneOfEveryShippedSc
         option.level = level;
         option.reduction = "groups";
         JsonDocument pasted = scene;
-        pasted.value["engine"] = engine_with(scene.value, option);
+        pasted.value["engine"] = engine_with(scene.value, option, /*depth=*/5);
         EXPECT_NO_THROW(require_scene(pasted)) << name << ", " << kind << level;
-        EXPECT_EQ(pasted.value["engine"]["tree_depth"].get<int>(), level);
         JsonDocument run = scene;
-        run.value = scene_with(scene.value, option);
+        run.value = scene_with(scene.value, option, /*depth=*/5);
         EXPECT_NO_THROW(require_scene(run)) << name << ", " << kind << level;
       }
     }
@@ -149,7 +148,8 @@ TEST(ChosenSettings, KeepTheScheduleAndDeepenItsFinestListAlone) {
   option.kind = TreeKind::kMedial;
   option.level = 2;
   option.reduction = "weighted";
-  const json engine = engine_with(scene.value, option);
+  const json engine = engine_with(scene.value, option, /*depth=*/3);
+  EXPECT_EQ(engine["tree_depth"].get<int>(), 3);
   EXPECT_EQ(engine["schedule"]["lists"][0]["greatest_level"].get<int>(), 2);
   EXPECT_EQ(engine["schedule"]["lists"][1]["greatest_level"].get<int>(), 1);
   EXPECT_EQ(engine["contacts"].dump(), R"({"most_per_pair":4,"reduction":"weighted"})");
@@ -163,11 +163,12 @@ TEST(ChosenSettings, BuildTheTreesThatWereChosen) {
   option.level = 1;
   option.reduction = "first";
   JsonDocument pasted = scene;
-  pasted.value["engine"] = engine_with(scene.value, option);
+  pasted.value["engine"] = engine_with(scene.value, option, /*depth=*/3);
   ShapeLibrary shapes{TreeCache()};
   const StagedScene staged = build_scene(pasted.value, assumed_screen(), 0.0, shapes);
   const VolumeTree& tree = *staged.world.models()[0].tree;
   EXPECT_EQ(tree.level_count(), 2);
+  EXPECT_EQ(staged.world.settings().schedule.lists.at(0).greatest_level, 1);
   EXPECT_TRUE(std::holds_alternative<Box>(tree.volume(0)));
 }
 
