@@ -65,12 +65,20 @@ void World::change_settings(WorldSettings changed) {
   settings_ = std::move(changed);
 }
 
+std::int64_t World::nodes_transformed() const {
+  std::int64_t count = 0;
+  for (const PlacedTree& tree : placed_) {
+    count += tree.nodes_transformed();
+  }
+  return count;
+}
+
 const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   restart(memory_.report);
   move_and_pair(input.dt_s);
   prioritise(input);
   refine(input, meter);
-  model();
+  model(input);
   respond(input.dt_s);
   note_touching(input.viewer);
   hash_state(states_, memory_.report.state);
@@ -101,9 +109,6 @@ void World::move_and_pair(double dt_s) {
   }
   if (settings_.enclosure) {
     add_wall_candidates();
-  }
-  for (PairBounds& pair : memory_.candidates) {
-    measure_motion_and_fit(pair);
   }
 }
 
@@ -160,18 +165,6 @@ void World::add_wall_candidates() {
   }
 }
 
-void World::measure_motion_and_fit(PairBounds& pair) const {
-  constexpr int kLevelBeforeRefinement = 0;
-  const std::size_t a = at(pair.pair.a);
-  const std::size_t b = is_wall(pair.pair.b) ? a : at(pair.pair.b);
-  pair.velocity_a = velocity(models_[a], states_[a]);
-  pair.velocity_b = velocity(models_[b], states_[b]);
-  pair.fit_error_m = models_[a].tree->fit_error_m(kLevelBeforeRefinement);
-  if (!is_wall(pair.pair.b)) {
-    pair.fit_error_m += models_[b].tree->fit_error_m(kLevelBeforeRefinement);
-  }
-}
-
 bool World::is_capped_by_speed(BodyPair bodies) const {
   if (is_wall(bodies.b)) {
     return false;
@@ -198,33 +191,29 @@ int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_leve
                       greatest_level);
 }
 
+Measuring World::measuring(const StepInput& input) const {
+  return {settings_.schedule, input, models_, states_};
+}
+
 void World::prioritise(const StepInput& input) {
-  std::vector<MeasuredPair>& pairs = memory_.order;
-  measure(memory_.candidates, settings_.schedule, input.viewer, input.fixation, input.region,
-          pairs);
-  priorities_.raise(pairs, settings_.schedule.persistence_steps);
-  put_in_order(pairs);
+  memory_.order.put_into_lists(memory_.candidates, measuring(input));
+  priorities_.raise(memory_.order.pairs(), settings_.schedule.persistence_steps);
 }
 
 void World::refine(const StepInput& input, WorkMeter& meter) {
   memory_.refined.clear();
-  for (const MeasuredPair& pair : memory_.order) {
+  for (const MeasuredPair& pair : memory_.order.pairs()) {
     begin_refining(pair.scheduled, input);
   }
   StepReport& report = memory_.report;
   const Schedule& schedule = settings_.schedule;
-  const WorkDone& work = memory_.refinement.refine(
-      memory_.refined.all(), schedule.lists, meter,
-      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
-  report.work_granted = work.granted;
-  report.work_spent = work.spent;
-  report.work_floor = work.floor;
-  report.work_reserved = work.reserved;
-  report.work_peak = work.peak;
-  report.list_work = work.by_list;
-  if (report.work_granted < report.work_floor) {
-    report.degradations |= kFloorOverBudget;
-  }
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  const RefinementSettings settings{schedule.traversal, settings_.costs, settings_.contacts,
+                                    report.work_floor};
+  const std::size_t waiting = memory_.refinement.do_floor(pairs, schedule.lists, settings);
+  const std::span<const std::size_t> order =
+      memory_.order.places_by_priority(waiting, measuring(input));
+  report_work(memory_.refinement.refine(pairs, schedule.lists, order, meter, settings), report);
 }
 
 void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
@@ -269,22 +258,21 @@ MovingTree World::moving(std::size_t body) {
           {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
 }
 
-void World::model() {
+void World::model(const StepInput& input) {
   StepReport& report = memory_.report;
   ModelledCollisions& modelled = memory_.modelled;
   modelled.clear();
-  const PriorityMetric* metric = settings_.schedule.metric.get();
-  std::size_t place = 0;  // pairs are refined in the order they were put in
-  for (const RefinedPair& pair : memory_.refined.all()) {
-    const MeasuredPair& measured = memory_.order[place++];
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    const RefinedPair& pair = pairs[place];
     if (!pair.refinement.overlapping().empty()) {
       add_contacts_of(pair);
       CollisionReport collision;
       collision.list = pair.list;
       collision.level = pair.refinement.level();
       collision.stop = pair.refinement.stop_reason();
-      if (metric != nullptr) {
-        collision.measured = metric->priority(measured.priority);  // its sign turned back
+      if (settings_.schedule.metric != nullptr) {
+        collision.measured = memory_.order.measured(place, measuring(input));
       }
       modelled.add_contacts_as(collision);
     }
@@ -355,15 +343,19 @@ void World::respond(double dt_s) {
 }
 
 void World::note_touching(const Viewer& viewer) {
-  std::vector<BodyPair>& touching = memory_.touching;
+  if (settings_.schedule.persistence_steps > 0) {
+    std::vector<BodyPair>& touching = memory_.touching;
+    touching.clear();
+    for (const TouchingPair& pair : touching_) {
+      touching.push_back(pair.bodies);
+    }
+    priorities_.note_touching(touching);
+  }
   std::vector<TouchingLevel>& levels = memory_.touching_levels;
-  touching.clear();
   levels.clear();
   for (const CollisionReport& collision : memory_.report.collisions) {
-    touching.push_back(collision.bodies);
     levels.push_back({collision.bodies, collision.level, collision.contact.touch.point});
   }
-  priorities_.note_touching(touching);
   levels_.note(levels, models_, viewer, memory_.report.pops);
 }
 
