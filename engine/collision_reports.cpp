@@ -35,6 +35,7 @@ void restart(StepReport& report) {
   keep(report.pops, fresh.pops);
   keep(report.stopped, fresh.stopped);
   keep(report.node_contacts, fresh.node_contacts);
+  keep(report.not_finite, fresh.not_finite);
   report = std::move(fresh);
 }
 

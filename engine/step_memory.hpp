@@ -54,7 +54,6 @@ struct StepMemory {
   StepMemory& operator=(StepMemory&&) = default;
   ~StepMemory() = default;
 
-  std::vector<BodyState> before;  ///< the step, of those that can be stopped
   std::vector<MovedBound> bounds;
   std::vector<PairBounds> candidates;
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped

@@ -2,11 +2,13 @@
 #include "engine/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "engine/collision_reports.hpp"
+#include "engine/world_checks.hpp"
 
 namespace impetus {
 namespace {
@@ -17,23 +19,16 @@ void require(bool condition, const char* message) {
   }
 }
 
-bool is_finite(const BodyState& state) {
-  return state.pose.position.allFinite() && state.pose.orientation.coeffs().allFinite() &&
-         state.linear_momentum.allFinite() && state.angular_momentum.allFinite();
-}
-
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
 World::World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings)
     : models_(std::move(models)), states_(std::move(states)), settings_(std::move(settings)) {
-  require(models_.size() == states_.size(), "world: one state per body model is needed");
-  const std::string problem = problem_of(settings_);
-  require(problem.empty(), problem.c_str());
+  for (const std::string& problem : {problem_of(models_, states_), problem_of(settings_)}) {
+    require(problem.empty(), problem.c_str());
+  }
   for (BodyModel& body : models_) {
-    require(body.tree != nullptr, "world: every body needs a volume tree");
-    require(body.inverse_mass >= 0.0, "world: an inverse mass cannot be negative");
     if (body.inverse_mass == 0.0) {
       body.inverse_inertia.setZero();
     }
@@ -74,7 +69,10 @@ std::int64_t World::nodes_transformed() const {
 }
 
 const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
+  require(input.dt_s >= 0.0 && std::isfinite(input.dt_s),
+          "world: expected a time step of 0 s or more, a finite number");
   restart(memory_.report);
+  finite_.begin(states_, memory_.report.not_finite);
   move_and_pair(input.dt_s);
   prioritise(input);
   refine(input, meter);
@@ -86,21 +84,28 @@ const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
 }
 
 void World::move_and_pair(double dt_s) {
-  const bool stops_fast_pairs = settings_.tunnelling == Tunnelling::kStopAtEntry;
-  if (stops_fast_pairs) {
-    memory_.before = states_;
-  }
   find_falls(dt_s);
   std::vector<MovedBound>& bounds = memory_.bounds;
   bounds.clear();
   for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
-                                       memory_.falls.empty() ? Fall{} : memory_.falls[body]);
+    double travelled_m = 0.0;
+    if (!finite_.is_out(body)) {
+      travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
+                            memory_.falls.empty() ? Fall{} : memory_.falls[body]);
+      finite_.check(body, states_[body], memory_.report.not_finite);
+    }
+    const bool takes_part = !finite_.is_out(body);
     const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
-    bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
+    bounds.push_back(
+        {bound, takes_part ? travelled_m : 0.0, takes_part && models_[body].inverse_mass > 0.0});
   }
   broad_phase_.find(bounds, memory_.candidates);
-  if (stops_fast_pairs) {
+  if (finite_.any_out()) {
+    std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
+      return finite_.is_out(at(pair.pair.a)) || finite_.is_out(at(pair.pair.b));
+    });
+  }
+  if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
     stop_fast_pairs(dt_s);
   }
   for (std::size_t body = 0; body < models_.size(); ++body) {
@@ -138,7 +143,7 @@ void World::stop_fast_pairs(double dt_s) {
   }
   std::vector<PairBounds>& candidates = memory_.candidates;
   const Stopping& stopping =
-      stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level, settings_.costs,
+      stop_at_entry({dt_s, models_, finite_.before(), candidates, greatest_level, settings_.costs,
                      settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
                     states_, placed_, memory_.entries);
   for (PairBounds& pair : candidates) {
@@ -337,7 +342,15 @@ void World::respond(double dt_s) {
   if (result.residual_approach_m_s > 0.0) {
     report.degradations |= kApproachRemains;
   }
-  if (!std::all_of(states_.begin(), states_.end(), is_finite)) {
+  note_not_finite();
+}
+
+void World::note_not_finite() {
+  StepReport& report = memory_.report;
+  for (std::size_t body = 0; body < states_.size(); ++body) {
+    finite_.check(body, states_[body], report.not_finite);
+  }
+  if (finite_.any_out()) {
     report.degradations |= kNotFinite;
   }
 }

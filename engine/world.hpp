@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
+#include "engine/dynamics/finite_states.hpp"
 #include "engine/impositions.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -37,10 +38,12 @@ struct TouchingPair {
 class World {
  public:
   /// `states` are the bodies' states at time zero, one per model. Throws std::invalid_argument on
-  /// an unequal number, a body without a tree, or settings out of range.
+  /// an unequal number, a body or state that it cannot step (world_checks.hpp), or settings out of
+  /// range.
   World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings);
 
-  /// What it returns stays until the next step, and as long as the world does.
+  /// What it returns stays until the next step, and as long as the world does. Throws
+  /// std::invalid_argument unless `input.dt_s` is a finite number, 0 or more.
   const StepReport& step(const StepInput& input, WorkMeter& meter);
 
   [[nodiscard]] const std::vector<BodyModel>& models() const { return models_; }
@@ -72,6 +75,7 @@ class World {
   void find_falls(double dt_s);
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
+  void note_not_finite();
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
   [[nodiscard]] Measuring measuring(const StepInput& input) const;
@@ -91,6 +95,7 @@ class World {
 
   std::vector<BodyModel> models_;
   std::vector<BodyState> states_;
+  FiniteStates finite_{states_};
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
   SweepAndPrune broad_phase_;

@@ -1,0 +1,14 @@
+// A crowd of blocks in a closed cube.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "experiments/extremes/extreme_scene.hpp"
+
+namespace impetus {
+
+/// Blocks in box trees at random places and orientations, flying at about 1 m/s and spinning at
+/// about 5 rad/s; their bounding balls would fill `filled` of the cube. The same for the same
+/// arguments.
+ExtremeScene crowd_scene(int count, double filled, double restitution, std::int64_t steps);
+
+}  // namespace impetus
