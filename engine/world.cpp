@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "engine/collision/all_pairs.hpp"
 #include "engine/collision_reports.hpp"
+#include "engine/volumes/wall_reach.hpp"
 #include "engine/world_checks.hpp"
 
 namespace impetus {
@@ -18,6 +20,9 @@ void require(bool condition, const char* message) {
     throw std::invalid_argument(message);
   }
 }
+
+/// So few are sooner all tested against each other than put in order; the pairs are the same.
+constexpr std::size_t kFewBodies = 24;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -99,7 +104,11 @@ void World::move_and_pair(double dt_s) {
     bounds.push_back(
         {bound, takes_part ? travelled_m : 0.0, takes_part && models_[body].inverse_mass > 0.0});
   }
-  broad_phase_.find(bounds, memory_.candidates);
+  if (bounds.size() <= kFewBodies) {
+    find_among_all(bounds, memory_.candidates);
+  } else {
+    broad_phase_.find(bounds, memory_.candidates);
+  }
   if (finite_.any_out()) {
     std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
       return finite_.is_out(at(pair.pair.a)) || finite_.is_out(at(pair.pair.b));
@@ -162,9 +171,10 @@ void World::stop_fast_pairs(double dt_s) {
 }
 
 void World::add_wall_candidates() {
+  const WallReach reaches(*settings_.enclosure);
   for (std::size_t body = 0; body < memory_.bounds.size(); ++body) {
     const auto& [bound, travelled_m, movable] = memory_.bounds[body];
-    if (movable && reaches_wall(*settings_.enclosure, bound)) {
+    if (movable && reaches(bound)) {
       memory_.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
     }
   }

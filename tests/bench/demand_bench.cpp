@@ -1,16 +1,19 @@
 // What scenes of growing demand pay, each beside the one before it.
 //
-//   impetus_demand_bench [--quick]
+//   impetus_demand_bench [--only SCENE] [--steps N] [--quick]
 //
 //   bytes     world: bodies, states and trees placed; trees; what steps work with, at the end
 //   step      node-pair tests, nodes transformed, calls of `new` after the first second, all by
 //             step; microseconds of thread CPU time: median, 99th percentile
 //
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <set>
 #include <string>
 
+#include "tests/bench/bench_options.hpp"
 #include "tests/bench/thread_time.hpp"
 #include "tests/engine/allocation/counted_new.hpp"
 #include "tests/experiments/demand_scenes.hpp"
@@ -84,9 +87,8 @@ void count_tests(const DemandScene& scene, std::int64_t steps, Demand& demand) {
   demand.tests = static_cast<double>(tests) / static_cast<double>(steps);
 }
 
-Demand measured(const DemandScene& scene, double seconds) {
+Demand measured(const DemandScene& scene, std::int64_t steps, double looking_us) {
   Demand demand;
-  const auto steps = static_cast<std::int64_t>(seconds * scene.staged.step_hz);
   const auto warm_up = static_cast<std::int64_t>(kWarmUp_s * scene.staged.step_hz);
   std::vector<double> samples;
   samples.reserve(static_cast<std::size_t>(steps));
@@ -103,7 +105,7 @@ Demand measured(const DemandScene& scene, double seconds) {
     const std::int64_t calls = allocated().calls;
     const std::int64_t start_ns = thread_cpu_ns();
     run.step(input);
-    samples.push_back(static_cast<double>(thread_cpu_ns() - start_ns) * 1e-3);
+    samples.push_back(static_cast<double>(thread_cpu_ns() - start_ns) * 1e-3 - looking_us);
     allocations += step >= warm_up ? allocated().calls - calls : 0;
     transformed += run.world().nodes_transformed() - last_nodes;
   }
@@ -112,7 +114,8 @@ Demand measured(const DemandScene& scene, double seconds) {
   demand.trees_kB = trees_kB(run.world());
   demand.step_memory_kB = 1e-3 * static_cast<double>(allocated().bytes - stepless);
   demand.nodes = static_cast<double>(transformed) / static_cast<double>(steps);
-  demand.allocations = static_cast<double>(allocations) / static_cast<double>(steps - warm_up);
+  demand.allocations = static_cast<double>(allocations) /
+                       static_cast<double>(std::max<std::int64_t>(1, steps - warm_up));
   demand.step_us = spread_of(std::move(samples));
   count_tests(scene, steps, demand);
   return demand;
@@ -147,18 +150,23 @@ void print(const std::string& name, const Demand& demand, const Demand& before) 
   std::fflush(stdout);
 }
 
-void print_all(double seconds) {
+void print_asked(const BenchOptions& options) {
   ShapeLibrary library;
   Demand before;
-  std::printf("a look at the clock takes %.3f us\n", 1e-3 * clock_cost_ns());
+  const double looking_us = 1e-3 * clock_cost_ns();
+  std::printf("a look at the clock took %.2f us, which is taken off\n", looking_us);
   std::printf("%-22s | %-17s | %-15s | %-15s | %-17s | %-17s | %-8s | %-15s | %-15s\n", "scene",
               "world, kB", "trees, kB", "step memory, kB", "tests", "nodes transformed", "new",
               "us, median", "us, p99");
-  for (const DemandScene& scene :
-       scenes_of_growing_demand(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli", library)) {
-    const Demand demand = measured(scene, seconds);
-    print(scene.name, demand, before);
-    before = demand;
+  const auto stimuli = std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli";
+  for (const DemandScene& scene : scenes_of_growing_demand(stimuli, library)) {
+    if (options.asks_for(scene.name)) {
+      const double seconds = options.quick ? kQuickSeconds : kSeconds;
+      const auto steps = static_cast<int>(seconds * scene.staged.step_hz);
+      const Demand demand = measured(scene, options.steps.value_or(steps), looking_us);
+      print(scene.name, demand, before);
+      before = demand;
+    }
   }
 }
 
@@ -166,11 +174,11 @@ void print_all(double seconds) {
 }  // namespace impetus
 
 int main(int count, char** arguments) {
-  const bool quick = count == 2 && std::string(arguments[1]) == "--quick";
-  if (count > 1 && !quick) {
-    std::fprintf(stderr, "expected nothing or --quick, got %s\n", arguments[1]);
+  try {
+    impetus::print_asked(impetus::bench_options(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
     return 2;
   }
-  impetus::print_all(quick ? impetus::kQuickSeconds : impetus::kSeconds);
   return 0;
 }

@@ -7,7 +7,10 @@
 // seconds of CPU time.
 //
 //   CASE, what is measured (the less the better), what counts as kept
-//     engine   scenes that kept it, of all | median, worst | no numbers, hung, crashed, refused
+//     engine   scenes that kept it, of all | median, worst | without a figure, hung, crashed,
+//     refused
+//
+// Without a figure are scenes that ended with what is no number, or in which nothing touched.
 //
 // A promise counts as kept within a hundredth, or its own number if that is more: single precision
 // is not held against anybody. Peers run scenes that differ only in what our engine is told (trees,
@@ -58,7 +61,7 @@ constexpr std::array kEngines{
 struct Tally {
   int scenes{0};
   int kept{0};
-  int no_numbers{0};
+  int without_figure{0};
   int hung{0};
   int crashed{0};
   int refused{0};
@@ -73,7 +76,7 @@ void add_end(ChildEnd end, Tally& tally) {
 
 void add_figure(double figure, double at_most, Tally& tally) {
   if (!std::isfinite(figure)) {
-    ++tally.no_numbers;
+    ++tally.without_figure;
     return;
   }
   tally.figures.push_back(figure);
@@ -87,7 +90,7 @@ std::string faults_of(const Tally& tally) {
       text += std::string(text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
     }
   };
-  add(tally.no_numbers, "no numbers");
+  add(tally.without_figure, "without a figure");
   add(tally.hung, "hung");
   add(tally.crashed, "crashed");
   add(tally.refused, "refused");
