@@ -36,6 +36,7 @@ const std::vector<Room> kRooms = {
     {"experiments/session", {"engine"}, {}},
     {"experiments/extremes", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
+    {"experiments/trade", {"experiments/scenes"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
     {"experiments/protocol",
      {"experiments/session", "experiments/scenes", "experiments/observers"},
@@ -43,7 +44,8 @@ const std::vector<Room> kRooms = {
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
-     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/extremes"},
+     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade",
+      "experiments/extremes"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -12,7 +12,7 @@ namespace impetus {
 NodeGap gap_of_nodes(const Volume& a, const Volume& b) {
   const CoredVolume of_a = cored(a);
   const CoredVolume of_b = cored(b);
-  const std::optional<ClosestPoints> closest = closest_points(of_a.core, of_b.core);
+  const std::optional<ClosestOfCores> closest = closest_points(of_a.core, of_b.core);
   if (closest) {
     const double distance_m = std::sqrt(closest->squared_m2);
     return {distance_m - of_a.radius_m - of_b.radius_m,

@@ -8,9 +8,9 @@
 
 namespace impetus {
 
-/// Radius of a body's bounding sphere.
-inline constexpr double kLeastRadius_m = 1e-6;
-inline constexpr double kMostRadius_m = 1e6;
+/// Any measure of a body: a radius, an edge, a thickness.
+inline constexpr double kLeastSize_m = 1e-6;
+inline constexpr double kMostSize_m = 1e6;
 
 /// Of a body's centre from the origin, where doubles are 15 nm apart.
 inline constexpr double kMostDistance_m = 1e8;

@@ -20,12 +20,12 @@ struct Edge {
   Vector3 half;
 };
 
-ClosestPoints between(const Vector3& on_a, const Vector3& on_b) {
+ClosestOfCores between(const Vector3& on_a, const Vector3& on_b) {
   return {on_a, on_b, (on_a - on_b).squaredNorm()};
 }
 
 /// Of edges with length. Ericson 2005, sec. 5.1.9, about the centres.
-ClosestPoints between_edges(const Edge& a, const Edge& b) {
+ClosestOfCores between_edges(const Edge& a, const Edge& b) {
   const Vector3 offset = a.centre - b.centre;
   const double aa = a.half.squaredNorm();
   const double bb = b.half.squaredNorm();
@@ -82,17 +82,17 @@ class Search {
   explicit Search(double enough_m) : enough_squared_(enough_m * enough_m) {
     best_.squared_m2 = std::numeric_limits<double>::infinity();
   }
-  void offer(const ClosestPoints& points) {
+  void offer(const ClosestOfCores& points) {
     if (points.squared_m2 < best_.squared_m2) {
       best_ = points;
     }
   }
   [[nodiscard]] bool done() const { return best_.squared_m2 <= enough_squared_; }
-  [[nodiscard]] const ClosestPoints& best() const { return best_; }
+  [[nodiscard]] const ClosestOfCores& best() const { return best_; }
 
  private:
   double enough_squared_;
-  ClosestPoints best_;
+  ClosestOfCores best_;
 };
 
 void try_corners(const Core& a, const Core& b, Search& search) {
@@ -110,7 +110,7 @@ bool are_points_or_segments(const Core& a, const Core& b) {
   return a.dimension == 0 || b.dimension == 0 || (a.dimension == 1 && b.dimension == 1);
 }
 
-ClosestPoints of_points_or_segments(const Core& a, const Core& b) {
+ClosestOfCores of_points_or_segments(const Core& a, const Core& b) {
   if (a.dimension == 0) {
     return between(a.centre, nearest_point(b, a.centre));
   }
@@ -123,7 +123,7 @@ ClosestPoints of_points_or_segments(const Core& a, const Core& b) {
 
 /// Ends early at points within `enough_m`.
 /// Precondition: the cores do not cross, or are points or segments.
-ClosestPoints closest_features(const Core& a, const Core& b, double enough_m) {
+ClosestOfCores closest_features(const Core& a, const Core& b, double enough_m) {
   if (are_points_or_segments(a, b)) {
     return of_points_or_segments(a, b);
   }
@@ -143,12 +143,12 @@ ClosestPoints closest_features(const Core& a, const Core& b, double enough_m) {
 
 }  // namespace
 
-std::optional<ClosestPoints> closest_points(const Core& a, const Core& b) {
+std::optional<ClosestOfCores> closest_points(const Core& a, const Core& b) {
   if (!are_points_or_segments(a, b) && !are_separated(a, b, 0.0)) {
     return std::nullopt;
   }
   const double near_m = kMeeting * rounding_slack_m(a, b);
-  const ClosestPoints closest = closest_features(a, b, near_m);
+  const ClosestOfCores closest = closest_features(a, b, near_m);
   return closest.squared_m2 > near_m * near_m ? std::optional(closest) : std::nullopt;
 }
 
@@ -166,7 +166,7 @@ bool come_within(const Core& a, const Core& b, double distance_m) {
       return true;
     }
   }
-  const ClosestPoints closest = closest_features(a, b, distance_m);
+  const ClosestOfCores closest = closest_features(a, b, distance_m);
   const double apart_m = std::sqrt(closest.squared_m2);
   const double far_m = distance_m + slack_m;
   return apart_m <= far_m || gap_along(a, b, (closest.on_a - closest.on_b) / apart_m) <= far_m;

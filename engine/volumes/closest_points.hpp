@@ -12,7 +12,7 @@
 
 namespace impetus {
 
-struct ClosestPoints {
+struct ClosestOfCores {
   Vector3 on_a{Vector3::Zero()};
   Vector3 on_b{Vector3::Zero()};
   double squared_m2{0.0};  ///< of their distance
@@ -20,7 +20,7 @@ struct ClosestPoints {
 
 /// The closest points, one pair of them when there are several. None when the cores share a point,
 /// or come so close that the direction between them is lost in rounding.
-std::optional<ClosestPoints> closest_points(const Core& a, const Core& b);
+std::optional<ClosestOfCores> closest_points(const Core& a, const Core& b);
 
 /// Whether the cores come within `distance_m`. Never denied to cores that do: "no" is said only
 /// with a direction along which they are further apart.

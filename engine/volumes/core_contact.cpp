@@ -75,7 +75,7 @@ TouchPoint contact_of_meeting(const CoredVolume& a, const CoredVolume& b, const 
 }
 
 TouchPoint contact_of_apart(const CoredVolume& a, const CoredVolume& b,
-                            const ClosestPoints& closest) {
+                            const ClosestOfCores& closest) {
   const Vector3 b_to_a = closest.on_a - closest.on_b;
   const double distance_m = std::sqrt(closest.squared_m2);
   const double reach_m = a.radius_m + b.radius_m;
@@ -97,7 +97,7 @@ TouchPoint contact_in_order(CoredVolume a, CoredVolume b, const Vector3& fallbac
   const Vector3 origin = a.core.centre;
   b.core.centre -= origin;
   a.core.centre.setZero();
-  const std::optional<ClosestPoints> closest = closest_points(a.core, b.core);
+  const std::optional<ClosestOfCores> closest = closest_points(a.core, b.core);
   TouchPoint contact =
       closest ? contact_of_apart(a, b, *closest) : contact_of_meeting(a, b, fallback);
   contact.point += origin;

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   impetus::add_screen(app, chosen);
   impetus::add_mesh(app, chosen);
   impetus::add_tree(app, chosen);
+  impetus::add_trade(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -62,6 +62,18 @@ void print_divergence(const StoredAttempt& attempt, const Divergence& divergence
   }
 }
 
+void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& taken_out,
+                     const std::string& where) {
+  for (const TakenOut& body : taken_out) {
+    std::printf(
+        "trial %lld (%s, slot %lld, attempt %lld): body %s is taken out at step %lld%s: its "
+        "%s is not finite\n",
+        static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
+        static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
+        body.body.c_str(), static_cast<long long>(body.step), where.c_str(), body.field.c_str());
+  }
+}
+
 /// What was simulated again, and how long that is in the stimuli's own time.
 struct Compared {
   std::int64_t steps{0};
@@ -77,6 +89,7 @@ bool replays(ReplayLibrary& library, const StoredAttempt& attempt, Compared& com
     const ReplayResult result = replay(scene, library.steps(attempt, interval));
     compared.steps += result.steps;
     compared.simulated_s += static_cast<double>(result.steps) / scene.step_hz;
+    print_taken_out(attempt, result.taken_out, of_interval(interval, intervals));
     if (result.divergence) {
       print_divergence(attempt, *result.divergence, of_interval(interval, intervals));
       return false;

@@ -54,7 +54,7 @@ Breaches step_within(World world, int steps, const BudgetOf& budget_of) {
     breaches.beyond_budget += report.work_peak > most || report.work_spent > most ? 1.0 : 0.0;
     const bool said = (report.degradations & kFloorOverBudget) != 0 || stopped_by_budget(report);
     const bool short_of_it = budget < whole.work_spent && report.work_spent < whole.work_spent;
-    breaches.untold += short_of_it && !said && !report.collisions.empty() ? 1.0 : 0.0;
+    breaches.untold += short_of_it && !said ? 1.0 : 0.0;
     breaches.missed += static_cast<double>(std::count_if(
         whole.collisions.begin(), whole.collisions.end(), [&](const CollisionReport& touching) {
           return !is_wall(touching.bodies.b) && !has(report, touching.bodies);

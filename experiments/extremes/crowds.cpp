@@ -14,7 +14,7 @@ namespace {
 std::vector<ExtremeScene> crowds(Length length) {
   std::vector<ExtremeScene> scenes;
   const std::int64_t steps = length == Length::kQuick ? 240 : 1200;
-  for (const double filled : {0.3, 1.5, 3.0}) {
+  for (const double filled : {0.3, 1.5, 2.0}) {
     for (const double restitution : {0.5, 1.0}) {
       scenes.push_back(crowd_scene(100, filled, restitution, steps));
     }
@@ -45,7 +45,7 @@ double beyond_walls_m(const Course& course) {
 std::vector<ExtremeCase> crowd_cases() {
   return {{"crowd pressure",
            "crowd",
-           {{"100 blocks that fill 30 to 300 % of a cube keep their energy (at restitution .5: "
+           {{"100 blocks that fill 30 to 200 % of a cube keep their energy (at restitution .5: "
              "gain none) within a share of",
              1e-2, "", energy_error},
             {"and none of their centres leaves the cube, by", 0.0, "m", beyond_walls_m}},

@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/shapes/mass_properties.hpp"
 #include "engine/trees/build_tree.hpp"
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/crowd_scene.hpp"
@@ -159,7 +158,6 @@ std::vector<double> refusals(Length /*length*/, const Progress& /*progress*/) {
       world.step(input, meter);
     });
   }
-  accepted += accepts([] { solid_of(TriangleMesh{}, 1000.0); });
   for (const TreeKind kind : all_tree_kinds()) {
     accepted += accepts([kind] { build_tree(TriangleMesh{}, {kind, 2, 8}); });
   }

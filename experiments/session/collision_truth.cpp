@@ -8,24 +8,13 @@
 #include <vector>
 
 #include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/mesh_distance.hpp"
+#include "experiments/session/closest_surfaces.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr int kSampleRays = 64;
 constexpr double kArcminPerDegree = 60.0;
-
-/// Two spheres need no mesh: the closest points lie on the line of their centres.
-ClosestPoints sphere_distance(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
-                              const Pose& pose_b) {
-  const Vector3 a_to_b = pose_b.position - pose_a.position;
-  const double distance = a_to_b.norm();
-  const Vector3 along = distance > 0.0 ? Vector3(a_to_b / distance) : Vector3::UnitX();
-  const double gap_m = std::max(0.0, distance - a.radius_m - b.radius_m);
-  const Vector3 on_a = pose_a.position + a.radius_m * along;
-  return {gap_m, on_a, on_a + gap_m * along};
-}
 
 /// A triangle in world, as one corner and the edges from it.
 struct Face {
@@ -198,7 +187,7 @@ double reach_m(const DrawnBody& body) {
 /// No less than the gap: between corners, each the nearest to the one before.
 double most_gap_m(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b, const Pose& pose_b) {
   if (!a.mesh || !b.mesh) {
-    return sphere_distance(a, pose_a, b, pose_b).distance_m;
+    return closest_surfaces(a, pose_a, b, pose_b).distance_m;
   }
   const Vector3 first = nearest_corner(*b.mesh, pose_b, pose_a.position);
   const Vector3 on_a = nearest_corner(*a.mesh, pose_a, first);
@@ -231,9 +220,7 @@ double wall_gap_arcmin(const DrawnBody& look, const Pose& pose, const Enclosure&
 
 CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
                              const Pose& pose_b, const Viewer& viewer) {
-  const bool meshes = a.mesh && b.mesh;
-  const ClosestPoints closest = meshes ? mesh_distance(*a.mesh, pose_a, *b.mesh, pose_b)
-                                       : sphere_distance(a, pose_a, b, pose_b);
+  const ClosestPoints closest = closest_surfaces(a, pose_a, b, pose_b);
   return truth_of(closest, {{a, pose_a}, {b, pose_b}}, viewer);
 }
 

@@ -57,6 +57,7 @@ StepRecord record_of(std::int64_t step, const GazeInput& gaze, const StepReport&
   }
   record.pops = static_cast<std::int64_t>(report.pops.size());
   record.stopped_short = static_cast<std::int64_t>(report.stopped.size());
+  record.not_finite = report.not_finite;
   for (const LevelPop& pop : report.pops) {
     record.largest_pop_deg = std::max(record.largest_pop_deg, pop.size_deg);
   }

@@ -33,6 +33,11 @@ ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
       now = &scene.world.step(input, meter);
       ++result.steps;
     }
+    for (const NotFiniteBody& found : now->not_finite) {
+      result.taken_out.push_back({then.step,
+                                  scene.world.models()[static_cast<std::size_t>(found.body)].name,
+                                  std::string(name_of(found.field))});
+    }
     if (now->state.hash != then.state.hash && !result.divergence) {
       result.divergence = locate(then, now->state, scene.world.models());
     }

@@ -1,88 +1,19 @@
 // The program as a researcher meets it: commands, sentences, exit status.
 // SPDX-License-Identifier: MIT
-#include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Statement.h>
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <algorithm>
-#include <csignal>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
-#include "tests/experiments/program.hpp"
+#include "tests/experiments/command_lines.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
-
-/// One sentence on stderr, nothing on stdout, and this status.
-void expect_refused(const TemporaryFolder& folder, const Words& arguments,
-                    const std::string& sentence, int status = 2) {
-  const ProgramResult result = run_program(folder, arguments);
-  EXPECT_EQ(result.errors, "impetus: " + sentence + "\n");
-  EXPECT_EQ(result.output, "");
-  EXPECT_EQ(result.status, status) << sentence;
-}
-
-void expect_refused_without_a_file(const TemporaryFolder& folder, const Words& arguments,
-                                   const std::string& sentence) {
-  expect_refused(folder, arguments, sentence);
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite")) << sentence;
-}
-
-/// The folder with a changed copy of the shipped protocol, beside its scene and observer.
-std::string changed_protocol(const TemporaryFolder& folder, const std::string& pointer,
-                             const json& value) {
-  const std::filesystem::path source = IMPETUS_SOURCE_DIR;
-  json protocol = json::parse(text_of(causality_file()));
-  protocol[json::json_pointer(pointer)] = value;
-  folder.write("protocols/a.json", protocol.dump());
-  folder.write("stimuli/two-spheres.json", text_of(source / "stimuli/two-spheres.json"));
-  folder.write("experiments/observers/causality.json",
-               text_of(source / "experiments/observers/causality.json"));
-  return "protocols/a.json";
-}
-
-std::string value_of(const TemporaryFolder& folder, const std::string& sql,
-                     const std::string& file = "a.sqlite") {
-  SQLite::Database database((folder / file).string(), SQLite::OPEN_READONLY);
-  return database.execAndGet(sql).getString();
-}
-
-void change(const TemporaryFolder& folder, const std::string& sql) {
-  SQLite::Database((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE).exec(sql);
-}
-
-/// Conditions of the main trials in their order.
-std::string order_of(const TemporaryFolder& folder, const std::string& participant,
-                     const std::string& file = "a.sqlite") {
-  return value_of(folder,
-                  "SELECT group_concat(condition || seed) FROM (SELECT condition, trial.seed AS "
-                  "seed FROM trial JOIN enrolment ON enrolment.id = enrolment_id JOIN participant "
-                  "ON participant.id = participant_id WHERE pseudonym = '" +
-                      participant + "' ORDER BY slot)",
-                  file);
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
-}
 
 // ---------------------------------------------------------------- arguments
 
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, got ";
+      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, "
+      "trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");
@@ -181,171 +112,6 @@ TEST(Check, AnyUnreadableFileIsStatus1) {
   expect_refused(folder, {"check", "b.json"},
                  "b.json: expected a JSON file, but it cannot be read: No such file or directory",
                  1);
-}
-
-// ---------------------------------------------------------------- run
-
-TEST(Run, ABadProtocolIsRefusedAndNoStudyIsMade) {
-  const TemporaryFolder folder;
-  const std::vector<std::tuple<std::string, json, std::string>> cases{
-      {"/design/factors/0/levels/1", -100,
-       "/design/factors/0/levels/1: expected a number ≥ 0 and ≤ 60000, got -100"},
-      {"/design/factors/0/levels", json::array(),
-       "/design/factors/0/levels: expected a list of at least 1 value without repeats, got []"},
-      {"/design/practise", json::array(),
-       "/design: expected only the keys \"adaptive\", \"blocks\", \"catch_trials\", \"factors\", "
-       "\"longest_runs\", \"practice\", \"practice_until\", \"repetitions\", "
-       "\"train_until\", got \"practise\""},
-      {"/timing/fixation_ms", 490,
-       "/timing/fixation_ms: expected a whole number of 60 Hz frames (16.67 ms), got 490"},
-      {"/rating/maximum", 5,
-       "/rating: expected a scale of 3 points, as the simulated participant rates (one more than "
-       "its "
-       "file has cuts), got 5, from 1 to 5"}};
-  for (const auto& [pointer, value, sentence] : cases) {
-    const std::string file = changed_protocol(folder, pointer, value);
-    expect_refused_without_a_file(
-        folder,
-        {"run", file, "--db", "a.sqlite", "--observer", "causality", "--participant", "S01"},
-        file + ":" + sentence);
-  }
-}
-
-TEST(Run, WithoutADisplayNothingIsWritten) {
-  const TemporaryFolder folder;
-#ifdef IMPETUS_PROGRAM_HAS_WINDOW
-  const std::string sentence =
-      "no display could be opened: neither X11 nor Wayland answered; run with --observer to go on "
-      "without a window";
-#else
-  const std::string sentence = "this build has no window; run with --observer NAME, without --show";
-#endif
-  expect_refused_without_a_file(
-      folder, {"run", causality_file(), "--db", "a.sqlite", "--participant", "P01"}, sentence);
-  expect_refused_without_a_file(folder, simulated_run({"--participant", "S01", "--show"}),
-                                sentence);
-}
-
-#ifdef IMPETUS_PROGRAM_HAS_WINDOW
-TEST(Run, WhatTheWindowCannotUseIsRefusedBeforeItOpens) {
-  const TemporaryFolder folder;
-  folder.write("screen.json", "{}");
-  const Words run{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01"};
-  const std::vector<std::pair<Words, std::string>> cases{
-      {{"--window", "320x200"},
-       "--window 320x200: expected WIDTHxHEIGHT of at least 640x480 pixels"},
-      {{"--screen", "none.json"},
-       "none.json: expected a JSON file, but it cannot be read: No such file or directory"},
-      {{"--screen", "screen.json"},
-       "screen.json:/: expected the key \"schema_version\", which is missing"}};
-  for (const auto& [more, sentence] : cases) {
-    Words arguments = run;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    expect_refused_without_a_file(folder, arguments, sentence);
-  }
-}
-#endif
-
-TEST(Run, AnObserversSessionIsRecordedWhole) {
-  const TemporaryFolder folder;
-  const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}));
-  EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output, "Saved in a.sqlite\n");
-  EXPECT_EQ(result.errors, "");
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "81");
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'practice'"), "6");
-  EXPECT_EQ(value_of(folder, "SELECT ending FROM session"), "finished");
-}
-
-TEST(Run, AFinishedParticipantIsRefusedAndNothingChanges) {
-  const TemporaryFolder folder;
-  run_program(folder, simulated_run({"--participant", "S01"}));
-  const std::string before = text_of(folder / "a.sqlite");
-  expect_refused(folder, simulated_run({"--participant", "S01"}),
-                 "a.sqlite: participant S01 has finished causality already, at " +
-                     value_of(folder, "SELECT finished_utc FROM enrolment"));
-  // Opening a study for writing changes its header's counters, and nothing else of it.
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
-  EXPECT_EQ(text_of(folder / "a.sqlite").size(), before.size());
-}
-
-TEST(Run, ResumingWithAnotherSeedIsRefused) {
-  const TemporaryFolder folder;
-  run_program(folder, simulated_run({"--participant", "S01", "--seed", "7"}));
-  change(folder, "UPDATE enrolment SET finished_utc = NULL");
-  expect_refused(folder, simulated_run({"--participant", "S01", "--seed", "8"}),
-                 "--seed 8: expected 7, with which S01's trials were planned");
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
-  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
-}
-
-TEST(Run, AResumedObserverAnswersAsTheSamePersonWithoutBeingToldTheSeed) {
-  const TemporaryFolder folder;
-  const std::string ratings =
-      "SELECT group_concat(rating) FROM (SELECT rating FROM rated_trial "
-      "ORDER BY slot)";
-  run_program(folder, simulated_run({"--participant", "S01", "--seed", "7"}));
-  const std::string whole = value_of(folder, ratings);
-  // As if the first session had been killed before its first trial was saved.
-  change(folder,
-         "UPDATE enrolment SET finished_utc = NULL; DELETE FROM rating; DELETE FROM step; "
-         "DELETE FROM frame; DELETE FROM collision; DELETE FROM attempt");
-  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
-  EXPECT_EQ(value_of(folder, ratings), whole);
-}
-
-TEST(Run, ResumingWithAnotherVersionOfTheProtocolIsRefused) {
-  const TemporaryFolder folder;
-  run_program(folder, simulated_run({"--participant", "S01"}));
-  change(folder, "UPDATE enrolment SET finished_utc = NULL");
-  expect_refused(folder,
-                 {"run", changed_protocol(folder, "/title", "Another"), "--db", "a.sqlite",
-                  "--observer", "causality", "--participant", "S01"},
-                 "a.sqlite: participant S01 began with another version of causality; resume with "
-                 "the file it was, or use another name");
-}
-
-TEST(Run, OrderFollowsFromParticipantAndSeedAlone) {
-  const TemporaryFolder folder;
-  run_program(folder, simulated_run({"--participant", "S01"}));
-  run_program(folder, simulated_run({"--participant", "S02"}));
-  Words elsewhere = simulated_run({"--participant", "S01"});
-  elsewhere[3] = "b.sqlite";
-  run_program(folder, elsewhere);
-  EXPECT_NE(order_of(folder, "S01"), order_of(folder, "S02"));
-  EXPECT_EQ(order_of(folder, "S01"), order_of(folder, "S01", "b.sqlite"));
-}
-
-TEST(Run, SimulatedParticipantsAreNamedInOrder) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(run_program(folder, simulated_run({"--participants", "3"})).status, 0);
-  EXPECT_EQ(value_of(folder, "SELECT group_concat(pseudonym) FROM participant"), "S01,S02,S03");
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM enrolment WHERE finished_utc IS NOT NULL"), "3");
-}
-
-TEST(Run, WhatIsNoStudyIsRefusedAndLeftAlone) {
-  const TemporaryFolder folder;
-  folder.write("a.sqlite", "My notes on the pilot study of last week.");
-  expect_refused(folder, simulated_run({"--participant", "S01"}),
-                 "a.sqlite: expected an Impetus study, got a file that is no SQLite database");
-  EXPECT_EQ(text_of(folder / "a.sqlite"), "My notes on the pilot study of last week.");
-}
-
-TEST(Run, AFullDiskEndsInOneSentenceAndTheSameCommandGoesOn) {
-  const TemporaryFolder folder;
-  const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}), [] {
-    const rlimit limit{1'000'000, 1'000'000};  // Some twenty trials of eighty-seven.
-    std::signal(SIGXFSZ, SIG_IGN);
-    setrlimit(RLIMIT_FSIZE, &limit);
-  });
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.errors,
-            "impetus: a.sqlite: could not be written (disk I/O error); everything up to the last "
-            "completed trial is saved\n");
-  EXPECT_EQ(run_program(folder, simulated_run({"--participant", "S01"})).status, 0);
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial"), "87");
-  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "2");
-  EXPECT_EQ(value_of(folder, "PRAGMA integrity_check"), "ok");
 }
 
 // ---------------------------------------------------------------- replay

@@ -1,0 +1,44 @@
+// What `impetus trade` measured, one number a row: long and tidy, for any tool that reads CSV.
+//
+// Rows by the clock differ from run to run; all others follow from the scene, the options and the
+// seed alone.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+/// One statistic of one measure under one setting. Texts that do not apply are empty, numbers that
+/// do not apply are absent.
+struct TradeRow {
+  std::string part;     ///< "scene", "impacts", "crowd", "parting"
+  std::string subject;  ///< what it was measured on: "creature x creature", the scene
+  std::string kind;     ///< of tree: tree_kind_names()
+  std::optional<int> level{};
+  std::string reduction;  ///< of contacts: reduction_names()
+  std::string scheduler;
+  std::string traversal;                 ///< "depth-first", "breadth-first", "best-first"
+  std::optional<std::int64_t> budget{};  ///< units of work a step; absent: unlimited
+  std::string measure;                   ///< such as "normal_error"
+  std::string unit;                      ///< such as "deg"; "1" of counts and shares
+  std::string reference;                 ///< what an error is against: "exact", "finest", ...
+  std::string statistic;                 ///< "median", "p95", "p99", "share", "mean", ...
+  std::int64_t n{0};                     ///< how many were measured
+  /// With the ends of its 95 % interval; NaN, an empty cell, where there is none or the sample is
+  /// too small to say.
+  double value{std::numeric_limits<double>::quiet_NaN()};
+  double low{std::numeric_limits<double>::quiet_NaN()};
+  double high{std::numeric_limits<double>::quiet_NaN()};
+  bool by_clock{false};  ///< a time, or what follows from times
+};
+
+/// The rows as CSV (RFC 4180) with a line of names first; numbers to nine digits, the same
+/// whatever the user's language.
+std::string csv_of(const std::vector<TradeRow>& rows);
+
+}  // namespace impetus
