@@ -72,6 +72,18 @@ void ModelledCollisions::report_in_order(StepReport& report) {
   }
 }
 
+void report_work(const WorkDone& work, StepReport& report) {
+  report.work_granted = work.granted;
+  report.work_spent = work.spent;
+  report.work_floor = work.floor;
+  report.work_reserved = work.reserved;
+  report.work_peak = work.peak;
+  report.list_work = work.by_list;
+  if (report.work_granted < report.work_floor) {
+    report.degradations |= kFloorOverBudget;
+  }
+}
+
 void contacts_to_respond_to(const StepReport& report, std::vector<Contact>& contacts) {
   contacts.clear();
   for (const CollisionReport& collision : report.collisions) {

@@ -8,9 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "engine/collision/all_pairs.hpp"
 #include "engine/collision_reports.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/relative_acuity.hpp"
+#include "engine/volumes/wall_reach.hpp"
 #include "engine/world_checks.hpp"
 
 namespace impetus {
@@ -21,6 +23,9 @@ void require(bool condition, const char* message) {
     throw std::invalid_argument(message);
   }
 }
+
+/// So few are sooner all tested against each other than put in order; the pairs are the same.
+constexpr std::size_t kFewBodies = 24;
 
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
@@ -63,6 +68,14 @@ void World::change_settings(WorldSettings changed) {
   settings_ = std::move(changed);
 }
 
+std::int64_t World::nodes_transformed() const {
+  std::int64_t count = 0;
+  for (const PlacedTree& tree : placed_) {
+    count += tree.nodes_transformed();
+  }
+  return count;
+}
+
 const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   require(input.dt_s >= 0.0 && std::isfinite(input.dt_s),
           "world: expected a time step of 0 s or more, a finite number");
@@ -71,7 +84,7 @@ const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   move_and_pair(input.dt_s);
   prioritise(input);
   refine(input, meter);
-  model();
+  model(input);
   respond(input.dt_s);
   note_touching(input.viewer);
   hash_state(states_, memory_.report.state);
@@ -94,7 +107,11 @@ void World::move_and_pair(double dt_s) {
     bounds.push_back(
         {bound, takes_part ? travelled_m : 0.0, takes_part && models_[body].inverse_mass > 0.0});
   }
-  broad_phase_.find(bounds, memory_.candidates);
+  if (bounds.size() <= kFewBodies) {
+    find_among_all(bounds, memory_.candidates);
+  } else {
+    broad_phase_.find(bounds, memory_.candidates);
+  }
   if (finite_.any_out()) {
     std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
       return finite_.is_out(at(pair.pair.a)) || finite_.is_out(at(pair.pair.b));
@@ -109,9 +126,6 @@ void World::move_and_pair(double dt_s) {
   }
   if (settings_.enclosure) {
     add_wall_candidates();
-  }
-  for (PairBounds& pair : memory_.candidates) {
-    measure_motion_and_fit(pair);
   }
 }
 
@@ -160,23 +174,12 @@ void World::stop_fast_pairs(double dt_s) {
 }
 
 void World::add_wall_candidates() {
+  const WallReach reaches(*settings_.enclosure);
   for (std::size_t body = 0; body < memory_.bounds.size(); ++body) {
     const auto& [bound, travelled_m, movable] = memory_.bounds[body];
-    if (movable && reaches_wall(*settings_.enclosure, bound)) {
+    if (movable && reaches(bound)) {
       memory_.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
     }
-  }
-}
-
-void World::measure_motion_and_fit(PairBounds& pair) const {
-  constexpr int kLevelBeforeRefinement = 0;
-  const std::size_t a = at(pair.pair.a);
-  const std::size_t b = is_wall(pair.pair.b) ? a : at(pair.pair.b);
-  pair.velocity_a = velocity(models_[a], states_[a]);
-  pair.velocity_b = velocity(models_[b], states_[b]);
-  pair.fit_error_m = models_[a].tree->fit_error_m(kLevelBeforeRefinement);
-  if (!is_wall(pair.pair.b)) {
-    pair.fit_error_m += models_[b].tree->fit_error_m(kLevelBeforeRefinement);
   }
 }
 
@@ -206,33 +209,29 @@ int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_leve
                       greatest_level);
 }
 
+Measuring World::measuring(const StepInput& input) const {
+  return {settings_.schedule, input, models_, states_};
+}
+
 void World::prioritise(const StepInput& input) {
-  std::vector<MeasuredPair>& pairs = memory_.order;
-  measure(memory_.candidates, settings_.schedule, input.viewer, input.fixation, input.region,
-          pairs);
-  priorities_.raise(pairs, settings_.schedule.persistence_steps);
-  put_in_order(pairs);
+  memory_.order.put_into_lists(memory_.candidates, measuring(input));
+  priorities_.raise(memory_.order.pairs(), settings_.schedule.persistence_steps);
 }
 
 void World::refine(const StepInput& input, WorkMeter& meter) {
   memory_.refined.clear();
-  for (const MeasuredPair& pair : memory_.order) {
+  for (const MeasuredPair& pair : memory_.order.pairs()) {
     begin_refining(pair.scheduled, input);
   }
   StepReport& report = memory_.report;
   const Schedule& schedule = settings_.schedule;
-  const WorkDone& work = memory_.refinement.refine(
-      memory_.refined.all(), schedule.lists, meter,
-      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
-  report.work_granted = work.granted;
-  report.work_spent = work.spent;
-  report.work_floor = work.floor;
-  report.work_reserved = work.reserved;
-  report.work_peak = work.peak;
-  report.list_work = work.by_list;
-  if (report.work_granted < report.work_floor) {
-    report.degradations |= kFloorOverBudget;
-  }
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  const RefinementSettings settings{schedule.traversal, settings_.costs, settings_.contacts,
+                                    report.work_floor};
+  const std::size_t waiting = memory_.refinement.do_floor(pairs, schedule.lists, settings);
+  const std::span<const std::size_t> order =
+      memory_.order.places_by_priority(waiting, measuring(input));
+  report_work(memory_.refinement.refine(pairs, schedule.lists, order, meter, settings), report);
 }
 
 void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
@@ -282,22 +281,21 @@ MovingTree World::moving(std::size_t body) {
           {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
 }
 
-void World::model() {
+void World::model(const StepInput& input) {
   StepReport& report = memory_.report;
   ModelledCollisions& modelled = memory_.modelled;
   modelled.clear();
-  const PriorityMetric* metric = settings_.schedule.metric.get();
-  std::size_t place = 0;  // pairs are refined in the order they were put in
-  for (const RefinedPair& pair : memory_.refined.all()) {
-    const MeasuredPair& measured = memory_.order[place++];
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    const RefinedPair& pair = pairs[place];
     if (!pair.refinement.overlapping().empty()) {
       add_contacts_of(pair);
       CollisionReport collision;
       collision.list = pair.list;
       collision.level = pair.refinement.level();
       collision.stop = pair.refinement.stop_reason();
-      if (metric != nullptr) {
-        collision.measured = metric->priority(measured.priority);  // its sign turned back
+      if (settings_.schedule.metric != nullptr) {
+        collision.measured = memory_.order.measured(place, measuring(input));
       }
       modelled.add_contacts_as(collision);
     }
@@ -376,15 +374,19 @@ void World::note_not_finite() {
 }
 
 void World::note_touching(const Viewer& viewer) {
-  std::vector<BodyPair>& touching = memory_.touching;
+  if (settings_.schedule.persistence_steps > 0) {
+    std::vector<BodyPair>& touching = memory_.touching;
+    touching.clear();
+    for (const TouchingPair& pair : touching_) {
+      touching.push_back(pair.bodies);
+    }
+    priorities_.note_touching(touching);
+  }
   std::vector<TouchingLevel>& levels = memory_.touching_levels;
-  touching.clear();
   levels.clear();
   for (const CollisionReport& collision : memory_.report.collisions) {
-    touching.push_back(collision.bodies);
     levels.push_back({collision.bodies, collision.level, collision.contact.touch.point});
   }
-  priorities_.note_touching(touching);
   levels_.note(levels, models_, viewer, memory_.report.pops);
 }
 

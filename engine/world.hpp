@@ -64,6 +64,9 @@ class World {
   /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.
   void watch_node_contacts(bool watch) { watches_node_contacts_ = watch; }
 
+  /// How many nodes of the bodies' trees all steps so far have transformed into the world.
+  [[nodiscard]] std::int64_t nodes_transformed() const;
+
   /// For tests that ask whether a changed start is noticed.
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 
@@ -73,14 +76,14 @@ class World {
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
   void note_not_finite();
-  void measure_motion_and_fit(PairBounds& pair) const;
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
+  [[nodiscard]] Measuring measuring(const StepInput& input) const;
   void prioritise(const StepInput& input);
   void refine(const StepInput& input, WorkMeter& meter);
   void begin_refining(const ScheduledPair& pair, const StepInput& input);
   [[nodiscard]] int walls_in_reach(std::size_t body) const;
-  void model();
+  void model(const StepInput& input);
   void add_contacts_of(const RefinedPair& pair);
   void count_later_phases();
   [[nodiscard]] MovingTree moving(std::size_t body);
