@@ -55,11 +55,10 @@ void print_divergence(const StoredAttempt& attempt, const Divergence& divergence
               static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
               static_cast<long long>(divergence.step), where.c_str());
-  if (divergence.body.empty()) {
-    std::printf(", in the hash alone\n");
-  } else {
-    std::printf(", body %s, %s\n", divergence.body.c_str(), divergence.field.c_str());
-  }
+  const std::string what = divergence.body.empty()
+                               ? "in the hash alone"
+                               : "body " + divergence.body + ", " + divergence.field;
+  std::printf(", %s%s\n", what.c_str(), why_divergent(attempt).c_str());
 }
 
 void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& taken_out,
