@@ -70,7 +70,7 @@ Breaches step_within(World world, int steps, const BudgetOf& budget_of) {
 enum class Budget { kNone, kOne, kOneTooFew };
 
 Breaches worst_of(Budget budget, Length length, std::vector<PriorityList> lists) {
-  ExtremeScene scene = crowd_scene(40, 1.5, 1.0, 0);
+  ExtremeScene scene = crowd_scene(40, 1.5, 1.0, 0, TreeKind::kOctree);
   scene.settings.schedule.lists = std::move(lists);
   for (std::size_t i = 1; i < scene.settings.schedule.lists.size(); ++i) {
     scene.settings.schedule.thresholds.push_back(0.1 * static_cast<double>(i) - 1.0);  // m

@@ -17,14 +17,14 @@ Vector3 random_in_cube(RandomStream& random, double half_m) {
 
 }  // namespace
 
-ExtremeScene crowd_scene(int count, double filled, double restitution, std::int64_t steps) {
+ExtremeScene crowd_scene(int count, double filled, double restitution, std::int64_t steps,
+                         TreeKind kind) {
   const Vector3 edges_m(0.2, 0.12, 0.08);
   const double bound_m = 0.5 * edges_m.norm();
   constexpr double kBallContent = 4.18879020478639;  // of a unit ball
   const double half_m =
       0.5 * cube_root(count * kBallContent * bound_m * bound_m * bound_m / filled);
   RandomStream random(8, "crowd at an extreme");
-  const std::vector<TreeKind> kinds = all_tree_kinds();
   ExtremeScene scene;
   scene.name = short_number(100.0 * filled) + " %, restitution " + short_number(restitution);
   for (int i = 0; i < count; ++i) {
@@ -34,7 +34,7 @@ ExtremeScene crowd_scene(int count, double filled, double restitution, std::int6
     const Vector3 axis = random_in_cube(random, 1.0);
     start.pose.orientation = Quaternion(0.5, axis.x(), axis.y(), axis.z()).normalized();
     start.spin_rad_s = random_in_cube(random, 5.0);
-    scene.bodies.back().tree = kinds[static_cast<std::size_t>(i) % kinds.size()];
+    scene.bodies.back().tree = kind;
   }
   scene.settings.enclosure = ClosedCube{half_m};
   scene.settings.restitution = restitution;
