@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/collision/list_refinement.hpp"
+#include "engine/collision/node_gap.hpp"
 #include "engine/collision/waiting_pairs.hpp"
 #include "tests/engine/crowds.hpp"
 
@@ -272,7 +273,7 @@ TEST(Traversal, VisibleFirstLooksBeyondALevelThatGainsNothing) {
   EXPECT_GT(visible_urgency_of(tree, 0.195, 1.0, 1.0), 0.0);
 }
 
-TEST(Traversal, TheDeepestOverlapIsNeverLessThanThatOfTheDeepestContact) {
+TEST(Traversal, TheDeepestOverlapIsNeverLessThanThatOfTheDeepestNodes) {
   int overlapping = 0;
   double sum_m = 0.0;
   double exact_m = 0.0;
@@ -285,10 +286,9 @@ TEST(Traversal, TheDeepestOverlapIsNeverLessThanThatOfTheDeepestContact) {
       }
       double deepest_m = 0.0;
       for (const NodePair& nodes : pair.overlapping()) {
-        deepest_m =
-            std::max(deepest_m, touch_of_nodes(random.placed[i], nodes.a, random.placed[i + 1],
-                                               nodes.b, Vector3::UnitX())
-                                    .depth_m);
+        const NodeGap gap = gap_of_nodes(random.placed[i].world_volume(nodes.a),
+                                         random.placed[i + 1].world_volume(nodes.b));
+        deepest_m = std::max(deepest_m, -gap.gap_m);
       }
       if (pair.overlapping().empty()) {
         continue;
