@@ -58,21 +58,23 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
 
 void tell_gaze_latency(const SessionResult& result) {
   if (result.gaze.slow_trials > 0) {
-    std::fprintf(stderr,
-                 "warning: from gaze sample to flip, %lld trials took more than %.0f ms (95th "
-                 "percentile); %lld of them more than %.0f ms, and are marked\n",
-                 static_cast<long long>(result.gaze.slow_trials), kWarnedGazeLatency_ms,
-                 static_cast<long long>(result.gaze.late_trials), kMarkedGazeLatency_ms);
+    std::fprintf(
+        stderr,
+        "warning: trials with more than %.0f ms from gaze sample to flip (95th percentile): "
+        "%lld; of them with more than %.0f ms, and marked: %lld\n",
+        kWarnedGazeLatency_ms, static_cast<long long>(result.gaze.slow_trials),
+        kMarkedGazeLatency_ms, static_cast<long long>(result.gaze.late_trials));
   }
 }
 
 void tell_lost_gaze(const SessionResult& result) {
   if (result.gaze.lost_trials + result.gaze.repeated_trials > 0) {
-    std::fprintf(stderr,
-                 "warning: too much of the gaze was lost in %lld trials, which are marked; %lld "
-                 "were shown again for that\n",
-                 static_cast<long long>(result.gaze.lost_trials),
-                 static_cast<long long>(result.gaze.repeated_trials));
+    std::fprintf(
+        stderr,
+        "warning: trials marked because too much of the gaze was lost: %lld; shown again for "
+        "that: %lld\n",
+        static_cast<long long>(result.gaze.lost_trials),
+        static_cast<long long>(result.gaze.repeated_trials));
   }
 }
 

@@ -3,11 +3,26 @@
 
 #include "experiments/protocol/embedded_series_schema.hpp"
 #include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 
 namespace impetus {
 
 using nlohmann::json;
+
+namespace {
+
+/// A series is one person's: a protocol in which nobody takes part has no place in it.
+void check_people_take_part(const JsonDocument& series, std::size_t place,
+                            const std::filesystem::path& protocol) {
+  if (!has_participants(read_json(protocol).value)) {
+    refuse(series, "/protocols/" + std::to_string(place),
+           "expected a protocol in which people take part, got \"" +
+               series.value["protocols"][place].get<std::string>() + "\", in which nobody does");
+  }
+}
+
+}  // namespace
 
 Series load_series(const std::filesystem::path& path) {
   const JsonDocument document = read_json(path);
@@ -27,6 +42,7 @@ Series load_series(const std::filesystem::path& path) {
              "expected a protocol's file, seen from this one, got " + files[i].dump() +
                  ", but there is no " + file.string());
     }
+    check_people_take_part(document, i, file);
     series.protocols.push_back(file);
   }
   return series;

@@ -134,6 +134,16 @@ TEST(Series, AnUnknownKeyIsRefused) {
   EXPECT_EQ(refusal_of(path), path.string() + ":/: expected the key \"title\", which is missing");
 }
 
+TEST(Series, AProtocolInWhichNobodyTakesPartIsRefused) {
+  const TemporaryFolder folder;
+  const std::string nobody = protocol_path("scheduler-distribution");
+  folder.write("two.json", series_text(protocol_path("causality"), nobody));
+  EXPECT_EQ(refusal_of(folder / "two.json"),
+            (folder / "two.json").string() +
+                ":/protocols/1: expected a protocol in which people take part, got \"" + nobody +
+                "\", in which nobody does");
+}
+
 TEST(Series, AsManyObserversAsProtocolsOrOneAreExpected) {
   const TemporaryFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
