@@ -14,9 +14,9 @@ namespace impetus {
 inline constexpr int kTreeBuilderVersion = 1;
 
 /// A tree of at most levels_to_build(settings) + 1 levels, fewer when nothing finer would change
-/// anything, in the frame of `solid`, which should be about its centre of mass. Every level covers the whole
-/// surface. The result is the same, bit for bit, on every machine. Throws std::invalid_argument
-/// when the mesh is not closed or problem_of(settings) is not empty.
+/// anything, in the frame of `solid`, which should be about its centre of mass. Every level covers
+/// the whole surface. The result is the same, bit for bit, on every machine. Throws
+/// std::invalid_argument when the mesh is not closed or problem_of(settings) is not empty.
 VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress = {});
 
