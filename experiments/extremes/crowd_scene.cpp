@@ -24,6 +24,7 @@ ExtremeScene crowd_scene(int count, double filled, double restitution, std::int6
   const double half_m =
       0.5 * cube_root(count * kBallContent * bound_m * bound_m * bound_m / filled);
   RandomStream random(8, "crowd at an extreme");
+  const std::vector<TreeKind> kinds = all_tree_kinds();
   ExtremeScene scene;
   scene.name = short_number(100.0 * filled) + " %, restitution " + short_number(restitution);
   for (int i = 0; i < count; ++i) {
@@ -33,7 +34,7 @@ ExtremeScene crowd_scene(int count, double filled, double restitution, std::int6
     const Vector3 axis = random_in_cube(random, 1.0);
     start.pose.orientation = Quaternion(0.5, axis.x(), axis.y(), axis.z()).normalized();
     start.spin_rad_s = random_in_cube(random, 5.0);
-    scene.bodies.back().tree = TreeKind::kBox;
+    scene.bodies.back().tree = kinds[static_cast<std::size_t>(i) % kinds.size()];
   }
   scene.settings.enclosure = ClosedCube{half_m};
   scene.settings.restitution = restitution;

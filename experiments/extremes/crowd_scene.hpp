@@ -6,9 +6,9 @@
 
 namespace impetus {
 
-/// Blocks in box trees at random places and orientations, flying at about 1 m/s and spinning at
-/// about 5 rad/s; their bounding balls would fill `filled` of the cube. The same for the same
-/// arguments.
+/// Blocks in trees of every kind in turn, at random places and orientations, flying at about 1 m/s
+/// and spinning at about 5 rad/s; their bounding balls would fill `filled` of the cube. The same
+/// for the same arguments.
 ExtremeScene crowd_scene(int count, double filled, double restitution, std::int64_t steps);
 
 }  // namespace impetus

@@ -47,7 +47,7 @@ std::vector<ExtremeCase> crowd_cases() {
            "crowd",
            {{"100 blocks that fill 30 to 200 % of a cube keep their energy (at restitution .5: "
              "gain none) within a share of",
-             1e-2, "", energy_error},
+             1e-9, "", energy_error},
             {"and none of their centres leaves the cube, by", 0.0, "m", beyond_walls_m}},
            crowds}};
 }

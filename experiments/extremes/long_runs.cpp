@@ -63,7 +63,7 @@ std::vector<ExtremeCase> long_run_cases() {
        tumbling},
       {family,
        "long-crowd",
-       {{"15 blocks in a cube (1e6 steps; 1e4 as usual) keep their energy within a share of", 1e-2,
+       {{"15 blocks in a cube (1e6 steps; 1e4 as usual) keep their energy within a share of", 1e-9,
          "", energy_drift}},
        crowd},
   };

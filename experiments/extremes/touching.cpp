@@ -124,12 +124,12 @@ std::vector<ExtremeCase> touch_cases() {
        [](Length) { return pairs_at_rest(0.0); }},
       {family,
        "coincident-moving",
-       {{"Those that move from exactly one place gain of their energy at most", 1e-3, "",
+       {{"Those that move from exactly one place gain of their energy at most", 1e-9, "",
          energy_gain}},
        coincident_and_moving},
       {family,
        "deep-inside",
-       {{"A ball deep inside another body, on its way out: energy gained at most", 1e-3, "",
+       {{"A ball deep inside another body, on its way out: energy gained at most", 1e-9, "",
          energy_gain}},
        deep_inside},
       {family,
@@ -139,7 +139,7 @@ std::vector<ExtremeCase> touch_cases() {
       {family,
        "squeezed-pile",
        {{"A pile squeezed into half its volume gains, of what falling through it gives, at most",
-         1e-2, "", pile_gain}},
+         1e-9, "", pile_gain}},
        squeezed_pile},
   };
 }

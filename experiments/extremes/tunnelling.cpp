@@ -28,6 +28,7 @@ ExtremeScene shot(const Vector3& edges_m, double speed_m_s, bool fixed,
   scene.bodies[1].mass_kg = 0.01;
   scene.name = short_number(speed_m_s) + " m/s, " + short_number(edges_m.z()) + " m" +
                (fixed ? "" : ", free") + (kind ? ", " + name_of(*kind) : "");
+  scene.settings.rotation = Rotation::kEnergyKept;  // what is left is what impacts add
   scene.step_s = kStep_s;
   // So many that a bullet that goes on is well behind the plate.
   scene.steps = 3 + std::llround(1.5 * away_m / way_m);
