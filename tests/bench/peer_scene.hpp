@@ -28,9 +28,10 @@ class PeerScene {
 std::unique_ptr<PeerScene> our_scene(const ExtremeScene& scene);
 
 /// Bullet: balls and boxes, boxes with the usual margin but at most a tenth of their thinnest half,
-/// sequential impulses of ten iterations, restitution at any speed. The second is the same with the
-/// continuous detection that its manual offers: a swept ball of .9 of the body's least half width,
-/// whenever the body moves by half of that in a step.
+/// sequential impulses of ten iterations, restitution at any speed, depth taken back by split
+/// impulses however small it is. The second is the same with the continuous detection that its
+/// manual offers: a swept ball of .9 of the body's least half width, whenever the body moves by
+/// half of that in a step.
 std::unique_ptr<PeerScene> bullet_scene(const ExtremeScene& scene);
 std::unique_ptr<PeerScene> continuous_bullet_scene(const ExtremeScene& scene);
 

@@ -47,6 +47,7 @@ class BulletScene final : public PeerScene {
       : scene_(&scene), restitution_(scalar(std::sqrt(scene.settings.restitution))) {
     world_.setGravity(to_bullet(scene.settings.gravity_m_s2));
     world_.getSolverInfo().m_restitutionVelocityThreshold = scalar(0.0);
+    world_.getSolverInfo().m_splitImpulsePenetrationThreshold = scalar(0.0);
     for (const ExtremeBody& body : scene.bodies) {
       shapes_.push_back(shape_of(body));
       add(body, *shapes_.back(), continuous);

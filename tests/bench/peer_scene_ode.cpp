@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <stdexcept>
 
 #include "engine/volumes/closed_cube.hpp"
 #include "tests/bench/peer_scene.hpp"
@@ -56,10 +57,10 @@ class OdeScene final : public PeerScene {
     dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) {
       static_cast<OdeScene*>(self)->add_contacts(a, b);
     });
-    if (quick_) {
-      dWorldQuickStep(world_, scene_->step_s);
-    } else {
-      dWorldStep(world_, scene_->step_s);
+    const int stepped =
+        quick_ ? dWorldQuickStep(world_, scene_->step_s) : dWorldStep(world_, scene_->step_s);
+    if (stepped == 0) {
+      throw std::runtime_error("ODE could not step for want of memory");
     }
     dJointGroupEmpty(contacts_);
   }
