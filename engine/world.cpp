@@ -2,11 +2,14 @@
 #include "engine/world.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "engine/collision_reports.hpp"
+#include "engine/scheduling/eccentricity_metric.hpp"
+#include "engine/scheduling/relative_acuity.hpp"
 
 namespace impetus {
 namespace {
@@ -244,12 +247,17 @@ void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
   } else {
     begun.refinement.begin(a, placed_[at(bodies.b)], capped, at_greatest);
   }
-  if (settings_.schedule.traversal == Traversal::kBestFirst) {
+  const Traversal traversal = settings_.schedule.traversal;
+  if (traversal == Traversal::kBestFirst || traversal == Traversal::kVisibleFirst) {
     const auto bound = [this](std::int32_t body) {
       return Sphere{states_[at(body)].pose.position, models_[at(body)].tree->bounding_radius_m()};
     };
     const PairBounds bounds{bodies, bound(bodies.a), bound(walls ? bodies.a : bodies.b)};
     begun.eye_distance_m = (collision_place(bounds) - input.viewer.eye).norm();
+    if (traversal == Traversal::kVisibleFirst) {
+      begun.acuity = relative_acuity(
+          eccentricity_deg(bounds, input.viewer, input.fixation, /*point=*/std::nullopt));
+    }
   }
 }
 

@@ -99,6 +99,16 @@ class PairRefinement {
   /// that of the spheres about them. A wall is solid. (Dingliana 2002, eq. 4.6, corrected)
   [[nodiscard]] double likeliest_collision() const;
 
+  /// Of the overlapping nodes, how deep the deepest reach into each other (metres), or beyond a
+  /// wall: the least along the line of their centres and along their own axes, so never less than
+  /// they do. Precondition: some overlap.
+  [[nodiscard]] double deepest_overlap_m() const;
+
+  /// The finest level that it may come to: of either tree, or its greatest.
+  [[nodiscard]] int finest_level() const {
+    return greatest_level_ < deepest_level_ ? greatest_level_ : deepest_level_;
+  }
+
  private:
   void test_roots(bool touch);
   [[nodiscard]] bool has_finer() const { return !committed_.is_end(next_); }

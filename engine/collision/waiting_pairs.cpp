@@ -21,6 +21,39 @@ double expected_gain(const RefinedPair& pair, const PhaseCosts& costs) {
   return visible_deg * refinement.likeliest_collision() / cost;
 }
 
+/// Metres of gap that are expected to open until `level`.
+double expected_gap_m(const PairRefinement& refinement, int level, double overlap_m) {
+  const double closer_m =
+      refinement.fit_error_m(refinement.level()) - refinement.fit_error_m(level);
+  if (!(closer_m > overlap_m)) {
+    return 0.0;
+  }
+  const double beyond_m = closer_m - overlap_m;
+  return 0.5 * beyond_m * beyond_m / closer_m;
+}
+
+/// Degrees at the fovea that finer levels are expected to take off what shows, per unit of work.
+double expected_visible_gain(const RefinedPair& pair, const PhaseCosts& costs) {
+  const PairRefinement& refinement = pair.refinement;
+  if (refinement.resolved()) {
+    return 0.0;
+  }
+  const double overlap_m = refinement.deepest_overlap_m();
+  double gap_per_level_m = 0.0;
+  for (int level = refinement.level() + 1; level <= refinement.finest_level(); ++level) {
+    gap_per_level_m = std::max(gap_per_level_m, expected_gap_m(refinement, level, overlap_m) /
+                                                    (level - refinement.level()));
+  }
+  const double visible_deg = degrees(2.0 * atan2_rad(0.5 * gap_per_level_m, pair.eye_distance_m));
+  const double cost = static_cast<double>(costs.of_tests(pair, refinement.tests_of_next_level()));
+  return pair.acuity * visible_deg / cost;
+}
+
+double expected(const RefinedPair& pair, Traversal traversal, const PhaseCosts& costs) {
+  return traversal == Traversal::kVisibleFirst ? expected_visible_gain(pair, costs)
+                                               : expected_gain(pair, costs);
+}
+
 }  // namespace
 
 double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& costs) {
@@ -30,9 +63,10 @@ double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& c
     case Traversal::kBreadthFirst:
       return -static_cast<double>(pair.refinement.level());
     case Traversal::kBestFirst:
+    case Traversal::kVisibleFirst:
       break;
   }
-  const double gain = expected_gain(pair, costs);
+  const double gain = expected(pair, traversal, costs);
   return gain > 0.0 ? gain : 0.0;  // also for what is not a number, which has no place in an order
 }
 

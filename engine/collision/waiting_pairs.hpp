@@ -6,6 +6,18 @@
 //                    (fit error now − fit error then, in degrees at the eye)
 //                    × probability that the surfaces meet, κ ρ_a ρ_b of the likeliest nodes
 //                    / what the tests of the next level cost
+//   visible-first  the most visible error that finer levels are expected to remove, per unit of
+//                  work:
+//                    gap expected to open, in degrees at the eye
+//                    × acuity there, relative to the fovea's (relative_acuity.hpp)
+//                    / (what the tests of the next level cost × levels until then)
+//
+// A gap shows where coarse bounds touch and surfaces do not. Let the deepest nodes overlap by δ,
+// and let D be what the fit errors lose until a finer level. Its bounds lie closer to the surfaces
+// by between nothing and D, as far as is known each as likely. Where that is more than δ they part,
+// and the gap that goes with them is at least the rest: (D − δ)² / 2D, on average. Of several finer
+// levels the one that pays most counts. Bounds that overlap deeply, as those of bodies that
+// really touch, so come last, which best-first takes first.
 //
 // Ties go to the pair of higher priority. A pair's urgency changes only when a level of it is
 // complete, so one that was begun is finished first.

@@ -25,7 +25,8 @@ struct RefinedPair {
   int list{0};
   PairRefinement refinement;
   int walls{1};                ///< for a body and the enclosure: how many walls it could touch
-  double eye_distance_m{1.0};  ///< of the place of the collision, for best-first traversal
+  double eye_distance_m{1.0};  ///< of the place of the collision, for orders by what is seen
+  double acuity{1.0};          ///< relative to the fovea's, there; for visible-first traversal
 };
 
 /// What detection, modelling and response of a pair cost, by bounds that hold in advance.

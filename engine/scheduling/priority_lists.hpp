@@ -50,6 +50,9 @@ enum class Traversal {
   kDepthFirst,    ///< the first that is unfinished: one pair after the other
   kBreadthFirst,  ///< the one at the coarsest level: level after level
   kBestFirst,     ///< the one whose next level is expected to remove most visible gap per work
+  /// The one of which finer levels are expected to remove most of what the viewer could see, per
+  /// work: gaps that only coarse bounds leave, where the eye resolves them.
+  kVisibleFirst,
 };
 
 /// How the work of a step is shared. As it stands: one list, nearest first.

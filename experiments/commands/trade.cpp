@@ -18,6 +18,7 @@
 #include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/scheduled_trade.hpp"
 #include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
@@ -50,6 +51,7 @@ struct TradeOptions {
   int impacts{200};
   std::uint64_t seed{1};
   bool force{false};
+  ScheduledTradeOptions scheduled;
 };
 
 constexpr int kUsualDepth = 3;
@@ -320,12 +322,16 @@ int trade(const TradeOptions& options) {
               depth_of(options, scene.value),
               build_scene(scene.value, screen, kExactHold, shapes),
               {}};
+  check(options.scheduled, trade.staged);
   {
     ProgressLine line("simulating the scene");
     trade.demand = demand_of(trade.staged, [&line](double share) { line.tell(share); });
   }
   std::vector<TradeRow> rows = scene_rows(trade.demand, title_of(scene));
   const ImpactMeasures impacts = add_impacts(trade, shapes, rows);
+  append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
+                              shapes),
+         rows);
   const std::vector<TradeOption> found = possible_options(trade, trade_options(impacts));
   SceneRuns runs(trade, shapes, rows);
   run_every_level(found, runs);
@@ -360,6 +366,7 @@ void add_trade(CLI::App& app, Command& chosen) {
   command->add_option("--budgets-ms", options->budgets_ms, "Milliseconds a step; 1,4,16,50")
       ->delimiter(',');
   command->add_option("--impacts", options->impacts, "To measure at")->capture_default_str();
+  add_options(*command, options->scheduled);
   command->add_option("--seed", options->seed, "Another number, other impacts")
       ->capture_default_str();
   command->add_option("--screen", options->screen_file,
@@ -367,6 +374,7 @@ void add_trade(CLI::App& app, Command& chosen) {
   command->add_flag("--force", options->force, "Overwrite an existing result");
   command->callback([options, &chosen] {
     chosen = [options] {
+      options->scheduled.kinds = options->kinds;
       if (options->kinds.empty()) {
         options->kinds = tree_kind_names();
       }

@@ -25,9 +25,10 @@ PriorityList list_from(const json& entry) {
 
 Traversal traversal_of(const json& schedule) {
   const auto name = schedule.value("traversal", std::string("depth-first"));
-  return name == "breadth-first" ? Traversal::kBreadthFirst
-         : name == "best-first"  ? Traversal::kBestFirst
-                                 : Traversal::kDepthFirst;
+  return name == "breadth-first"   ? Traversal::kBreadthFirst
+         : name == "best-first"    ? Traversal::kBestFirst
+         : name == "visible-first" ? Traversal::kVisibleFirst
+                                   : Traversal::kDepthFirst;
 }
 
 void set_rule(const json& schedule, Schedule& result) {
@@ -108,7 +109,13 @@ bool depends_on_gaze(const json& engine) {
   if (region_of(engine, 1.0).kind == RegionKind::kTracked) {
     return true;
   }
-  if (!engine.contains("schedule") || engine["schedule"].contains("point_deg")) {
+  if (!engine.contains("schedule")) {
+    return false;
+  }
+  if (traversal_of(engine["schedule"]) == Traversal::kVisibleFirst) {
+    return true;
+  }
+  if (engine["schedule"].contains("point_deg")) {
     return false;
   }
   const std::set<std::string> metrics = metrics_in(engine["schedule"]);

@@ -21,10 +21,11 @@ constexpr std::array<NamedValue<RegionKind>, 5> kRegions{{{RegionKind::kTracked,
                                                           {RegionKind::kAllBad, "all-bad"}}};
 constexpr std::array<NamedValue<bool>, 2> kLimits{
     {{false, "thresholds of the metric"}, {true, "shares of the pairs"}}};
-constexpr std::array<NamedValue<Traversal>, 3> kTraversals{
+constexpr std::array<NamedValue<Traversal>, 4> kTraversals{
     {{Traversal::kDepthFirst, "depth-first"},
      {Traversal::kBreadthFirst, "breadth-first"},
-     {Traversal::kBestFirst, "best-first"}}};
+     {Traversal::kBestFirst, "best-first"},
+     {Traversal::kVisibleFirst, "visible-first"}}};
 
 class SchedulerControls {
  public:
@@ -176,7 +177,8 @@ class SchedulerControls {
     changed_ |= chosen_of("within a list", settings_.traversal, kTraversals,
                           "depth-first: one pair after the other. breadth-first: level after "
                           "level. best-first: where the next level should take away most of the "
-                          "visible gap for its work.");
+                          "visible gap for its work. visible-first: where finer levels should "
+                          "take away most of what shows, near where one looks.");
     panel_label("persistence");
     const int second = std::max(1, static_cast<int>(step_hz_));
     const std::string format =

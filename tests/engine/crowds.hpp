@@ -118,8 +118,8 @@ inline Schedule random_schedule(RandomStream& random) {
     }
   }
   constexpr std::array kTraversals{Traversal::kDepthFirst, Traversal::kBreadthFirst,
-                                   Traversal::kBestFirst};
-  schedule.traversal = kTraversals[random.below(3)];
+                                   Traversal::kBestFirst, Traversal::kVisibleFirst};
+  schedule.traversal = kTraversals[random.below(kTraversals.size())];
   schedule.persistence_steps = static_cast<std::int64_t>(random.below(6));
   return schedule;
 }

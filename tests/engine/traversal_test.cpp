@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/collision/list_refinement.hpp"
+#include "engine/collision/node_gap.hpp"
 #include "engine/collision/waiting_pairs.hpp"
 #include "tests/engine/crowds.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 511;
 constexpr std::array kTraversals{Traversal::kDepthFirst, Traversal::kBreadthFirst,
-                                 Traversal::kBestFirst};
+                                 Traversal::kBestFirst, Traversal::kVisibleFirst};
 
 /// Random pairs of trees of every kind, some of them apart, and of trees and walls.
 struct RandomPairs {
@@ -235,6 +236,73 @@ TEST(Traversal, BestFirstRemovesMoreVisibleGapThanDepthFirst) {
   }
 }
 
+double visible_urgency_of(const VolumeTree& tree, double apart_m, double eye_distance_m,
+                          double acuity) {
+  PlacedTree a(tree);
+  PlacedTree b(tree);
+  b.move_to({Vector3(apart_m, 0.0, 0.0), Quaternion::Identity()});
+  RefinedPair pair{{0, 1}, 0, PairRefinement(a, b)};
+  pair.eye_distance_m = eye_distance_m;
+  pair.acuity = acuity;
+  return urgency(pair, Traversal::kVisibleFirst, PhaseCosts({1, 1, 0, 0}, {}));
+}
+
+TEST(Traversal, VisibleFirstExpectsTheGapThatOpensTimesAcuityPerWork) {
+  // Errors fall by D = 2 · 0.01 m, the roots overlap by δ = 0.2 − 0.195 m: (D − δ)² / 2D, seen from
+  // 1 m at half the acuity, for four tests.
+  const double gap_m = 0.015 * 0.015 / (2.0 * 0.02);
+  const double gap_deg = 2.0 * std::atan(0.5 * gap_m) * 180.0 / std::numbers::pi;
+  const VolumeTree tree = halving_tree(0.02F, 0.5F);
+  const double base = visible_urgency_of(tree, 0.195, 1.0, 0.5);
+  EXPECT_NEAR(base, gap_deg * 0.5 / 4.0, 1e-8);  // the errors are stored as floats
+  EXPECT_GT(visible_urgency_of(halving_tree(0.03F, 0.5F), 0.195, 1.0, 0.5), base) << "looser";
+  EXPECT_GT(visible_urgency_of(tree, 0.198, 1.0, 0.5), base) << "less deep";
+  EXPECT_GT(visible_urgency_of(tree, 0.195, 0.5, 0.5), base) << "nearer";
+  EXPECT_GT(visible_urgency_of(tree, 0.195, 1.0, 0.6), base) << "more central";
+  EXPECT_EQ(visible_urgency_of(tree, 0.15, 1.0, 0.5), 0.0) << "too deep to part";
+}
+
+TEST(Traversal, VisibleFirstLooksBeyondALevelThatGainsNothing) {
+  // The errors stay for a level and fall at the next.
+  const NodeSurface loose{1.0F, kNoGroup, Eigen::Vector3f::Zero(), 0.02F};
+  const NodeSurface close{1.0F, kNoGroup, Eigen::Vector3f::Zero(), 0.0F};
+  const VolumeTree tree({{Sphere{{0, 0, 0}, 0.1}, 1, 1, loose},
+                         {Sphere{{0, 0, 0}, 0.1}, 2, 1, loose},
+                         {Sphere{{0, 0, 0}, 0.08}, 0, 0, close}},
+                        {0, 1, 2});
+  EXPECT_GT(visible_urgency_of(tree, 0.195, 1.0, 1.0), 0.0);
+}
+
+TEST(Traversal, TheDeepestOverlapIsNeverLessThanThatOfTheDeepestNodes) {
+  int overlapping = 0;
+  double sum_m = 0.0;
+  double exact_m = 0.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    RandomPairs random(seed);
+    for (std::size_t i = 0; i + 1 < random.placed.size(); ++i) {
+      PairRefinement& pair = random.pairs[i].refinement;
+      while (!pair.resolved() && pair.level() < 2) {
+        pair.refine_one_block();
+      }
+      double deepest_m = 0.0;
+      for (const NodePair& nodes : pair.overlapping()) {
+        const NodeGap gap = gap_of_nodes(random.placed[i].world_volume(nodes.a),
+                                         random.placed[i + 1].world_volume(nodes.b));
+        deepest_m = std::max(deepest_m, -gap.gap_m);
+      }
+      if (pair.overlapping().empty()) {
+        continue;
+      }
+      ++overlapping;
+      EXPECT_GE(pair.deepest_overlap_m(), deepest_m - 1e-12) << seed;
+      sum_m += pair.deepest_overlap_m();
+      exact_m += deepest_m;
+    }
+  }
+  EXPECT_GT(overlapping, 100);
+  EXPECT_LT(sum_m, 1.5 * exact_m) << "and no more than needed";
+}
+
 TEST(Traversal, WaitingPairsComeAsASortWouldHaveThem) {
   RandomStream random(kSeed, "queue");
   for (int trial = 0; trial < 200; ++trial) {
@@ -257,7 +325,8 @@ TEST(Traversal, WaitingPairsComeAsASortWouldHaveThem) {
 TEST(Traversal, EveryOrderReplaysAndAnUnlimitedBudgetEndsAllInOneState) {
   WorldSettings settings;
   World plain = random_tree_world(9, 5, settings);
-  for (const Traversal traversal : {Traversal::kBreadthFirst, Traversal::kBestFirst}) {
+  for (const Traversal traversal :
+       {Traversal::kBreadthFirst, Traversal::kBestFirst, Traversal::kVisibleFirst}) {
     World depth_first = plain;
     settings.schedule.traversal = traversal;
     World other = random_tree_world(9, 5, settings);

@@ -123,9 +123,11 @@ TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
   EXPECT_EQ(asked("depth-first"), Traversal::kDepthFirst);
   EXPECT_EQ(asked("breadth-first"), Traversal::kBreadthFirst);
   EXPECT_EQ(asked("best-first"), Traversal::kBestFirst);
+  EXPECT_EQ(asked("visible-first"), Traversal::kVisibleFirst);
+  EXPECT_TRUE(built(with_schedule("traversal", "visible-first")).depends_on_gaze);
   EXPECT_EQ(scene_refusal(with_schedule("traversal", "random")),
             "/engine/schedule/traversal: expected one of \"depth-first\", \"breadth-first\", "
-            "\"best-first\", got \"random\"");
+            "\"best-first\", \"visible-first\", got \"random\"");
 }
 
 TEST(SceneOptions, PersistenceIsAWholeNumberOfSteps) {

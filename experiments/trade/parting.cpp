@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/trade/parting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/numerics/trigonometry.hpp"
+#include "experiments/session/region_source.hpp"
+#include "experiments/trade/work_beyond_floor.hpp"
+
+namespace impetus {
+namespace {
+
+using Poses = std::vector<Pose>;
+
+std::int64_t steps_of(const StagedScene& scene, double longest_s) {
+  return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
+}
+
+/// A trial of a scene, step by step.
+class Trial {
+ public:
+  Trial(const StagedScene& scene, Schedule schedule, std::int64_t budget, std::uint64_t seed)
+      : scene_(scene), world_(scene.world), regions_(scene, seed), meter_(budget) {
+    world_.set_schedule(std::move(schedule));
+    world_.set_costs(costs_of_tests(world_.settings().costs));
+    input_.dt_s = 1.0 / scene.step_hz;
+    input_.fixation = ScreenPoint{};
+  }
+
+  const std::vector<BodyState>& step() {
+    ++step_;
+    input_.viewer = scene_.viewer_at_time(static_cast<double>(step_) / scene_.step_hz);
+    input_.region = regions_.at(step_, input_.fixation);
+    meter_.start_step();
+    static_cast<void>(world_.step(input_, meter_));
+    return world_.states();
+  }
+
+  [[nodiscard]] const Viewer& viewer() const { return input_.viewer; }
+
+ private:
+  const StagedScene& scene_;
+  World world_;
+  RegionSource regions_;
+  WorkBeyondFloor meter_;
+  StepInput input_;
+  std::int64_t step_{0};
+};
+
+/// Poses of all bodies after each step, at the finest level.
+std::vector<Poses> reference_of(const StagedScene& scene, double longest_s) {
+  Trial trial(scene, {}, kUnlimitedTests, 0);
+  std::vector<Poses> course;
+  for (std::int64_t step = 1; step <= steps_of(scene, longest_s); ++step) {
+    Poses poses;
+    for (const BodyState& state : trial.step()) {
+      poses.push_back(state.pose);
+    }
+    course.push_back(std::move(poses));
+  }
+  return course;
+}
+
+/// The angle between two orientations.
+double turn_deg(const Quaternion& x, const Quaternion& y) {
+  const Quaternion between = x.conjugate() * y;
+  return degrees(2.0 * atan2_rad(between.vec().norm(), std::abs(between.w())));
+}
+
+/// Whether the eye could tell; what is not a number is told from everything.
+bool are_apart(const Pose& x, const Pose& y, bool turns_show, const Viewer& viewer,
+               const PartingThresholds& thresholds) {
+  const bool same_place =
+      visual_angle_deg(viewer, x.position, y.position) < thresholds.position_deg;
+  const bool same_turn =
+      !turns_show || turn_deg(x.orientation, y.orientation) < thresholds.turn_deg;
+  return !same_place || !same_turn;
+}
+
+PartedTrial parted(const StagedScene& scene, const std::vector<Poses>& reference, Trial trial,
+                   const PartingThresholds& thresholds) {
+  const std::size_t bodies = scene.world.models().size();
+  std::vector<bool> has_parted(bodies, false);
+  std::size_t count = 0;
+  PartedTrial result;
+  for (std::size_t step = 0; step < reference.size() && count < bodies; ++step) {
+    const std::vector<BodyState>& states = trial.step();
+    for (std::size_t body = 0; body < bodies; ++body) {
+      if (!has_parted[body] &&
+          are_apart(reference[step][body], states[body].pose, scene.looks[body].mesh != nullptr,
+                    trial.viewer(), thresholds)) {
+        has_parted[body] = true;
+        ++count;
+      }
+    }
+    const double time_s = static_cast<double>(step + 1) / scene.step_hz;
+    result.first_s = count > 0 ? std::min(result.first_s, time_s) : result.first_s;
+    result.half_s = 2 * count >= bodies ? std::min(result.half_s, time_s) : result.half_s;
+  }
+  result.share_together = 1.0 - static_cast<double>(count) / static_cast<double>(bodies);
+  return result;
+}
+
+Trial tried(const StagedScene& scene, const PartingSetting& setting, std::uint64_t seed) {
+  Schedule schedule = schedule_of(setting.order, scene, seed);
+  if (setting.order.scheduler != kOwnScheduler) {
+    schedule.lists.front().greatest_level = setting.level;
+  }
+  return {scene, std::move(schedule), setting.budget.value_or(kUnlimitedTests), seed};
+}
+
+}  // namespace
+
+std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& request,
+                                   const Progress& progress) {
+  std::vector<PartedTrials> all;
+  for (const PartingSetting& setting : request.settings) {
+    all.push_back({setting, {}});
+  }
+  const auto count = static_cast<double>(all.size()) * static_cast<double>(request.starts);
+  std::int64_t done = 0;
+  for (std::int64_t number = 1; number <= request.starts; ++number) {
+    std::optional<StagedScene> scene;
+    std::vector<Poses> reference;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const PartingSetting& setting = all[i].setting;
+      if (!scene || setting.kind != all[i - 1].setting.kind) {
+        scene.emplace(start(setting.kind, number));
+        reference = reference_of(*scene, request.longest_s);
+      }
+      all[i].trials.push_back(
+          parted(*scene, reference, tried(*scene, setting, request.seed), request.thresholds));
+      if (progress) {
+        progress(static_cast<double>(++done) / count);
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace impetus
