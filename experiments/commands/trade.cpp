@@ -22,6 +22,7 @@
 #include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
+#include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/trade/chosen_settings.hpp"
@@ -99,7 +100,7 @@ void check(const TradeOptions& options) {
           "--impacts: expected from 10 to 100000, got " + std::to_string(options.impacts));
   for (const double budget_ms : options.budgets_ms) {
     require(budget_ms > 0.0,
-            "--budgets-ms: expected milliseconds above 0, got " + std::to_string(budget_ms));
+            "--budgets-ms: expected milliseconds above 0, got " + csv_number(budget_ms));
   }
 }
 
@@ -241,6 +242,24 @@ class SceneRuns {
   SteadyClock clock_;
 };
 
+/// The options of kinds with which the scene is valid: bounds may be too large for a crowd's walls.
+/// Those that it is not valid with are told.
+std::vector<TradeOption> possible_options(const Trade& trade, std::vector<TradeOption> options) {
+  for (const std::string& kind : trade.options.kinds) {
+    TradeOption root;
+    root.kind = tree_kind(kind);
+    root.reduction = trade.options.reductions.front();
+    const std::vector<SceneProblem> problems =
+        scene_problems(scene_with(trade.scene.value, root, trade.depth));
+    if (!problems.empty()) {
+      std::printf("not offered: trees of kind %s, with which %s: %s\n", kind.c_str(),
+                  problems.front().pointer.c_str(), problems.front().message.c_str());
+      std::erase_if(options, [&](const TradeOption& each) { return each.kind == root.kind; });
+    }
+  }
+  return options;
+}
+
 /// Every kind and level in the scene itself, with the first reduction asked for.
 void run_every_level(const std::vector<TradeOption>& options, SceneRuns& runs) {
   ProgressLine line("running the scene at every level");
@@ -313,10 +332,11 @@ int trade(const TradeOptions& options) {
   append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
                               shapes),
          rows);
-  const std::vector<TradeOption> found = trade_options(impacts);
+  const std::vector<TradeOption> found = possible_options(trade, trade_options(impacts));
   SceneRuns runs(trade, shapes, rows);
   run_every_level(found, runs);
-  const std::vector<TradeChoice> choices = choose(trade, found, runs);
+  const std::vector<TradeChoice> choices =
+      found.empty() ? std::vector<TradeChoice>() : choose(trade, found, runs);
   const double pairs = pairs_per_step(trade.demand);
   write_whole_file(folder / "trade.csv", csv_of(rows));
   write_whole_file(folder / "choices.csv", choices_csv(choices));

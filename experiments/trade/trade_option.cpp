@@ -2,10 +2,18 @@
 #include "experiments/trade/trade_option.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
 namespace impetus {
+namespace {
+
+/// A time in steps of a quarter: what differs by less is chance, and the order measured decides.
+double steps_of(double mean_us) { return std::round(std::log(mean_us) / std::log(1.25)); }
+
+}  // namespace
 
 double TradeOption::step_ms(double pairs) const { return 1e-3 * std::max(pairs * mean_us, p99_us); }
 
@@ -44,7 +52,8 @@ std::vector<TradeOption> ranked(const std::vector<TradeOption>& options, double 
   std::copy_if(options.begin(), options.end(), std::back_inserter(within),
                [&](const TradeOption& option) { return option.step_ms(pairs) <= budget_ms; });
   std::stable_sort(within.begin(), within.end(), [](const TradeOption& x, const TradeOption& y) {
-    return std::make_tuple(x.error(), x.mean_us) < std::make_tuple(y.error(), y.mean_us);
+    return std::make_tuple(x.error(), steps_of(x.mean_us)) <
+           std::make_tuple(y.error(), steps_of(y.mean_us));
   });
   return within;
 }

@@ -4,7 +4,8 @@
 //
 // An option's normal error is the median, its gap what 95 % of gaps are below, both against the
 // exact meshes. The product has no unit to agree on: half the one is worth twice the other. Errors
-// too small to matter count as kLeastNormal_deg and kLeastGap_arcmin; of equals, the quickest.
+// too small to matter count as kLeastNormal_deg and kLeastGap_arcmin; of equals, the
+// quickest, and of those about as quick the first.
 // SPDX-License-Identifier: MIT
 #pragma once
 
