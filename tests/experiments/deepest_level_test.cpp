@@ -15,14 +15,19 @@ namespace impetus {
 namespace {
 
 /// The gap study, whose factor is the level; its trees could have 4 levels beyond the root.
-Study gap_at_levels(const json& levels) {
-  json practice = json::parse(shipped("protocols/gap.json"))["design"]["practice"];
-  for (json& condition : practice) {
+Protocol gap_at_levels(const json& levels, const json& demonstrations = json::array()) {
+  const std::string name = "protocols/gap.json";
+  const std::string scene_name = "stimuli/two-l-blocks.json";
+  json protocol = json::parse(shipped(name));
+  protocol["design"]["factors"][0]["levels"] = levels;
+  for (json& condition : protocol["design"]["practice"]) {
     condition["level"] = levels[0];
   }
-  return Study("protocols/gap.json", "stimuli/two-l-blocks.json")
-      .with("/design/factors/0/levels", levels)
-      .with("/design/practice", practice);
+  if (!demonstrations.empty()) {
+    protocol["session"]["demonstrations"] = demonstrations;
+  }
+  return make_protocol(parse_json(name, protocol.dump()),
+                       parse_json(scene_name, shipped(scene_name)));
 }
 
 int levels_of(const StagedScene& scene) { return scene.world.models()[0].tree->level_count(); }
@@ -33,9 +38,9 @@ int levels_staged(const Protocol& protocol) {
 }
 
 TEST(DeepestLevel, TreesHaveTheLevelsThatSomeConditionReaches) {
-  EXPECT_EQ(levels_staged(gap_at_levels({0, 2, 4}).made()), 5);
-  EXPECT_EQ(levels_staged(gap_at_levels({0, 2}).made()), 3);
-  EXPECT_EQ(levels_staged(gap_at_levels({0, 1}).made()), 2);
+  EXPECT_EQ(levels_staged(gap_at_levels({0, 2, 4})), 5);
+  EXPECT_EQ(levels_staged(gap_at_levels({0, 2})), 3);
+  EXPECT_EQ(levels_staged(gap_at_levels({0, 1})), 2);
 }
 
 TEST(DeepestLevel, ADemonstrationReachesAsDeepAsACondition) {
@@ -43,8 +48,7 @@ TEST(DeepestLevel, ADemonstrationReachesAsDeepAsACondition) {
                                             {"title", "Fine"},
                                             {"paragraphs", {"Finer than any trial."}},
                                             {"set", {{"/engine/level", 3}}}}});
-  const Protocol protocol =
-      gap_at_levels({0, 1}).with("/session/demonstrations", demonstrations).made();
+  const Protocol protocol = gap_at_levels({0, 1}, demonstrations);
   EXPECT_EQ(deepest_level_of(protocol), 3);
   const ProtocolScenes scenes(protocol, 0.0);
   EXPECT_EQ(levels_of(scenes.stage_demonstration("fine", assumed_screen())), 4);
@@ -62,7 +66,7 @@ TEST(DeepestLevel, IsTheDeepestOfTheLists) {
 }
 
 TEST(DeepestLevel, TheCourseIsThatOfWholeTrees) {
-  const Protocol protocol = gap_at_levels({0, 2}).made();
+  const Protocol protocol = gap_at_levels({0, 2});
   const ProtocolScenes scenes(protocol, 0.0);
   for (const Condition& cell : cells(protocol.design)) {
     PlannedTrial trial;
