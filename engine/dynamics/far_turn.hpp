@@ -1,9 +1,10 @@
 // The rotation of a free body that turns far in a step, or whose moments of inertia are far apart:
 // there the iterations of motion.hpp do not converge.
 //
-//   ½ Π·I⁻¹Π  =  ½ w_j |Π|²  +  ½ (w_k − w_j) Π_k²  +  ½ (w_i − w_j) Π_i²       Π: L as the body sees it
-//                turns about L   turns about axis k     turns about axis i      w: 1 / principal moments
+//   ½ Π·I⁻¹Π  =  ½ w_j |Π|²  +  ½ (w_k − w_j) Π_k²  +  ½ (w_i − w_j) Π_i²
+//                about L        about axis k           about axis i
 //
+// Π is L as the body sees it, w the inverse principal moments.
 // Each part alone is a steady turn about a fixed axis, known exactly. The first goes with both
 // others; those two are taken in turn, half of one before and half after, in as many parts of the
 // step as keep their error small: the axis k is the one whose two others are most alike, so for a

@@ -19,16 +19,16 @@ TEST(SceneLimits, ScenesThatAreShippedLieWithinThem) {
 TEST(SceneLimits, ABodyThinnerThanAMicrometreIsRefused) {
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/shape/radius_deg", 1e-5)),
             "/bodies/0/shape/radius_deg: expected 1e-06 m or more, seen on the screen, got "
-            "9.94864e-08 m");
+            "9.94863e-08 m");
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/1/shape/height_deg", 5e-5)),
             "/bodies/1/shape/height_deg: expected 1e-06 m or more, seen on the screen, got "
-            "4.97432e-07 m");
+            "4.97431e-07 m");
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/crowd/shape/thickness_deg", 5e-5)),
             "/crowd/shape/thickness_deg: expected 1e-06 m or more, seen on the screen, got "
-            "4.97432e-07 m");
+            "4.97431e-07 m");
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/bodies/0/shape/radius_deg", 1e-300)),
             "/bodies/0/shape/radius_deg: expected 1e-06 m or more, seen on the screen, got "
-            "9.94864e-303 m");
+            "9.94863e-303 m");
 }
 
 TEST(SceneLimits, ANeedleBeyondTheRatioOfItsMomentsIsRefused) {
@@ -97,7 +97,7 @@ TEST(SceneLimits, TheProgramRefusesToCheckAndToPreviewSuchAScene) {
   folder.write("protocol.json", protocol.dump());
   const std::string sentence =
       "scene.json:/bodies/0/shape/radius_deg: expected 1e-06 m or more, seen on the screen, got "
-      "9.94864e-08 m\n";
+      "9.94863e-08 m\n";
   const ProgramResult checked = run_program(folder, {"check", "protocol.json"});
   EXPECT_EQ(checked.status, 1);
   EXPECT_EQ(checked.errors, "impetus: " + sentence);
