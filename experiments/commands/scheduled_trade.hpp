@@ -9,6 +9,7 @@
 
 #include "experiments/protocol/json_document.hpp"
 #include "experiments/scenes/shape_library.hpp"
+#include "experiments/session/staged_scene.hpp"
 #include "experiments/trade/trade_row.hpp"
 
 namespace impetus {
