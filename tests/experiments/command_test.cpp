@@ -12,7 +12,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, "
+      "expected one of the commands run, check, exclude, extremes, preview, replay, screen, mesh, "
+      "tree, "
       "trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
