@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/trade/impact_outcome.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "engine/dynamics/net_contact.hpp"
 #include "engine/numerics/trigonometry.hpp"
 
 namespace impetus {
-namespace {
-
-TouchPoint net_contact(const std::vector<Contact>& contacts,
-                       const std::vector<double>& impulse_Ns) {
-  TouchPoint net{Vector3::Zero(), Vector3::Zero(), 0.0};
-  double sum_Ns = 0.0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    net.normal += impulse_Ns[i] * contacts[i].touch.normal;
-    net.point += impulse_Ns[i] * contacts[i].touch.point;
-    sum_Ns += impulse_Ns[i];
-  }
-  if (!(net.normal.norm() > 0.0)) {
-    return std::max_element(
-               contacts.begin(), contacts.end(),
-               [](const Contact& x, const Contact& y) { return x.touch.depth_m < y.touch.depth_m; })
-        ->touch;
-  }
-  net.normal.normalize();
-  net.point /= sum_Ns;
-  return net;
-}
-
-}  // namespace
 
 ImpactOutcome outcome_of(const std::vector<Contact>& contacts, const ExactImpact& impact,
                          const ImpactPair& pair, Responder& responder) {

@@ -100,8 +100,8 @@ std::string choices_page(const std::vector<TradeChoice>& choices, const std::str
     text += table_line(choice);
   }
   text +=
-      "\nA step refines " + two_digits(pairs) +
-      " pairs of bodies (95th percentile of the steps that have any). \"Pairs\" is what they "
+      "\nA step refines " + two_digits(pairs) + (pairs == 1.0 ? " pair" : " pairs") +
+      " of bodies (95th percentile of the steps that have any). \"Pairs\" is what they "
       "take at what one took by itself; \"run\" the 95th percentile of the steps of this scene, "
       "run with the choice, without schedule and budget. Errors are medians against the exact "
       "meshes at first touch; in brackets 95 % intervals. Gaps are between the surfaces where "

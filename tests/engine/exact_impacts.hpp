@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
+#include "engine/dynamics/net_contact.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/creature_mesh.hpp"
@@ -161,27 +162,6 @@ struct ImpactErrors {
 
 inline double angle_between(const Vector3& x, const Vector3& y) {
   return std::atan2(x.cross(y).norm(), x.dot(y));
-}
-
-/// The impulses' sum and mean place; of impulses that are all zero, the deepest contact.
-inline TouchPoint net_contact(const std::vector<Contact>& contacts,
-                              const std::vector<double>& impulse_Ns) {
-  TouchPoint net{Vector3::Zero(), Vector3::Zero(), 0.0};
-  double sum_Ns = 0.0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    net.normal += impulse_Ns[i] * contacts[i].touch.normal;
-    net.point += impulse_Ns[i] * contacts[i].touch.point;
-    sum_Ns += impulse_Ns[i];
-  }
-  if (!(net.normal.norm() > 0.0)) {
-    return std::max_element(
-               contacts.begin(), contacts.end(),
-               [](const Contact& x, const Contact& y) { return x.touch.depth_m < y.touch.depth_m; })
-        ->touch;
-  }
-  net.normal.normalize();
-  net.point /= sum_Ns;
-  return net;
 }
 
 /// Precondition: there are contacts.
