@@ -35,6 +35,7 @@ void restart(StepReport& report) {
   keep(report.pops, fresh.pops);
   keep(report.stopped, fresh.stopped);
   keep(report.node_contacts, fresh.node_contacts);
+  keep(report.not_finite, fresh.not_finite);
   report = std::move(fresh);
 }
 
@@ -68,6 +69,18 @@ void ModelledCollisions::report_in_order(StepReport& report) {
     for (auto contact = first; contact != end; ++contact) {
       report.contacts.push_back({contact->touch});
     }
+  }
+}
+
+void report_work(const WorkDone& work, StepReport& report) {
+  report.work_granted = work.granted;
+  report.work_spent = work.spent;
+  report.work_floor = work.floor;
+  report.work_reserved = work.reserved;
+  report.work_peak = work.peak;
+  report.list_work = work.by_list;
+  if (report.work_granted < report.work_floor) {
+    report.degradations |= kFloorOverBudget;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/collision/list_refinement.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/step.hpp"
 
@@ -38,6 +39,9 @@ class ModelledCollisions {
   std::vector<Contact> contacts_;
   std::size_t taken_{0};  ///< contacts that are of a collision
 };
+
+/// What refinement did, to a report that knows the work before it as its floor.
+void report_work(const WorkDone& work, StepReport& report);
 
 /// The contacts that the response gets, in the order of StepReport::contacts, instead of what
 /// `contacts` held.

@@ -9,6 +9,7 @@
 #include "engine/collision/contact_model.hpp"
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/collision/tunnelling.hpp"
+#include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/level_pops.hpp"
 #include "engine/scheduling/priority_lists.hpp"
@@ -27,7 +28,7 @@ struct StepInput {
 enum Degradation : std::uint32_t {
   kFloorOverBudget = 1,  ///< the coarsest level of every pair cost more than was granted
   kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
-  kNotFinite = 4,        ///< a state is not a finite number
+  kNotFinite = 4,        ///< a body is out, since its state was not a finite number
   kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
   /// WorldSettings::most_entry_tests kept fast pairs from being tested along their whole way: they
   /// stayed at coarser levels, or stopped early
@@ -76,6 +77,8 @@ struct StepReport {
   std::int64_t work_reserved{0};
   /// The most that was spent and reserved at any time: at most what was granted, or the floor.
   std::int64_t work_peak{0};
+  /// Bodies that were taken out in this step, for good, because their state was not finite.
+  std::vector<NotFiniteBody> not_finite;
 };
 
 }  // namespace impetus

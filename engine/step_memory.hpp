@@ -18,6 +18,7 @@
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 #include "engine/level_pops.hpp"
+#include "engine/step_order.hpp"
 
 namespace impetus {
 
@@ -53,11 +54,10 @@ struct StepMemory {
   StepMemory& operator=(StepMemory&&) = default;
   ~StepMemory() = default;
 
-  std::vector<BodyState> before;  ///< the step, of those that can be stopped
   std::vector<MovedBound> bounds;
   std::vector<PairBounds> candidates;
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
-  std::vector<MeasuredPair> order;
+  StepOrder order;
   RefinedPairs refined;
   ListRefinement refinement;
   ContactModelling modelling;

@@ -2,6 +2,7 @@
 #include "engine/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 #include "engine/collision_reports.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/relative_acuity.hpp"
+#include "engine/world_checks.hpp"
 
 namespace impetus {
 namespace {
@@ -20,23 +22,16 @@ void require(bool condition, const char* message) {
   }
 }
 
-bool is_finite(const BodyState& state) {
-  return state.pose.position.allFinite() && state.pose.orientation.coeffs().allFinite() &&
-         state.linear_momentum.allFinite() && state.angular_momentum.allFinite();
-}
-
 std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
 World::World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings)
     : models_(std::move(models)), states_(std::move(states)), settings_(std::move(settings)) {
-  require(models_.size() == states_.size(), "world: one state per body model is needed");
-  const std::string problem = problem_of(settings_);
-  require(problem.empty(), problem.c_str());
+  for (const std::string& problem : {problem_of(models_, states_), problem_of(settings_)}) {
+    require(problem.empty(), problem.c_str());
+  }
   for (BodyModel& body : models_) {
-    require(body.tree != nullptr, "world: every body needs a volume tree");
-    require(body.inverse_mass >= 0.0, "world: an inverse mass cannot be negative");
     if (body.inverse_mass == 0.0) {
       body.inverse_inertia.setZero();
     }
@@ -68,111 +63,27 @@ void World::change_settings(WorldSettings changed) {
   settings_ = std::move(changed);
 }
 
+std::int64_t World::nodes_transformed() const {
+  std::int64_t count = 0;
+  for (const PlacedTree& tree : placed_) {
+    count += tree.nodes_transformed();
+  }
+  return count;
+}
+
 const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
+  require(input.dt_s >= 0.0 && std::isfinite(input.dt_s),
+          "world: expected a time step of 0 s or more, a finite number");
   restart(memory_.report);
+  finite_.begin(states_, memory_.report.not_finite);
   move_and_pair(input.dt_s);
   prioritise(input);
   refine(input, meter);
-  model();
+  model(input);
   respond(input.dt_s);
   note_touching(input.viewer);
   hash_state(states_, memory_.report.state);
   return memory_.report;
-}
-
-void World::move_and_pair(double dt_s) {
-  const bool stops_fast_pairs = settings_.tunnelling == Tunnelling::kStopAtEntry;
-  if (stops_fast_pairs) {
-    memory_.before = states_;
-  }
-  find_falls(dt_s);
-  std::vector<MovedBound>& bounds = memory_.bounds;
-  bounds.clear();
-  for (std::size_t body = 0; body < models_.size(); ++body) {
-    const double travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
-                                       memory_.falls.empty() ? Fall{} : memory_.falls[body]);
-    const Sphere bound{states_[body].pose.position, models_[body].tree->bounding_radius_m()};
-    bounds.push_back({bound, travelled_m, models_[body].inverse_mass > 0.0});
-  }
-  broad_phase_.find(bounds, memory_.candidates);
-  if (stops_fast_pairs) {
-    stop_fast_pairs(dt_s);
-  }
-  for (std::size_t body = 0; body < models_.size(); ++body) {
-    placed_[body].move_to(states_[body].pose);
-    bounds[body].bound.centre = states_[body].pose.position;
-  }
-  if (settings_.enclosure) {
-    add_wall_candidates();
-  }
-  for (PairBounds& pair : memory_.candidates) {
-    measure_motion_and_fit(pair);
-  }
-}
-
-void World::find_falls(double dt_s) {
-  memory_.falls.clear();
-  if (settings_.gravity_m_s2.isZero(0.0)) {
-    return;
-  }
-  memory_.falls.resize(models_.size());
-  for (const TouchingPair& pair : touching_) {
-    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
-      if (!is_wall(body)) {
-        memory_.falls[at(body)].supported = true;
-      }
-    }
-  }
-  for (std::size_t body = 0; body < models_.size(); ++body) {
-    memory_.falls[body] = fall_of(models_[body], states_[body], memory_.falls[body].supported,
-                                  settings_.gravity_m_s2, dt_s);
-  }
-}
-
-void World::stop_fast_pairs(double dt_s) {
-  int greatest_level = 0;
-  for (const PriorityList& list : settings_.schedule.lists) {
-    greatest_level = std::max(greatest_level, list.greatest_level);
-  }
-  std::vector<PairBounds>& candidates = memory_.candidates;
-  const Stopping& stopping =
-      stop_at_entry({dt_s, models_, memory_.before, candidates, greatest_level, settings_.costs,
-                     settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
-                    states_, placed_, memory_.entries);
-  for (PairBounds& pair : candidates) {
-    pair.a.centre = states_[at(pair.pair.a)].pose.position;
-    pair.b.centre = states_[at(pair.pair.b)].pose.position;
-  }
-  StepReport& report = memory_.report;
-  report.work_floor = stopping.work;
-  report.stopped = stopping.stopped;
-  if (!report.stopped.empty()) {
-    report.degradations |= kStoppedShort;
-  }
-  if (stopping.ran_out) {
-    report.degradations |= kEntryTestsSpent;
-  }
-}
-
-void World::add_wall_candidates() {
-  for (std::size_t body = 0; body < memory_.bounds.size(); ++body) {
-    const auto& [bound, travelled_m, movable] = memory_.bounds[body];
-    if (movable && reaches_wall(*settings_.enclosure, bound)) {
-      memory_.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
-    }
-  }
-}
-
-void World::measure_motion_and_fit(PairBounds& pair) const {
-  constexpr int kLevelBeforeRefinement = 0;
-  const std::size_t a = at(pair.pair.a);
-  const std::size_t b = is_wall(pair.pair.b) ? a : at(pair.pair.b);
-  pair.velocity_a = velocity(models_[a], states_[a]);
-  pair.velocity_b = velocity(models_[b], states_[b]);
-  pair.fit_error_m = models_[a].tree->fit_error_m(kLevelBeforeRefinement);
-  if (!is_wall(pair.pair.b)) {
-    pair.fit_error_m += models_[b].tree->fit_error_m(kLevelBeforeRefinement);
-  }
 }
 
 bool World::is_capped_by_speed(BodyPair bodies) const {
@@ -201,33 +112,29 @@ int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_leve
                       greatest_level);
 }
 
+Measuring World::measuring(const StepInput& input) const {
+  return {settings_.schedule, input, models_, states_};
+}
+
 void World::prioritise(const StepInput& input) {
-  std::vector<MeasuredPair>& pairs = memory_.order;
-  measure(memory_.candidates, settings_.schedule, input.viewer, input.fixation, input.region,
-          pairs);
-  priorities_.raise(pairs, settings_.schedule.persistence_steps);
-  put_in_order(pairs);
+  memory_.order.put_into_lists(memory_.candidates, measuring(input));
+  priorities_.raise(memory_.order.pairs(), settings_.schedule.persistence_steps);
 }
 
 void World::refine(const StepInput& input, WorkMeter& meter) {
   memory_.refined.clear();
-  for (const MeasuredPair& pair : memory_.order) {
+  for (const MeasuredPair& pair : memory_.order.pairs()) {
     begin_refining(pair.scheduled, input);
   }
   StepReport& report = memory_.report;
   const Schedule& schedule = settings_.schedule;
-  const WorkDone& work = memory_.refinement.refine(
-      memory_.refined.all(), schedule.lists, meter,
-      {schedule.traversal, settings_.costs, settings_.contacts, report.work_floor});
-  report.work_granted = work.granted;
-  report.work_spent = work.spent;
-  report.work_floor = work.floor;
-  report.work_reserved = work.reserved;
-  report.work_peak = work.peak;
-  report.list_work = work.by_list;
-  if (report.work_granted < report.work_floor) {
-    report.degradations |= kFloorOverBudget;
-  }
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  const RefinementSettings settings{schedule.traversal, settings_.costs, settings_.contacts,
+                                    report.work_floor};
+  const std::size_t waiting = memory_.refinement.do_floor(pairs, schedule.lists, settings);
+  const std::span<const std::size_t> order =
+      memory_.order.places_by_priority(waiting, measuring(input));
+  report_work(memory_.refinement.refine(pairs, schedule.lists, order, meter, settings), report);
 }
 
 void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
@@ -277,22 +184,21 @@ MovingTree World::moving(std::size_t body) {
           {state.pose.position, velocity(model, state), angular_velocity(model, state)}};
 }
 
-void World::model() {
+void World::model(const StepInput& input) {
   StepReport& report = memory_.report;
   ModelledCollisions& modelled = memory_.modelled;
   modelled.clear();
-  const PriorityMetric* metric = settings_.schedule.metric.get();
-  std::size_t place = 0;  // pairs are refined in the order they were put in
-  for (const RefinedPair& pair : memory_.refined.all()) {
-    const MeasuredPair& measured = memory_.order[place++];
+  const std::span<RefinedPair> pairs = memory_.refined.all();
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    const RefinedPair& pair = pairs[place];
     if (!pair.refinement.overlapping().empty()) {
       add_contacts_of(pair);
       CollisionReport collision;
       collision.list = pair.list;
       collision.level = pair.refinement.level();
       collision.stop = pair.refinement.stop_reason();
-      if (metric != nullptr) {
-        collision.measured = metric->priority(measured.priority);  // its sign turned back
+      if (settings_.schedule.metric != nullptr) {
+        collision.measured = memory_.order.measured(place, measuring(input));
       }
       modelled.add_contacts_as(collision);
     }
@@ -357,21 +263,33 @@ void World::respond(double dt_s) {
   if (result.residual_approach_m_s > 0.0) {
     report.degradations |= kApproachRemains;
   }
-  if (!std::all_of(states_.begin(), states_.end(), is_finite)) {
+  note_not_finite();
+}
+
+void World::note_not_finite() {
+  StepReport& report = memory_.report;
+  for (std::size_t body = 0; body < states_.size(); ++body) {
+    finite_.check(body, states_[body], report.not_finite);
+  }
+  if (finite_.any_out()) {
     report.degradations |= kNotFinite;
   }
 }
 
 void World::note_touching(const Viewer& viewer) {
-  std::vector<BodyPair>& touching = memory_.touching;
+  if (settings_.schedule.persistence_steps > 0) {
+    std::vector<BodyPair>& touching = memory_.touching;
+    touching.clear();
+    for (const TouchingPair& pair : touching_) {
+      touching.push_back(pair.bodies);
+    }
+    priorities_.note_touching(touching);
+  }
   std::vector<TouchingLevel>& levels = memory_.touching_levels;
-  touching.clear();
   levels.clear();
   for (const CollisionReport& collision : memory_.report.collisions) {
-    touching.push_back(collision.bodies);
     levels.push_back({collision.bodies, collision.level, collision.contact.touch.point});
   }
-  priorities_.note_touching(touching);
   levels_.note(levels, models_, viewer, memory_.report.pops);
 }
 

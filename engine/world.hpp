@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.hpp"
+#include "engine/dynamics/finite_states.hpp"
 #include "engine/impositions.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -25,8 +26,12 @@
 
 namespace impetus {
 
-/// Raised whenever a recording made before would no longer replay.
-inline constexpr int kRecordingFormat = 1;
+/// Raised whenever a recording made before may no longer replay.
+inline constexpr int kRecordingFormat = 2;
+
+/// Older recordings are tried, and their hashes tell whether they replay. Those of format 1 do,
+/// unless a body turned far in a step (dynamics/far_turn.hpp) or had a heterogeneous tree.
+inline constexpr int kOldestRecordingFormat = 1;
 
 /// What a world remembers of two bodies, or of a body and a wall, that touched in a step.
 struct TouchingPair {
@@ -37,10 +42,12 @@ struct TouchingPair {
 class World {
  public:
   /// `states` are the bodies' states at time zero, one per model. Throws std::invalid_argument on
-  /// an unequal number, a body without a tree, or settings out of range.
+  /// an unequal number, a body or state that it cannot step (world_checks.hpp), or settings out of
+  /// range.
   World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings);
 
-  /// What it returns stays until the next step, and as long as the world does.
+  /// What it returns stays until the next step, and as long as the world does. Throws
+  /// std::invalid_argument unless `input.dt_s` is a finite number, 0 or more.
   const StepReport& step(const StepInput& input, WorkMeter& meter);
 
   [[nodiscard]] const std::vector<BodyModel>& models() const { return models_; }
@@ -61,6 +68,9 @@ class World {
   /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.
   void watch_node_contacts(bool watch) { watches_node_contacts_ = watch; }
 
+  /// How many nodes of the bodies' trees all steps so far have transformed into the world.
+  [[nodiscard]] std::int64_t nodes_transformed() const;
+
   /// For tests that ask whether a changed start is noticed.
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return states_; }
 
@@ -69,14 +79,15 @@ class World {
   void find_falls(double dt_s);
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
-  void measure_motion_and_fit(PairBounds& pair) const;
+  void note_not_finite();
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
+  [[nodiscard]] Measuring measuring(const StepInput& input) const;
   void prioritise(const StepInput& input);
   void refine(const StepInput& input, WorkMeter& meter);
   void begin_refining(const ScheduledPair& pair, const StepInput& input);
   [[nodiscard]] int walls_in_reach(std::size_t body) const;
-  void model();
+  void model(const StepInput& input);
   void add_contacts_of(const RefinedPair& pair);
   void count_later_phases();
   [[nodiscard]] MovingTree moving(std::size_t body);
@@ -88,6 +99,7 @@ class World {
 
   std::vector<BodyModel> models_;
   std::vector<BodyState> states_;
+  FiniteStates finite_{states_};
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
   SweepAndPrune broad_phase_;

@@ -34,6 +34,7 @@ const std::vector<Room> kRooms = {
     {"engine", {"engine/dynamics"}, {}},
     {"experiments/models", {"engine"}, {"assimp", "JSON"}},
     {"experiments/session", {"engine"}, {}},
+    {"experiments/extremes", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
     {"experiments/trade", {"experiments/scenes"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
@@ -43,7 +44,8 @@ const std::vector<Room> kRooms = {
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
-     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade"},
+     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade",
+      "experiments/extremes"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/collision/broad_phase.hpp"
 
+#include "engine/collision/all_pairs.hpp"
+
 namespace impetus {
 
 bool could_meet(const MovedBound& a, const MovedBound& b) {
@@ -9,8 +11,8 @@ bool could_meet(const MovedBound& a, const MovedBound& b) {
   return overlap(swept, b.bound);
 }
 
-std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
-  std::vector<PairBounds> pairs;
+void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs) {
+  pairs.clear();
   for (std::size_t b = 1; b < bodies.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
       if (!bodies[a].movable && !bodies[b].movable) {
@@ -22,6 +24,11 @@ std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
       }
     }
   }
+}
+
+std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
+  std::vector<PairBounds> pairs;
+  find_among_all(bodies, pairs);
   return pairs;
 }
 

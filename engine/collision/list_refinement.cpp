@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 #include "engine/collision/list_shares.hpp"
 #include "engine/collision/waiting_pairs.hpp"
@@ -11,9 +12,10 @@
 namespace impetus {
 namespace {
 
-/// Brings every pair to its list's least level.
-void do_floor(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-              WorkLedger& ledger) {
+/// Brings every pair to its list's least level; returns how many are not resolved yet.
+std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+                           WorkLedger& ledger) {
+  std::size_t unresolved = 0;
   for (std::size_t index = 0; index < pairs.size(); ++index) {
     RefinedPair& pair = pairs[index];
     std::int64_t tests = 1;  // of the roots
@@ -23,16 +25,19 @@ void do_floor(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lis
       pair.refinement.refine_one_block();
     }
     ledger.note(pair, index, tests);
+    unresolved += pair.refinement.resolved() ? 0 : 1;
   }
+  return unresolved;
 }
 
 /// The rounds after the floor.
 class Rounds {
  public:
   Rounds(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-         const RefinementSettings& settings, const PhaseCosts& costs, WorkLedger& ledger,
-         std::array<WaitingPairs, kMostLists>& waiting)
+         std::span<const std::size_t> order, const RefinementSettings& settings,
+         const PhaseCosts& costs, WorkLedger& ledger, std::array<WaitingPairs, kMostLists>& waiting)
       : pairs_(pairs),
+        order_(order),
         settings_(settings),
         costs_(costs),
         ledger_(ledger),
@@ -42,9 +47,9 @@ class Rounds {
       of_list.clear();
     }
     // With one list it decides nothing that pairs which need no work wait for it.
-    for (std::size_t index = 0; index < pairs.size(); ++index) {
-      if (lists.size() > 1 || !pairs[index].refinement.resolved()) {
-        enqueue(index);
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+      if (lists.size() > 1 || !pairs[order[rank]].refinement.resolved()) {
+        enqueue(rank);
       }
     }
   }
@@ -52,7 +57,8 @@ class Rounds {
   void run(WorkMeter& meter, WorkDone& done) {
     while (waiting_count_ > 0) {
       const std::size_t list = shares_.next_list(waits_, done.by_list);
-      const std::size_t index = waiting_[list].next();
+      const std::size_t rank = waiting_[list].next();
+      const std::size_t index = order_[rank];
       PairRefinement& refinement = pairs_[index].refinement;
       if (refinement.resolved() || !granted(index, meter, done)) {
         dequeue(list);
@@ -68,7 +74,7 @@ class Rounds {
       // Where it is served by its place alone, a finer level changes nothing.
       if (refinement.level() != level && settings_.traversal != Traversal::kDepthFirst) {
         dequeue(list);
-        enqueue(index);
+        enqueue(rank);
       }
     }
   }
@@ -84,9 +90,10 @@ class Rounds {
     return true;
   }
 
-  void enqueue(std::size_t index) {
-    const auto list = static_cast<std::size_t>(pairs_[index].list);
-    waiting_[list].add(index, urgency(pairs_[index], settings_.traversal, costs_));
+  void enqueue(std::size_t rank) {
+    const RefinedPair& pair = pairs_[order_[rank]];
+    const auto list = static_cast<std::size_t>(pair.list);
+    waiting_[list].add(rank, urgency(pair, settings_.traversal, costs_));
     waits_[list] = true;
     ++waiting_count_;
   }
@@ -98,6 +105,7 @@ class Rounds {
   }
 
   std::span<RefinedPair> pairs_;
+  std::span<const std::size_t> order_;
   const RefinementSettings& settings_;
   const PhaseCosts& costs_;
   WorkLedger& ledger_;
@@ -109,17 +117,26 @@ class Rounds {
 
 }  // namespace
 
-const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
-                                       const std::vector<PriorityList>& lists, WorkMeter& meter,
-                                       const RefinementSettings& settings) {
+std::size_t ListRefinement::do_floor(std::span<RefinedPair> pairs,
+                                     const std::vector<PriorityList>& lists,
+                                     const RefinementSettings& settings) {
   const PhaseCosts costs(settings.costs, settings.contacts);
   ledger_.begin(costs, pairs.size(), settings.work_before);
-  do_floor(pairs, lists, ledger_);
+  return bring_to_least(pairs, lists, ledger_);
+}
+
+const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
+                                       const std::vector<PriorityList>& lists,
+                                       std::span<const std::size_t> order, WorkMeter& meter,
+                                       const RefinementSettings& settings) {
   done_.floor = ledger_.total();
   done_.peak = done_.floor;
   done_.granted = meter.request(ledger_.total(), ledger_.reserved());
   done_.by_list.assign(lists.size() > 1 ? lists.size() : 0, 0);
-  Rounds(pairs, lists, settings, costs, ledger_, waiting_).run(meter, done_);
+  if (!order.empty()) {
+    const PhaseCosts costs(settings.costs, settings.contacts);
+    Rounds(pairs, lists, order, settings, costs, ledger_, waiting_).run(meter, done_);
+  }
   done_.spent = ledger_.spent();
   done_.reserved = ledger_.reserved();
   return done_;
@@ -127,7 +144,11 @@ const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
 
 WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          WorkMeter& meter, const RefinementSettings& settings) {
-  return ListRefinement().refine(pairs, lists, meter, settings);
+  ListRefinement refinement;
+  refinement.do_floor(pairs, lists, settings);
+  std::vector<std::size_t> as_they_come(pairs.size());
+  std::iota(as_they_come.begin(), as_they_come.end(), std::size_t{0});
+  return refinement.refine(pairs, lists, as_they_come, meter, settings);
 }
 
 }  // namespace impetus

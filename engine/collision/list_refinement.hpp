@@ -45,12 +45,19 @@ struct RefinementSettings {
 /// Refines step after step in memory that it keeps.
 class ListRefinement {
  public:
-  /// Refines `pairs`, which come by list and by falling priority within each, until all are
-  /// resolved or `meter` refuses. `work_before` was done already and is part of the floor. A pair
-  /// whose next block is refused gives way to the next of its list. The result stays until the next
-  /// call.
+  /// Brings every pair to its list's least level; which pair comes first does not matter here.
+  /// `work_before` was done already and is part of the floor. Returns how many pairs are not
+  /// resolved yet.
+  std::size_t do_floor(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+                       const RefinementSettings& settings = {});
+
+  /// After do_floor() of the same: goes on until all pairs are resolved or `meter` refuses. `order`
+  /// are the places of all pairs, by list and by falling priority within each; none when all are
+  /// resolved. A pair whose next block is refused gives way to the next of its list. The result
+  /// stays until the next call.
   const WorkDone& refine(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings = {});
+                         std::span<const std::size_t> order, WorkMeter& meter,
+                         const RefinementSettings& settings = {});
 
  private:
   WorkLedger ledger_;
@@ -58,7 +65,7 @@ class ListRefinement {
   WorkDone done_;
 };
 
-/// The same once.
+/// The same once, of pairs that come in their order.
 WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          WorkMeter& meter, const RefinementSettings& settings = {});
 

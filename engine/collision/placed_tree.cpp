@@ -29,6 +29,7 @@ void PlacedTree::place(std::size_t first, std::size_t count) {
     place_block(own_spheres_->lanes(block), pose_, {&x_[block], &y_[block], &z_[block]});
   }
   std::fill_n(placed_in_.begin() + static_cast<std::ptrdiff_t>(first), count, step_);
+  transformed_ += static_cast<std::int64_t>(count);
 }
 
 const Volume& PlacedTree::placed_volume(std::int32_t node) {
@@ -36,6 +37,7 @@ const Volume& PlacedTree::placed_volume(std::int32_t node) {
   if (placed_in_[slot] != step_) {
     volumes_[slot] = placed(tree_->volume(node), pose_);
     placed_in_[slot] = step_;
+    ++transformed_;
   }
   return volumes_[slot];
 }

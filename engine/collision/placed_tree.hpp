@@ -71,6 +71,9 @@ class PlacedTree {
     return {x_.data(), y_.data(), z_.data(), own_spheres_->lanes(0).radius_m};
   }
 
+  /// How many nodes were transformed into the world since the tree was first placed.
+  [[nodiscard]] std::int64_t nodes_transformed() const { return transformed_; }
+
   /// The node's volume in world coordinates, transformed at most once per step.
   Volume world_volume(std::int32_t node) {
     return of_spheres() ? Volume(world_sphere(node)) : placed_volume(node);
@@ -90,6 +93,7 @@ class PlacedTree {
   std::vector<double> z_;
   std::vector<Volume> volumes_;  ///< empty for a tree of spheres
   std::vector<std::uint64_t> placed_in_;
+  std::int64_t transformed_{0};
 };
 
 /// Whether two placed nodes overlap.

@@ -44,7 +44,7 @@ class WaitingPairs {
   }
   [[nodiscard]] bool empty() const { return first_ == waiting_.size(); }
 
-  /// `index` is the pair's place by priority.
+  /// `index` is the pair's rank by priority.
   void add(std::size_t index, double urgency);
 
   /// Precondition: !empty().

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/dynamics/far_turn.hpp"
+
 namespace impetus {
 namespace {
 
@@ -84,7 +86,8 @@ double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation r
   state.pose.position += step;
   // Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
   if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0) && !model.inverse_inertia.isZero(0.0)) {
-    state.pose.orientation = rotation == Rotation::kMidpoint
+    state.pose.orientation = turns_far(model, state, moving_s) ? turned_far(model, state, moving_s)
+                             : rotation == Rotation::kMidpoint
                                  ? rotated(model, state, moving_s)
                                  : rotated_keeping_energy(model, state, moving_s);
   }

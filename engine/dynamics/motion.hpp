@@ -15,7 +15,8 @@
 namespace impetus {
 
 /// How a body's rotation is stepped. Both leave the angular momentum L untouched, and turn by the
-/// Cayley map of one angular velocity for the step, found by a fixed number of iterations.
+/// Cayley map of one angular velocity for the step, found by a fixed number of iterations; where
+/// these could not converge, both turn as far_turn.hpp says.
 enum class Rotation {
   /// ω of the orientation half way between the old and the new: the energy swings about its value,
   /// for the .2 × .4 × .6 m box at 5 rad/s by 7e-5 with steps of 10 ms. Four iterations.

@@ -16,6 +16,8 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 /// Of slow_way_m: bodies one of which was stopped are looked at when they move further than this,
 /// since stops can bring the same two together step after step.
 constexpr double kShareOnceStopped = 0.125;
+/// Of a way that was not asked for yet.
+constexpr double kUnknown = -1.0;
 
 bool comes_before(const BodyPair& x, const BodyPair& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -44,7 +46,7 @@ class StopsInOrder {
   }
 
   void run() {
-    measure_ways();
+    farthest_m_.assign(states_.size(), kUnknown);
     if (all_are_slow()) {
       return;
     }
@@ -69,17 +71,17 @@ class StopsInOrder {
 
   [[nodiscard]] bool moves(std::size_t body) const { return step_.models[body].inverse_mass > 0.0; }
 
-  void measure_ways() {
-    whole_ways_.clear();
-    farthest_m_.clear();
-    for (std::size_t body = 0; body < states_.size(); ++body) {
-      whole_ways_.push_back(way_of(body, 1.0));
-      const double reach_m = step_.models[body].tree->bounding_radius_m();
-      farthest_m_.push_back(farthest_m(whole_ways_.back(), reach_m));
+  /// That any point of the body goes on its whole way: found when it is first asked for, and at the
+  /// latest before anybody is stopped.
+  double farthest_of(std::size_t body) {
+    double& known_m = farthest_m_[body];
+    if (known_m == kUnknown) {
+      known_m = farthest_m(way_of(body, 1.0), step_.models[body].tree->bounding_radius_m());
     }
+    return known_m;
   }
 
-  [[nodiscard]] bool all_are_slow() const {
+  [[nodiscard]] bool all_are_slow() {
     for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
       if (!is_slow(pair, 1.0)) {
         return false;
@@ -89,6 +91,11 @@ class StopsInOrder {
   }
 
   void begin() {
+    whole_ways_.clear();
+    for (std::size_t body = 0; body < states_.size(); ++body) {
+      whole_ways_.push_back(way_of(body, 1.0));
+      static_cast<void>(farthest_of(body));
+    }
     ways_ = whole_ways_;
     stops_.assign(states_.size(), 0);
     pending_.assign(step_.candidates.size(), std::nullopt);
@@ -107,9 +114,9 @@ class StopsInOrder {
   }
 
   /// Surely: by how far each of the bodies goes at most in the whole step.
-  [[nodiscard]] bool is_slow(std::size_t pair, double share) const {
+  [[nodiscard]] bool is_slow(std::size_t pair, double share) {
     const auto& [a, b] = bodies(pair);
-    return farthest_m_[at(a)] + farthest_m_[at(b)] <= share * slow_way_m(*step_.models[at(a)].tree,
+    return farthest_of(at(a)) + farthest_of(at(b)) <= share * slow_way_m(*step_.models[at(a)].tree,
                                                                          *step_.models[at(b)].tree,
                                                                          step_.greatest_level);
   }

@@ -10,6 +10,7 @@ namespace impetus {
 class DistanceMetric final : public PriorityMetric {
  public:
   DistanceMetric() : PriorityMetric(Urgent::kSmall) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return (0.5 * (bounds.a.centre + bounds.b.centre) - viewer.eye).norm();

@@ -20,6 +20,7 @@ class EccentricityMetric final : public PriorityMetric {
  public:
   explicit EccentricityMetric(std::optional<ScreenPoint> point)
       : PriorityMetric(Urgent::kSmall), point_(point) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const override {
     return eccentricity_deg(bounds, viewer, fixation, point_);

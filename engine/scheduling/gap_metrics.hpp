@@ -19,6 +19,7 @@ namespace impetus {
 class GapMetric final : public PriorityMetric {
  public:
   GapMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& /*viewer*/,
                                const Fixation& /*fixation*/) const override {
     return (bounds.a.centre - bounds.b.centre).norm();
@@ -29,6 +30,7 @@ class GapMetric final : public PriorityMetric {
 class GapBoundMetric final : public PriorityMetric {
  public:
   GapBoundMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return kFitErrorTerm; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& /*viewer*/,
                                const Fixation& /*fixation*/) const override {
     return bounds.fit_error_m;
@@ -44,6 +46,7 @@ inline double spanned_by_length_deg(double length_m, const Vector3& place, const
 class ProjectedGapMetric final : public PriorityMetric {
  public:
   ProjectedGapMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return kFitErrorTerm; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return spanned_by_length_deg(bounds.fit_error_m, collision_place(bounds), viewer);
@@ -55,6 +58,7 @@ class ProjectedGapMetric final : public PriorityMetric {
 class ProjectedCentresMetric final : public PriorityMetric {
  public:
   ProjectedCentresMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return visual_angle_deg(viewer, bounds.a.centre, bounds.b.centre);

@@ -1,7 +1,8 @@
 // Which collisions are refined first.
 //
 // A metric measures each pair, in degrees of visual angle where it is an angle, and says whether
-// large or small values come first. A new metric is one file and one line in make_metric().
+// large or small values come first, and which terms of a pair it looks at: no others are computed.
+// A new metric is one file and one line in make_metric().
 // (Dingliana 2002, sec. 5.1.2 and 5.2)
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -28,7 +29,8 @@ struct BodyPair {
   friend bool operator==(const BodyPair&, const BodyPair&) = default;
 };
 
-/// What a metric may look at, in world. For a body and the enclosure, both are that body.
+/// What a metric may look at, in world. For a body and the enclosure, both are that body. Terms
+/// that it does not look at (PriorityMetric::terms) are left as they are here.
 struct PairBounds {
   BodyPair pair;
   Sphere a;  ///< bounding spheres about the centres of mass
@@ -42,6 +44,12 @@ struct PairBounds {
 /// of the radii)
 Vector3 collision_place(const PairBounds& bounds);
 
+/// Terms of a pair beyond its bounds, as bits.
+enum PairTerm : unsigned {
+  kMotionTerm = 1,    ///< velocity_a, velocity_b
+  kFitErrorTerm = 2,  ///< fit_error_m
+};
+
 /// Which end of a metric's scale is refined first.
 enum class Urgent { kLarge, kSmall };
 
@@ -49,6 +57,9 @@ class PriorityMetric {
  public:
   explicit PriorityMetric(Urgent urgent) : urgent_(urgent) {}
   virtual ~PriorityMetric() = default;
+
+  /// The terms that measure() looks at; all, unless the metric says less.
+  [[nodiscard]] virtual unsigned terms() const { return kMotionTerm | kFitErrorTerm; }
 
   /// In the metric's own unit.
   [[nodiscard]] virtual double measure(const PairBounds& bounds, const Viewer& viewer,

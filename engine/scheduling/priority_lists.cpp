@@ -10,11 +10,6 @@
 namespace impetus {
 namespace {
 
-const PriorityMetric& metric_of(const Schedule& schedule) {
-  static const std::shared_ptr<const PriorityMetric> nearest_first = make_metric("distance");
-  return schedule.metric ? *schedule.metric : *nearest_first;
-}
-
 int list_by_threshold(const Schedule& schedule, const PriorityMetric& metric, double measured) {
   int list = 0;
   for (const double threshold : schedule.thresholds) {
@@ -24,6 +19,11 @@ int list_by_threshold(const Schedule& schedule, const PriorityMetric& metric, do
     ++list;
   }
   return list;
+}
+
+int list_by_region(const std::optional<GazeRegion>& region, const PairBounds& bounds,
+                   const Viewer& viewer) {
+  return region && inside(*region, bounds, viewer) ? 0 : 1;
 }
 
 /// A total order, whatever the priorities are.
@@ -71,6 +71,11 @@ std::string problem_of(const PriorityList& list) {
 }
 
 }  // namespace
+
+const PriorityMetric& metric_of(const Schedule& schedule) {
+  static const std::shared_ptr<const PriorityMetric> nearest_first = make_metric("distance");
+  return schedule.metric ? *schedule.metric : *nearest_first;
+}
 
 bool inside(const GazeRegion& region, const PairBounds& bounds, const Viewer& viewer) {
   const Vector3 centre = on_screen(viewer, region.centre);
@@ -133,7 +138,7 @@ void measure(const std::vector<PairBounds>& bounds, const Schedule& schedule, co
     const double measured = metric.measure(candidate, viewer, fixation);
     int list = 0;
     if (schedule.rule == ListRule::kRegion) {
-      list = region && inside(*region, candidate, viewer) ? 0 : 1;
+      list = list_by_region(region, candidate, viewer);
     } else if (schedule.rule == ListRule::kThresholds) {
       list = list_by_threshold(schedule, metric, measured);
     }
@@ -145,11 +150,20 @@ void measure(const std::vector<PairBounds>& bounds, const Schedule& schedule, co
   }
 }
 
-void put_in_order(std::vector<MeasuredPair>& pairs) {
-  std::sort(pairs.begin(), pairs.end(), [](const MeasuredPair& x, const MeasuredPair& y) {
-    return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
-                                                : has_priority(x, y);
-  });
+void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& schedule,
+                    const Viewer& viewer, const std::optional<GazeRegion>& region,
+                    std::vector<MeasuredPair>& pairs) {
+  pairs.clear();
+  for (const PairBounds& candidate : bounds) {
+    const int list =
+        schedule.rule == ListRule::kRegion ? list_by_region(region, candidate, viewer) : 0;
+    pairs.push_back({{candidate.pair, list}, 0.0, static_cast<std::int32_t>(pairs.size())});
+  }
+}
+
+bool goes_before(const MeasuredPair& x, const MeasuredPair& y) {
+  return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
+                                              : has_priority(x, y);
 }
 
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
@@ -158,7 +172,7 @@ std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
                                      const std::optional<GazeRegion>& region) {
   std::vector<MeasuredPair> pairs;
   measure(bounds, schedule, viewer, fixation, region, pairs);
-  put_in_order(pairs);
+  std::sort(pairs.begin(), pairs.end(), goes_before);
   std::vector<ScheduledPair> ordered;
   ordered.reserve(pairs.size());
   for (const MeasuredPair& pair : pairs) {

@@ -88,15 +88,29 @@ struct MeasuredPair {
   std::int32_t place{0};  ///< among the pairs as they came
 };
 
+/// The schedule's metric, or distance when it names none.
+const PriorityMetric& metric_of(const Schedule& schedule);
+
+/// Whether the metric decides which list a pair falls into; else the region does, or there is one.
+inline bool metric_decides_lists(const Schedule& schedule) {
+  return schedule.rule != ListRule::kRegion && schedule.lists.size() > 1;
+}
+
 /// Measures the pairs of `bounds` and gives each its list: what `pairs` held before is forgotten.
 /// They are in no order yet.
 void measure(const std::vector<PairBounds>& bounds, const Schedule& schedule, const Viewer& viewer,
              const Fixation& fixation, const std::optional<GazeRegion>& region,
              std::vector<MeasuredPair>& pairs);
 
-/// Sorts by list, and by falling priority within each; equal priorities keep the order in which
-/// they came, and what is not a number comes last.
-void put_in_order(std::vector<MeasuredPair>& pairs);
+/// The same without measuring any: no pair has a priority yet. Precondition: not
+/// metric_decides_lists(schedule).
+void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& schedule,
+                    const Viewer& viewer, const std::optional<GazeRegion>& region,
+                    std::vector<MeasuredPair>& pairs);
+
+/// Whether x goes before y: by list, and by falling priority within each; equal priorities keep the
+/// order in which they came, and what is not a number comes last.
+bool goes_before(const MeasuredPair& x, const MeasuredPair& y);
 
 /// The pairs by list, and by falling priority within each; equal priorities keep their order.
 std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,

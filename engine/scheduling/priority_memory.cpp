@@ -18,6 +18,7 @@ void PriorityMemory::raise(std::vector<MeasuredPair>& pairs, std::int64_t steps)
   ++step_;
   if (steps == 0) {
     memory_.clear();
+    touching_.clear();
     return;
   }
   const std::int64_t since = std::max<std::int64_t>(0, step_ - steps);

@@ -24,7 +24,8 @@ class PriorityMemory {
   /// enclosure touch when any wall is touched. With 0 steps nothing is remembered.
   void raise(std::vector<MeasuredPair>& pairs, std::int64_t steps);
 
-  /// Which pairs touch at the end of a step; b may be any wall.
+  /// Which pairs touch at the end of a step; b may be any wall. Where nothing is remembered it need
+  /// not be told: what was measured before counts for nothing in the first step that is.
   void note_touching(const std::vector<BodyPair>& touching);
 
  private:

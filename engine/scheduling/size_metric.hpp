@@ -13,6 +13,7 @@ namespace impetus {
 class SizeMetric final : public PriorityMetric {
  public:
   SizeMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return 0.5 * (spanned_deg(bounds.a, viewer) + spanned_deg(bounds.b, viewer));

@@ -17,6 +17,7 @@ inline double mean_seen_speed_deg_s(const PairBounds& bounds, const Viewer& view
 class VelocityMetric final : public PriorityMetric {
  public:
   VelocityMetric() : PriorityMetric(Urgent::kSmall) {}
+  [[nodiscard]] unsigned terms() const override { return kMotionTerm; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     return mean_seen_speed_deg_s(bounds, viewer);
@@ -28,6 +29,7 @@ class VelocityMetric final : public PriorityMetric {
 class CollisionSpeedMetric final : public PriorityMetric {
  public:
   CollisionSpeedMetric() : PriorityMetric(Urgent::kSmall) {}
+  [[nodiscard]] unsigned terms() const override { return kMotionTerm; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& /*fixation*/) const override {
     Vector3 relative = bounds.velocity_a;

@@ -28,6 +28,7 @@ class VisibleFrequencyMetric final : public PriorityMetric {
  public:
   explicit VisibleFrequencyMetric(std::optional<ScreenPoint> point)
       : PriorityMetric(Urgent::kLarge), point_(point) {}
+  [[nodiscard]] unsigned terms() const override { return kMotionTerm; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const override;
 

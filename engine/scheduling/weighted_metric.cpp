@@ -53,6 +53,14 @@ WeightedMetric::WeightedMetric(const MetricOptions& options) : PriorityMetric(Ur
   }
 }
 
+unsigned WeightedMetric::terms() const {
+  unsigned all = 0;
+  for (const Term& term : terms_) {
+    all |= term.metric->terms();
+  }
+  return all;
+}
+
 double WeightedMetric::measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const {
   double sum = 0.0;

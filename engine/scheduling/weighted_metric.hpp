@@ -18,6 +18,8 @@ class WeightedMetric final : public PriorityMetric {
  public:
   /// Throws std::invalid_argument as make_metric("weighted", options).
   explicit WeightedMetric(const MetricOptions& options);
+  /// Those that any of the sum's metrics looks at.
+  [[nodiscard]] unsigned terms() const override;
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const override;
 

@@ -28,7 +28,7 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
       return medial_tree(solid, settings, progress).tree;
     case TreeKind::kOctree:
     default:
-      return octree(solid, settings.depth);
+      return octree(solid, levels_to_build(settings));
   }
 }
 

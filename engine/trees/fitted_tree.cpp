@@ -53,7 +53,7 @@ class Builder {
     std::vector<Piece> level;
     level.push_back(fitted(whole_surface(*solid_), Matrix3::Identity(), nullptr));
     add(level);
-    for (level_ = 0; level_ < settings_->depth && !level.empty(); ++level_) {
+    for (level_ = 0; level_ < levels_to_build(*settings_) && !level.empty(); ++level_) {
       level = next_level(std::move(level));
       add(level);
     }
@@ -103,7 +103,7 @@ class Builder {
     std::vector<Piece> finer;
     const auto count = static_cast<double>(level.size());
     for (std::size_t i = 0; i < level.size(); ++i) {
-      report((level_ + static_cast<double>(i) / count) / settings_->depth);
+      report((level_ + static_cast<double>(i) / count) / levels_to_build(*settings_));
       const double reach_m = level[i].fit.reach_m;
       std::vector<Piece> children = children_of(std::move(level[i]));
       if (children.size() > 1 && !idle(children, reach_m)) {

@@ -17,6 +17,11 @@ bool is_as_good_as_exact(const VolumeTree& tree) {
   return finest_reach_m(tree) <= kNegligible * tree.bounding_radius_m();
 }
 
+bool is_worth_its_price(const VolumeTree& mixed, const VolumeTree& spheres) {
+  const double price = mixed.volumes().all_spheres().empty() ? std::sqrt(kMixedTestCost) : 1.0;
+  return finest_reach_m(mixed) * price <= finest_reach_m(spheres);
+}
+
 /// The part of `progress` from `begin` to `end`.
 Progress part_of(const Progress& progress, double begin, double end) {
   return [&progress, begin, end](double share) {
@@ -30,16 +35,25 @@ Progress part_of(const Progress& progress, double begin, double end) {
 
 BuiltTree heterogeneous_tree(const TriangleMesh& solid, const TreeSettings& settings,
                              const Progress& progress) {
-  BuiltTree mixed = build_fitted_tree(solid, settings, part_of(progress, 0.0, 0.6));
-  if (is_as_good_as_exact(mixed.tree)) {
-    return mixed;
+  // Whole trees are compared, so that the choice is the same however many levels are then kept.
+  const TreeSettings whole{settings.kind, settings.depth, settings.branching};
+  const TreeSettings whole_of_spheres{TreeKind::kMedial, settings.depth, settings.branching};
+  const bool keeps_all = levels_to_build(settings) == settings.depth;
+  BuiltTree mixed = build_fitted_tree(solid, whole, part_of(progress, 0.0, 0.6));
+  bool is_mixed = is_as_good_as_exact(mixed.tree);
+  if (!is_mixed) {
+    BuiltTree spheres = medial_tree(solid, whole_of_spheres, part_of(progress, 0.6, 1.0));
+    is_mixed = is_worth_its_price(mixed.tree, spheres.tree);
+    if (!is_mixed && keeps_all) {
+      return spheres;
+    }
   }
-  BuiltTree spheres = medial_tree(solid, {TreeKind::kMedial, settings.depth, settings.branching},
-                                  part_of(progress, 0.6, 1.0));
-  const bool of_spheres = !mixed.tree.volumes().all_spheres().empty();
-  const double price = of_spheres ? 1.0 : std::sqrt(kMixedTestCost);
-  return finest_reach_m(mixed.tree) * price <= finest_reach_m(spheres.tree) ? std::move(mixed)
-                                                                            : std::move(spheres);
+  if (is_mixed) {
+    return keeps_all ? std::move(mixed) : build_fitted_tree(solid, settings);
+  }
+  TreeSettings upper_levels = whole_of_spheres;
+  upper_levels.built_depth = settings.built_depth;
+  return medial_tree(solid, upper_levels);
 }
 
 }  // namespace impetus

@@ -67,7 +67,7 @@ class Builder {
   }
 
   BuiltTree build() {
-    for (int level = 0; level < settings_.depth && split_level(level); ++level) {
+    for (int level = 0; level < levels_to_build(settings_) && split_level(level); ++level) {
     }
     return {VolumeTree(nodes_, starts_), std::move(parts_)};
   }
@@ -75,7 +75,8 @@ class Builder {
  private:
   /// Every level takes about as long as the next: more nodes, smaller parts.
   [[nodiscard]] double share_done(int level, std::size_t node, std::size_t nodes) const {
-    return (level + static_cast<double>(node) / static_cast<double>(nodes)) / settings_.depth;
+    return (level + static_cast<double>(node) / static_cast<double>(nodes)) /
+           levels_to_build(settings_);
   }
 
   void add_node(const Sphere& sphere, double limit_m) {

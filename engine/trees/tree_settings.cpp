@@ -32,6 +32,10 @@ std::string range(const std::string& what, int least, int most, int got) {
 
 }  // namespace
 
+int levels_to_build(const TreeSettings& settings) {
+  return std::min(settings.depth, settings.built_depth);
+}
+
 const std::vector<std::string>& tree_kind_names() {
   static const std::vector<std::string> kNames{"octree", "medial", "voxel",
                                                "box",    "swept",  "heterogeneous"};
@@ -57,6 +61,9 @@ std::string problem_of(const TreeSettings& settings) {
   const int branching = settings.branching;
   if (settings.depth < 0 || settings.depth > kGreatestTreeDepth) {
     return range("depth", 0, kGreatestTreeDepth, settings.depth);
+  }
+  if (settings.built_depth < 0 || settings.built_depth > kGreatestTreeDepth) {
+    return range("depth to build", 0, kGreatestTreeDepth, settings.built_depth);
   }
   if (branching < kLeastBranching || branching > kGreatestBranching) {
     return range("branching", kLeastBranching, kGreatestBranching, branching);

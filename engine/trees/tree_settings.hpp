@@ -16,17 +16,23 @@ namespace impetus {
 /// heterogeneous  for each node the volume that fits best for its cost, or all medial spheres
 enum class TreeKind { kOctree, kMedial, kVoxel, kBox, kSwept, kHeterogeneous };
 
+inline constexpr int kGreatestTreeDepth = 8;
+inline constexpr int kLeastBranching = 2;
+inline constexpr int kGreatestBranching = 64;
+
 struct TreeSettings {
   TreeKind kind{TreeKind::kOctree};
   int depth{4};      ///< levels beyond the root, at most; see kGreatestTreeDepth
   int branching{8};  ///< children of a node, at most; voxels take a cube of a whole number
+  /// Levels beyond the root that are built, for whoever reaches no deeper: those are as they are in
+  /// the whole tree, where the last of them has children.
+  int built_depth{kGreatestTreeDepth};
 
   friend bool operator==(const TreeSettings&, const TreeSettings&) = default;
 };
 
-inline constexpr int kGreatestTreeDepth = 8;
-inline constexpr int kLeastBranching = 2;
-inline constexpr int kGreatestBranching = 64;
+/// How many levels beyond the root a builder makes, at most.
+int levels_to_build(const TreeSettings& settings);
 
 /// The kind's name in files and on the command line, such as "octree".
 std::string name_of(TreeKind kind);

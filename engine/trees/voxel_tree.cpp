@@ -49,7 +49,7 @@ class Builder {
     std::vector<Cell> level;
     level.push_back({{0, 0, 0}, whole_surface(*solid_)});
     add(std::move(level));
-    for (int depth = 1; depth <= settings_->depth; ++depth) {
+    for (int depth = 1; depth <= levels_to_build(*settings_); ++depth) {
       along_ *= static_cast<std::uint32_t>(grid_.divisions);
       std::vector<Cell> finer = next_level(depth);
       if (finer.empty()) {
@@ -85,7 +85,7 @@ class Builder {
     const auto begin = static_cast<std::size_t>(starts_.back());
     for (std::size_t i = 0; i < places_.size(); ++i) {
       report((depth - 1 + static_cast<double>(i) / static_cast<double>(places_.size())) /
-             (2.0 * settings_->depth));
+             (2.0 * levels_to_build(*settings_)));
       NodeLinks& node = links_[begin + i];
       if (parts_[begin + i].empty()) {
         continue;

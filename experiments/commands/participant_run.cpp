@@ -10,6 +10,7 @@
 #include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/not_finite_warning.hpp"
 #include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -146,6 +147,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_gaze_latency(result);
   tell_lost_gaze(result);
+  tell_not_finite(writer);
   conclude(result, writer);
   return result.ending;
 }

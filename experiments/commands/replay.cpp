@@ -55,10 +55,21 @@ void print_divergence(const StoredAttempt& attempt, const Divergence& divergence
               static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
               static_cast<long long>(divergence.step), where.c_str());
-  if (divergence.body.empty()) {
-    std::printf(", in the hash alone\n");
-  } else {
-    std::printf(", body %s, %s\n", divergence.body.c_str(), divergence.field.c_str());
+  const std::string what = divergence.body.empty()
+                               ? "in the hash alone"
+                               : "body " + divergence.body + ", " + divergence.field;
+  std::printf(", %s%s\n", what.c_str(), why_divergent(attempt).c_str());
+}
+
+void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& taken_out,
+                     const std::string& where) {
+  for (const TakenOut& body : taken_out) {
+    std::printf(
+        "trial %lld (%s, slot %lld, attempt %lld): body %s is taken out at step %lld%s: its "
+        "%s is not finite\n",
+        static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
+        static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
+        body.body.c_str(), static_cast<long long>(body.step), where.c_str(), body.field.c_str());
   }
 }
 
@@ -77,6 +88,7 @@ bool replays(ReplayLibrary& library, const StoredAttempt& attempt, Compared& com
     const ReplayResult result = replay(scene, library.steps(attempt, interval));
     compared.steps += result.steps;
     compared.simulated_s += static_cast<double>(result.steps) / scene.step_hz;
+    print_taken_out(attempt, result.taken_out, of_interval(interval, intervals));
     if (result.divergence) {
       print_divergence(attempt, *result.divergence, of_interval(interval, intervals));
       return false;

@@ -50,9 +50,9 @@ std::optional<std::vector<MeasuredCollision>> measured(StudyFile& study, ReplayL
                }
              });
   if (result.divergence) {
-    std::printf("trial %lld diverges at step %lld: its collisions are left without truth\n",
+    std::printf("trial %lld diverges at step %lld: its collisions are left without truth%s\n",
                 static_cast<long long>(attempt.trial_id),
-                static_cast<long long>(result.divergence->step));
+                static_cast<long long>(result.divergence->step), why_divergent(attempt).c_str());
     return std::nullopt;
   }
   return truths;

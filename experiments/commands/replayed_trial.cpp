@@ -9,6 +9,13 @@
 
 namespace impetus {
 
+std::string why_divergent(const StoredAttempt& attempt) {
+  return attempt.recording_format == kRecordingFormat
+             ? ""
+             : "; it was recorded in format " + std::to_string(attempt.recording_format) + " by " +
+                   attempt.build + ", which reproduces it";
+}
+
 std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
   return protocol(attempt.protocol_id).script.two_interval ? 2 : 1;
 }
@@ -20,10 +27,12 @@ bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t in
 }
 
 StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
-  if (attempt.recording_format != kRecordingFormat) {
+  if (attempt.recording_format < kOldestRecordingFormat ||
+      attempt.recording_format > kRecordingFormat) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
                      " was recorded in format " + std::to_string(attempt.recording_format) +
-                     " by " + attempt.build + "; this build replays format " +
+                     " by " + attempt.build + "; this build replays formats " +
+                     std::to_string(kOldestRecordingFormat) + " to " +
                      std::to_string(kRecordingFormat) + ", use that one");
   }
   const Protocol& source = protocol(attempt.protocol_id);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "experiments/protocol/protocol_file.hpp"
@@ -12,6 +13,9 @@
 #include "experiments/store/study_reader.hpp"
 
 namespace impetus {
+
+/// What to add to the word that the attempt diverges: nothing, unless it is of an older format.
+std::string why_divergent(const StoredAttempt& attempt);
 
 class ReplayLibrary {
  public:

@@ -8,6 +8,7 @@
 #include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/not_finite_warning.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/stored_plan.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -60,6 +61,7 @@ void run_unattended_part(const RunPart& part, const RunOptions& options, StudyFi
   run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
                  assumed_screen(), writer, [&line](double share) { line.tell(share); });
   writer.end("finished");
+  tell_not_finite(writer);
 }
 
 }  // namespace impetus

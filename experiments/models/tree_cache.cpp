@@ -18,6 +18,13 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+/// "" for a whole tree.
+std::string built(const TreeSettings& settings) {
+  return levels_to_build(settings) < settings.depth
+             ? " built to " + std::to_string(settings.built_depth)
+             : "";
+}
+
 bool same_mesh(const TriangleMesh& one, const TriangleMesh& other) {
   return one.vertices == other.vertices && one.triangles == other.triangles;
 }
@@ -69,7 +76,7 @@ std::filesystem::path TreeCache::file_of(const TriangleMesh& solid,
                                          const TreeSettings& settings) const {
   const std::string key = content_hash(solid) + " " + name_of(settings.kind) + " depth " +
                           std::to_string(settings.depth) + " branching " +
-                          std::to_string(settings.branching) + " builder " +
+                          std::to_string(settings.branching) + built(settings) + " builder " +
                           std::to_string(kTreeBuilderVersion) + " format " +
                           std::to_string(kTreeFileFormat);
   return *folder_ / (content_hash(key) + ".tree");

@@ -84,6 +84,9 @@ TreeSettings settings_from(const json& header) {
   settings.depth = static_cast<int>(whole(header, "depth", 0, kGreatestTreeDepth));
   settings.branching =
       static_cast<int>(whole(header, "branching", kLeastBranching, kGreatestBranching));
+  if (header.contains("built_depth")) {
+    settings.built_depth = static_cast<int>(whole(header, "built_depth", 0, kGreatestTreeDepth));
+  }
   return settings;
 }
 
@@ -167,6 +170,9 @@ std::string text_of(const TreeHeader& header) {
               {"nodes", header.nodes},
               {"level_starts", header.level_starts},
               {"quality", json::array()}};
+  if (header.settings.built_depth < kGreatestTreeDepth) {
+    object["built_depth"] = header.settings.built_depth;
+  }
   if (header.voxels) {
     object["grid"] = grid_json(header.grid);
   }

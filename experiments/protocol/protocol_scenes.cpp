@@ -19,13 +19,14 @@ std::string start_of(const PlannedTrial& trial) {
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
   nlohmann::json scene = scene_under(*protocol_, trial.condition);
   put_into_scene(trial.solved, scene);
-  return build_scene(scene, screen, round_hold_to_hz_, *shapes_, start_of(trial), trial.seed);
+  return build_scene(scene, screen, round_hold_to_hz_, *shapes_, start_of(trial), trial.seed,
+                     deepest_level_);
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
                                                 const ScreenGeometry& screen) const {
   return build_scene(demonstration_scene(*protocol_, id), screen, round_hold_to_hz_, *shapes_,
-                     "demonstration");
+                     "demonstration", /*seed=*/1, deepest_level_);
 }
 
 StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeometry& screen) const {

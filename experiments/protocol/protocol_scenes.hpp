@@ -1,10 +1,11 @@
-// The session's `Scenes`, from a protocol: a condition's levels put into the scene, then built.
-// SPDX-License-Identifier: MIT
+// The session's `Scenes`, from a protocol: a condition's levels put into the scene, then built,
+// with trees as deep as any condition of the protocol can reach. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
 #include <utility>
 
+#include "experiments/protocol/deepest_level.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/session/ports.hpp"
@@ -17,7 +18,10 @@ class ProtocolScenes final : public Scenes {
   /// `shapes` may be shared with other scenes.
   ProtocolScenes(const Protocol& protocol, double round_hold_to_hz,
                  std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>())
-      : protocol_(&protocol), round_hold_to_hz_(round_hold_to_hz), shapes_(std::move(shapes)) {}
+      : protocol_(&protocol),
+        round_hold_to_hz_(round_hold_to_hz),
+        shapes_(std::move(shapes)),
+        deepest_level_(deepest_level_of(protocol)) {}
 
   [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
                                   const ScreenGeometry& screen) const override;
@@ -35,6 +39,7 @@ class ProtocolScenes final : public Scenes {
   const Protocol* protocol_;
   double round_hold_to_hz_;
   std::shared_ptr<ShapeLibrary> shapes_;  ///< each shape is built once
+  int deepest_level_;                     ///< no tree is built beyond it
 };
 
 }  // namespace impetus

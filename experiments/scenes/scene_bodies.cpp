@@ -48,8 +48,9 @@ void add_body(const BodyTraits& traits, const BodyShape& shape, SceneBodies& bod
 
 }  // namespace
 
-SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary& library) {
-  const ShapeFrame frame{metres_per_degree, tree_settings_of(scene["engine"])};
+SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary& library,
+                      int deepest_level) {
+  const ShapeFrame frame{metres_per_degree, tree_settings_of(scene["engine"], deepest_level)};
   const json meshes = scene.value("meshes", json::object());
   const bool no_spin = scene.contains("imposed") && scene["imposed"].value("no_spin", false);
   SceneBodies bodies;

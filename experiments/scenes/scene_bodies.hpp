@@ -19,8 +19,9 @@ struct SceneBodies {
 };
 
 /// The bodies a scene names one by one, or its crowd: "1", "2", ... in the crowd's colours in turn.
-/// Precondition: `scene` is valid by the schema.
-SceneBodies bodies_of(const nlohmann::json& scene, double metres_per_degree, ShapeLibrary& library);
+/// Trees are not built beyond `deepest_level`. Precondition: `scene` is valid by the schema.
+SceneBodies bodies_of(const nlohmann::json& scene, double metres_per_degree, ShapeLibrary& library,
+                      int deepest_level = kGreatestTreeDepth);
 
 /// A named body's turns about the world's axes.
 Quaternion orientation_of(const nlohmann::json& body);

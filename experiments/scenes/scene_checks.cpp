@@ -9,6 +9,7 @@
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
@@ -147,6 +148,9 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   if (scene.contains("crowd")) {
     add_shape_problems(scene["crowd"]["shape"], meshes, "/crowd/shape", problems);
     if (problems.empty()) {
+      problems = limit_problems(scene);
+    }
+    if (problems.empty()) {
       add_crowd_problems(scene, problems);
     }
     return problems;
@@ -158,6 +162,9 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
     add_shape_problems(scene["bodies"][i]["shape"], meshes,
                        "/bodies/" + std::to_string(i) + "/shape", problems);
+  }
+  if (problems.empty()) {
+    problems = limit_problems(scene);
   }
   add_name_problems(scene, problems);
   if (scene.contains("meeting")) {

@@ -121,12 +121,13 @@ const std::vector<FrameBoundValue>& frame_bound_values() {
 }
 
 StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
-                        ShapeLibrary& library, const std::string& start, std::uint64_t seed) {
+                        ShapeLibrary& library, const std::string& start, std::uint64_t seed,
+                        int deepest_level) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const json& engine = scene["engine"];
   const json imposed = scene.value("imposed", json::object());
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
-  SceneBodies bodies = bodies_of(scene, m_per_deg, library);
+  SceneBodies bodies = bodies_of(scene, m_per_deg, library, deepest_level);
   add_coarser_meshes(bodies.looks, library);
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
@@ -164,14 +165,12 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
 }
 
 bool crowd_has_room(const json& scene) {
-  // The root holds a body at any depth, so no deeper tree is needed to ask.
-  json shallow = scene;
-  shallow["engine"]["tree_depth"] = 0;
+  constexpr int kRoot = 0;  // it holds the whole body
   ShapeLibrary library;
   const ScreenGeometry screen = screen_for_checks();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
-  const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
+  const SceneBodies bodies = bodies_of(scene, m_per_deg, library, kRoot);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
     if (!crowd_states_of(scene, bodies, m_per_deg, viewer, "main/" + std::to_string(repetition))) {

@@ -33,11 +33,13 @@ const std::vector<FrameBoundValue>& frame_bound_values();
 
 /// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
 /// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
-/// the same start. `seed` is the trial's: random spin and distractors are drawn with it.
+/// the same start. `seed` is the trial's: random spin and distractors are drawn with it. No tree is
+/// built beyond `deepest_level`, for whoever knows that nothing will reach it.
 /// Precondition: `scene` is valid by schema and scene_problems() is empty.
 StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& screen,
                         double round_hold_to_hz, ShapeLibrary& library,
-                        const std::string& start = "preview", std::uint64_t seed = 1);
+                        const std::string& start = "preview", std::uint64_t seed = 1,
+                        int deepest_level = kGreatestTreeDepth);
 
 /// Whether a crowd finds room to start in, ten times out of ten. Precondition: the scene has a
 /// crowd and an enclosure.

@@ -92,6 +92,21 @@ Schedule schedule_of(const json& engine, double metres_per_degree) {
   return result;
 }
 
+int deepest_level_of(const json& engine) {
+  const int finest = engine.value("tree_depth", 0);
+  if (engine.contains("level")) {
+    return std::min(finest, engine["level"].get<int>());
+  }
+  if (!engine.contains("schedule")) {
+    return finest;
+  }
+  int deepest = 0;
+  for (const json& entry : engine["schedule"]["lists"]) {
+    deepest = std::max(deepest, std::min(finest, list_from(entry).greatest_level));
+  }
+  return deepest;
+}
+
 MetricOptions metric_options_of(const json& engine, double metres_per_degree) {
   MetricOptions options;
   const json schedule = engine.value("schedule", json::object());

@@ -19,6 +19,10 @@ std::string scheduler_of(const nlohmann::json& engine);
 /// for none. Precondition: schedule_problems() is empty.
 Schedule schedule_of(const nlohmann::json& engine, double metres_per_degree);
 
+/// The deepest level to which any pair can be refined: of `level` or the lists, or the last of the
+/// trees. The same precondition.
+int deepest_level_of(const nlohmann::json& engine);
+
 /// What the scheduler's metric needs beside its name.
 MetricOptions metric_options_of(const nlohmann::json& engine, double metres_per_degree);
 

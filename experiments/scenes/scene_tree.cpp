@@ -7,12 +7,15 @@ namespace impetus {
 
 using nlohmann::json;
 
-TreeSettings tree_settings_of(const json& engine) {
+TreeSettings tree_settings_of(const json& engine, int deepest_level) {
   TreeSettings settings;
   settings.depth = engine.value("tree_depth", 0);
   if (engine.contains("tree")) {
     settings.kind = tree_kind(engine["tree"]["kind"].get<std::string>());
     settings.branching = engine["tree"].value("branching", settings.branching);
+  }
+  if (deepest_level < settings.depth) {
+    settings.built_depth = deepest_level;
   }
   return settings;
 }

@@ -103,8 +103,12 @@ const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes
   if (is_mesh(description)) {
     what += meshes[description["file"].get<std::string>()]["hash"].get<std::string>();
   }
-  const Key key{what, frame.metres_per_degree, frame.tree.kind, frame.tree.depth,
-                frame.tree.branching};
+  const Key key{what,
+                frame.metres_per_degree,
+                frame.tree.kind,
+                frame.tree.depth,
+                frame.tree.branching,
+                frame.tree.built_depth};
   const std::lock_guard lock(building_);
   const auto known = shapes_.find(key);
   if (known == shapes_.end()) {

@@ -50,8 +50,9 @@ class ShapeLibrary {
   std::shared_ptr<const DrawnLevels> coarser(const std::shared_ptr<const TriangleMesh>& mesh);
 
  private:
-  /// Description and hash of a mesh, metres per degree; kind, depth and branching of the tree.
-  using Key = std::tuple<std::string, double, TreeKind, int, int>;
+  /// Description and hash of a mesh, metres per degree; kind, depth, branching and levels built of
+  /// the tree.
+  using Key = std::tuple<std::string, double, TreeKind, int, int, int>;
 
   [[nodiscard]] BodyShape built(const nlohmann::json& description, const nlohmann::json& meshes,
                                 const ShapeFrame& frame) const;

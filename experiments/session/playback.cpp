@@ -48,12 +48,16 @@ double mean_speed_deg_s(const PairBounds& pair, const Viewer& viewer) {
 
 }  // namespace
 
-StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report) {
-  StepRecord record{
-      step, report.work_granted, report.work_spent, report.degradations, std::move(report.state),
-      gaze};
+StepRecord record_of(std::int64_t step, const GazeInput& gaze, const StepReport& report,
+                     bool keeps_digests) {
+  StepRecord record{step, report.work_granted, report.work_spent, report.degradations, {}, gaze};
+  record.state.hash = report.state.hash;
+  if (keeps_digests) {
+    record.state.bodies = report.state.bodies;
+  }
   record.pops = static_cast<std::int64_t>(report.pops.size());
   record.stopped_short = static_cast<std::int64_t>(report.stopped.size());
+  record.not_finite = report.not_finite;
   for (const LevelPop& pop : report.pops) {
     record.largest_pop_deg = std::max(record.largest_pop_deg, pop.size_deg);
   }
@@ -68,7 +72,7 @@ Playback::Playback(StagedScene scene, std::uint64_t seed, const Clock* work_cloc
       before_(scene_.world.states()) {
   StepReport start;
   start.state = hash_state(before_);
-  steps_.push_back(impetus::record_of(0, {}, std::move(start)));
+  steps_.push_back(impetus::record_of(0, {}, start));
 }
 
 void Playback::step_once() {
@@ -78,16 +82,13 @@ void Playback::step_once() {
   const double time_s = static_cast<double>(step) / scene_.step_hz;
   const StepInput input{1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), gaze_.fixation,
                         gaze_.region};
-  StepReport report = scene_.world.step(input, meter_of_step());
+  const StepReport& report = scene_.world.step(input, meter_of_step());
   for (const CollisionReport& collision : report.collisions) {
     if (collision.began) {
       collisions_.push_back(record_of(step, collision));
     }
   }
-  if (!keeps_digests_) {
-    report.state.bodies = {};
-  }
-  steps_.push_back(impetus::record_of(step, gaze_, std::move(report)));
+  steps_.push_back(impetus::record_of(step, gaze_, report, keeps_digests_));
 }
 
 WorkMeter& Playback::meter_of_step() {

@@ -55,7 +55,9 @@ class Playback {
   bool keeps_digests_{true};
 };
 
-/// The record of one step, from what it was told and what it reported.
-StepRecord record_of(std::int64_t step, const GazeInput& gaze, StepReport report);
+/// The record of one step, from what it was told and what it reported; with the digests of bodies
+/// or without.
+StepRecord record_of(std::int64_t step, const GazeInput& gaze, const StepReport& report,
+                     bool keeps_digests = true);
 
 }  // namespace impetus

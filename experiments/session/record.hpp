@@ -38,6 +38,7 @@ struct StepRecord {
   std::int64_t stopped_short{0};  ///< pairs that were stopped where they entered each other
   double largest_pop_deg{0.0};    ///< visual angle; of no pop, 0
   std::int64_t interval{1};       ///< of a two-interval trial, its first or second stimulus
+  std::vector<NotFiniteBody> not_finite{};  ///< taken out in it; stored as notes of the session
 };
 
 /// One pair in contact, at the step in which that began.

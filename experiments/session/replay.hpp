@@ -19,9 +19,17 @@ struct Divergence {
   std::string field;  ///< "position", ...
 };
 
+/// A body that was taken out, since what is named of its state was not finite.
+struct TakenOut {
+  std::int64_t step{0};
+  std::string body;
+  std::string field;  ///< "position", ...
+};
+
 struct ReplayResult {
   std::int64_t steps{0};  ///< simulated, the start not counted
   std::optional<Divergence> divergence;
+  std::vector<TakenOut> taken_out{};  ///< by then
 };
 
 /// Called after each step with its number, the world and its report; for step 0 the report is

@@ -10,6 +10,7 @@
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/calibration_rows.hpp"
+#include "experiments/store/not_finite_notes.hpp"
 
 namespace impetus {
 
@@ -60,8 +61,10 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
 }
 
 void StudyWriter::save(AttemptRecord attempt) {
+  not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);
+    insert_not_finite_notes(database, session_id_, attempt);
     if (saved_) {
       saved_();
     }

@@ -63,6 +63,9 @@ class StudyWriter final : public Recorder {
   /// Throws StoreError with the first thing that could not be saved.
   void await_saved() override;
 
+  /// Of those that were given to save: how many had a body taken out (not_finite_notes.hpp).
+  [[nodiscard]] std::int64_t not_finite_attempts() const { return not_finite_attempts_; }
+
   /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
   void end(const std::string& ending);
 
@@ -80,6 +83,7 @@ class StudyWriter final : public Recorder {
   bool sync_overridden_;
   std::int64_t session_id_{0};
   std::function<void()> saved_;
+  std::int64_t not_finite_attempts_{0};
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -200,7 +200,9 @@ TEST(StaticBodies, ABodyOfNegativeMassIsRefused) {
     const World world({model}, {BodyState{}}, {});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "world: an inverse mass cannot be negative");
+    EXPECT_STREQ(error.what(),
+                 "world: body 0 \"ball\": expected an inverse mass of 0 or more, a finite number, "
+                 "got -1.000000 1/kg");
   }
 }
 

@@ -271,7 +271,8 @@ TEST(World, RefusesWhatItCannotStep) {
   };
   BodyModel bare;
   EXPECT_EQ(refusal({ball(1.0, 1.0)}, {}, {}), "world: one state per body model is needed");
-  EXPECT_EQ(refusal({bare}, {BodyState{}}, {}), "world: every body needs a volume tree");
+  EXPECT_EQ(refusal({bare}, {BodyState{}}, {}),
+            "world: body 0 \"\": expected a volume tree, got none");
   EXPECT_EQ(refusal({}, {}, {1.1, 0.0}), "world: restitution must lie in [0, 1]");
   EXPECT_EQ(refusal({}, {}, {-0.1, 0.0}), "world: restitution must lie in [0, 1]");
   EXPECT_EQ(refusal({}, {}, {std::nan(""), 0.0}), "world: restitution must lie in [0, 1]");

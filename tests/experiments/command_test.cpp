@@ -12,7 +12,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, preview, replay, screen, mesh, tree, "
+      "expected one of the commands run, check, exclude, extremes, preview, replay, screen, mesh, "
+      "tree, "
       "trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
@@ -143,6 +144,19 @@ TEST(Replay, AChangedHashIsFoundAtItsStep) {
   EXPECT_NE(lines[2].find(" 2 divergent"), std::string::npos);
 }
 
+TEST(Replay, ADivergenceOfAnOlderFormatNamesTheBuildThatReproducesIt) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE session SET recording_format = 1, build = 'Impetus 0.0'");
+  EXPECT_EQ(run_program(folder, {"replay", "a.sqlite"}).status, 0);
+  change(folder, "UPDATE step SET hash = hash + 1 WHERE attempt_id = 5 AND step = 100");
+  const ProgramResult result = run_program(folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(lines_of(result.output).front(),
+            "trial 5 (S01, slot 5, attempt 1): diverges at step 100, in the hash alone; it was "
+            "recorded in format 1 by Impetus 0.0, which reproduces it");
+}
+
 TEST(Replay, WhatCannotBeReplayedIsRefused) {
   const TemporaryFolder folder;
   folder.write("empty.sqlite", "");
@@ -158,7 +172,7 @@ TEST(Replay, WhatCannotBeReplayedIsRefused) {
   change(folder, "UPDATE session SET recording_format = 99, build = 'Impetus 9.0'");
   expect_refused(folder, {"replay", "a.sqlite"},
                  "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays "
-                 "format 1, use that one");
+                 "formats 1 to 2, use that one");
 }
 
 TEST(Replay, ADamagedStudyIsRefusedByName) {

@@ -126,6 +126,28 @@ TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
   EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "quit");
 }
 
+TEST(StudyWriter, ATrialWithABodyThatWasNotFiniteIsMarkedByANoteThatNamesIt) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  attempt.steps[7].not_finite = {{1, StateField::kLinearMomentum}};
+  attempt.steps[7].degradations |= kNotFinite;
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(recorded_attempts()[1]);
+    EXPECT_EQ(writer.not_finite_attempts(), 0);
+    writer.save(attempt);
+    EXPECT_EQ(writer.not_finite_attempts(), 1);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT group_concat(kind || ': ' || text) FROM note"),
+            "not finite: trial " + std::to_string(attempt.slot) + ", attempt " +
+                std::to_string(attempt.number) + ", step 7: " + attempt.body_names[1] +
+                ", linear momentum");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM step WHERE degradations & 4"), "1");
+}
+
 TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();

@@ -2,34 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
+#include "tests/engine/allocation/counted_new.hpp"
 #include "tests/engine/crowds.hpp"
-
-namespace {
-std::int64_t allocations = 0;
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*bytes*/) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*bytes*/, std::align_val_t /*align*/) noexcept {
-  std::free(memory);
-}
 
 namespace impetus {
 namespace {
@@ -42,9 +16,9 @@ int last_step_that_allocates(World& world, int steps) {
   const StepInput input = looking_ahead();
   int last = -1;
   for (int step = 0; step < steps; ++step) {
-    const std::int64_t before = allocations;
+    const std::int64_t before = allocated().calls;
     world.step(input, unlimited);
-    last = allocations > before ? step : last;
+    last = allocated().calls > before ? step : last;
   }
   return last;
 }

@@ -1,0 +1,163 @@
+// `impetus extremes`: what the engine promises at the extremes, and what it does on this machine.
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "build_info.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/extremes/extreme_cases.hpp"
+#include "experiments/session/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+struct ExtremesOptions {
+  bool quick{false};
+  bool takes_long{false};
+  std::string only;
+  std::string json_file;
+};
+
+/// Whether a case is asked for: by the beginning of its name or of its family's.
+bool is_chosen(const ExtremeCase& extreme, const std::string& only) {
+  return extreme.name.starts_with(only) || extreme.family.starts_with(only);
+}
+
+std::vector<ExtremeCase> chosen_cases(const std::string& only) {
+  std::vector<ExtremeCase> chosen;
+  std::string names;
+  for (const ExtremeCase& extreme : extreme_cases()) {
+    if (is_chosen(extreme, only)) {
+      chosen.push_back(extreme);
+    }
+    names += (names.empty() ? "" : ", ") + extreme.name;
+  }
+  if (chosen.empty()) {
+    throw InputError("--only: expected the beginning of one of the cases " + names + ", got " +
+                     only);
+  }
+  return chosen;
+}
+
+std::string with_unit(double number, const std::string& unit) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.3g%s%s", number, unit.empty() ? "" : " ", unit.c_str());
+  return text;
+}
+
+/// The figures of one case, a promise a line.
+void print_case(const ExtremeCase& extreme, const std::vector<ExtremeResult>& results,
+                double took_s) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ExtremePromise& promise = extreme.promises[i];
+    const ExtremeResult& result = results[i];
+    char took[32] = "";
+    if (i == 0) {
+      std::snprintf(took, sizeof took, "%.1f s", took_s);
+    }
+    std::printf("  %-19s %-10s %-10s %-8s %7s  %s", i == 0 ? extreme.name.c_str() : "",
+                with_unit(result.measured, promise.unit).c_str(),
+                with_unit(promise.at_most, promise.unit).c_str(), result.kept ? "kept" : "NOT KEPT",
+                took, promise.sentence.c_str());
+    if (!result.kept && !result.worst_at.empty()) {
+      std::printf(" (at %s)", result.worst_at.c_str());
+    }
+    std::printf("\n");
+  }
+  std::fflush(stdout);
+}
+
+json as_json(const ExtremeCase& extreme, const std::vector<ExtremeResult>& results, double took_s) {
+  json promises = json::array();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ExtremePromise& promise = extreme.promises[i];
+    promises.push_back({{"promise", promise.sentence},
+                        {"at_most", promise.at_most},
+                        {"unit", promise.unit},
+                        {"measured", results[i].measured},  // null when it is no number
+                        {"worst_at", results[i].worst_at},
+                        {"kept", results[i].kept}});
+  }
+  return {{"family", extreme.family},
+          {"case", extreme.name},
+          {"took_s", took_s},
+          {"promises", std::move(promises)}};
+}
+
+Length length_of(const ExtremesOptions& options) {
+  return options.quick ? Length::kQuick : options.takes_long ? Length::kLong : Length::kUsual;
+}
+
+std::ofstream opened(const std::string& file) {
+  std::ofstream out;
+  if (!file.empty()) {
+    out.open(file);
+    if (!out) {
+      throw InputError("--json: expected a file that can be written, got " + file);
+    }
+  }
+  return out;
+}
+
+int ask_extremes(const ExtremesOptions& options) {
+  using Seconds = std::chrono::duration<double>;
+  const std::vector<ExtremeCase> cases = chosen_cases(options.only);
+  std::ofstream out = opened(options.json_file);
+  json report{{"build", kBuild}, {"machine", machine_name()}, {"cases", json::array()}};
+  std::printf("%s\n%s\n\n  %-19s %-10s %-10s\n", kBuild, machine_name().c_str(), "case", "measured",
+              "at most");
+  std::string family;
+  int asked = 0;
+  int broken = 0;
+  for (const ExtremeCase& extreme : cases) {
+    if (extreme.family != family) {
+      family = extreme.family;
+      std::printf("%s\n", family.c_str());
+      std::fflush(stdout);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<ExtremeResult> results;
+    {
+      ProgressLine line("  " + extreme.name);
+      results = run_case(extreme, length_of(options), [&](double share) { line.tell(share); });
+    }
+    const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
+    print_case(extreme, results, took_s);
+    report["cases"].push_back(as_json(extreme, results, took_s));
+    for (const ExtremeResult& result : results) {
+      ++asked;
+      broken += result.kept ? 0 : 1;
+    }
+  }
+  std::printf("\n%d promises, %d not kept\n", asked, broken);
+  if (out.is_open()) {
+    out << report.dump(2) << "\n";
+  }
+  return broken == 0 ? kDone : kFound;
+}
+
+}  // namespace
+
+void add_extremes(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ExtremesOptions>();
+  CLI::App* command = app.add_subcommand(
+      "extremes", "Run the engine at its extremes: what is promised, and what is measured here");
+  CLI::Option* quick = command->add_flag("--quick", options->quick, "Half a minute instead of two");
+  command
+      ->add_flag("--long", options->takes_long,
+                 "Also what takes long: 1e7 steps of one body, 1e6 of a crowd")
+      ->excludes(quick);
+  command->add_option("--only", options->only, "Cases or families whose names begin so");
+  command->add_option("--json", options->json_file, "Write the table into this file as well");
+  command->callback([options, &chosen] { chosen = [options] { return ask_extremes(*options); }; });
+}
+
+}  // namespace impetus
