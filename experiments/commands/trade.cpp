@@ -24,13 +24,13 @@
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/session/steady_clock.hpp"
 #include "experiments/trade/chosen_settings.hpp"
 #include "experiments/trade/csv_line.hpp"
 #include "experiments/trade/impact_rows.hpp"
 #include "experiments/trade/scene_pairs.hpp"
 #include "experiments/trade/scene_rows.hpp"
 #include "experiments/trade/step_time.hpp"
+#include "experiments/trade/thread_clock.hpp"
 #include "experiments/trade/trade_choice.hpp"
 #include "experiments/trade/trade_words.hpp"
 
@@ -185,7 +185,7 @@ std::vector<ImpactMeasures> measure_pairs(const Trade& trade, ShapeLibrary& shap
     meetings += pair.meetings;
   }
   std::vector<ImpactMeasures> measures;
-  const SteadyClock clock;
+  const ThreadClock clock;
   for (const ScenePair& pair : pairs) {
     ProgressLine line("impacts of " + pair.pair.name());
     settings.impacts = impacts_of(pair, meetings, trade.options.impacts);
@@ -239,7 +239,7 @@ class SceneRuns {
   ShapeLibrary& shapes_;
   std::vector<TradeRow>& rows_;
   std::map<std::tuple<TreeKind, int, std::string>, double> known_ms_;
-  SteadyClock clock_;
+  ThreadClock clock_;
 };
 
 /// The options of kinds with which the scene is valid: bounds may be too large for a crowd's walls.
