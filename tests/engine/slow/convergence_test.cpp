@@ -98,6 +98,8 @@ constexpr Exception kExceptions[] = {
     {TreeKind::kMedial, "density", kVelocity, kCornersHaveNoNormal},
     {TreeKind::kSwept, "density", kNormal, kCornersHaveNoNormal},
     {TreeKind::kSwept, "density", kVelocity, kCornersHaveNoNormal},
+    // Of medial spheres where those are worth more (heterogeneous_tree.hpp).
+    {TreeKind::kHeterogeneous, "density", kNormal, kCornersHaveNoNormal},
 };
 
 bool is_exception(TreeKind kind, std::string_view reduction, Measure measure) {
