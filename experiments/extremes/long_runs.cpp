@@ -14,7 +14,7 @@ namespace {
 std::vector<ExtremeScene> tumbling(Rotation rotation, std::int64_t steps) {
   ExtremeScene scene;
   scene.settings.rotation = rotation;
-  scene.bodies = {block({0.2, 0.4, 0.6}, {}, {1e-3, 2e-3, 3e-3})};
+  scene.bodies = {block({0.2, 0.4, 0.6}, Vector3::Zero(), {1e-3, 2e-3, 3e-3})};
   scene.bodies[0].start.spin_rad_s = Vector3(0.05, 5.0, 0.05);
   scene.step_s = 1.0 / 60.0;
   scene.steps = steps;

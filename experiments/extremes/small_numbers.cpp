@@ -46,7 +46,7 @@ std::vector<double> signed_zeros(Length /*length*/, const Progress& /*progress*/
   double differ = 0.0;
   for (const TreeKind kind : all_tree_kinds()) {
     ExtremeScene scene;
-    scene.bodies = {block({1.0, 0.6, 0.4}, {-0.9, 0.0, 0.0}, {1.0, 0.0, 0.0}), ball(0.2, {}, {}),
+    scene.bodies = {block({1.0, 0.6, 0.4}, {-0.9, 0.0, 0.0}, {1.0, 0.0, 0.0}), ball(0.2),
                     block({0.8, 0.8, 0.3}, {0.0, 0.9, 0.0}, {0.0, -1.0, 0.0})};
     scene.bodies[0].tree = kind;
     scene.bodies[2].tree = kind;

@@ -28,7 +28,7 @@ std::vector<ExtremeScene> throws(Length /*length*/) {
   for (const double step_s : kSteps_s) {
     ExtremeScene scene;
     scene.name = short_number(step_s) + " s";
-    scene.bodies = {ball(0.1, {}, {1.0, 3.0, 0.0})};
+    scene.bodies = {ball(0.1, Vector3::Zero(), {1.0, 3.0, 0.0})};
     scene.settings.gravity_m_s2 = {0.0, -9.81, 0.0};
     scene.step_s = step_s;
     scene.steps = std::llround((step_s < 1e-5 ? 0.1 : 1.0) / step_s);
