@@ -13,7 +13,7 @@ std::string why_divergent(const StoredAttempt& attempt) {
   return attempt.recording_format == kRecordingFormat
              ? ""
              : "; it was recorded in format " + std::to_string(attempt.recording_format) + " by " +
-                   attempt.build + ", which reproduces it";
+                   attempt.build + ": replay it there as well";
 }
 
 std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {

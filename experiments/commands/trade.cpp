@@ -313,7 +313,6 @@ int trade(const TradeOptions& options) {
   check(options);
   const JsonDocument scene = load_scene(options.scene);
   const std::filesystem::path folder = options.out;
-  prepare_folder(folder, options.force);
   ShapeLibrary shapes;
   const ScreenGeometry screen = chosen_screen(options.screen_file);
   Trade trade{scene,
@@ -323,6 +322,7 @@ int trade(const TradeOptions& options) {
               build_scene(scene.value, screen, kExactHold, shapes),
               {}};
   check(options.scheduled, trade.staged);
+  prepare_folder(folder, options.force);
   {
     ProgressLine line("simulating the scene");
     trade.demand = demand_of(trade.staged, [&line](double share) { line.tell(share); });

@@ -154,7 +154,7 @@ TEST(Replay, ADivergenceOfAnOlderFormatNamesTheBuildThatReproducesIt) {
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(lines_of(result.output).front(),
             "trial 5 (S01, slot 5, attempt 1): diverges at step 100, in the hash alone; it was "
-            "recorded in format 1 by Impetus 0.0, which reproduces it");
+            "recorded in format 1 by Impetus 0.0: replay it there as well");
 }
 
 TEST(Replay, WhatCannotBeReplayedIsRefused) {
