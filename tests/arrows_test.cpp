@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/places/places.hpp"
+
 namespace impetus {
 namespace {
 
@@ -154,7 +156,7 @@ std::vector<std::filesystem::path> sources_under(const std::filesystem::path& fo
 }
 
 TEST(Arrows, NoIncludePointsAgainstThem) {
-  const std::filesystem::path root = IMPETUS_SOURCE_DIR;
+  const std::filesystem::path root = source_folder();
   std::size_t files = 0;
   for (const char* folder : {"engine", "experiments"}) {
     for (const std::filesystem::path& file : sources_under(root / folder)) {

@@ -17,6 +17,7 @@
 #include "tests/bench/thread_time.hpp"
 #include "tests/engine/allocation/counted_new.hpp"
 #include "tests/experiments/demand_scenes.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -158,7 +159,7 @@ void print_asked(const BenchOptions& options) {
   std::printf("%-22s | %-17s | %-15s | %-15s | %-17s | %-17s | %-8s | %-15s | %-15s\n", "scene",
               "world, kB", "trees, kB", "step memory, kB", "tests", "nodes transformed", "new",
               "us, median", "us, p99");
-  const auto stimuli = std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli";
+  const auto stimuli = std::filesystem::path(source_folder()) / "stimuli";
   for (const DemandScene& scene : scenes_of_growing_demand(stimuli, library)) {
     if (options.asks_for(scene.name)) {
       const double seconds = options.quick ? kQuickSeconds : kSeconds;

@@ -16,6 +16,7 @@
 #include "engine/collision/density_contacts.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/deepest_contact.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -315,7 +316,7 @@ TEST(ContactReduction, TheReadmesExampleReducesAndIsTheCodeThatIsCompiledHere) {
   ASSERT_EQ(reduced(*sums).size(), 1U);
   expect_contact(reduced(*sums)[0], {0.3, 0, 0}, kY, 0.3);
   const auto text_of = [](const char* name) {
-    std::ifstream file(std::string(IMPETUS_SOURCE_DIR) + name);
+    std::ifstream file(source_folder() + name);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
   const std::string code = text_of("/tests/engine/deepest_contact.hpp");

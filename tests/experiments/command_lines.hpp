@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/experiments/program.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 
@@ -32,7 +33,7 @@ inline void expect_refused_without_a_file(const TemporaryFolder& folder, const W
 /// The folder with a changed copy of the shipped protocol, beside its scene and observer.
 inline std::string changed_protocol(const TemporaryFolder& folder, const std::string& pointer,
                                     const nlohmann::json& value) {
-  const std::filesystem::path source = IMPETUS_SOURCE_DIR;
+  const std::filesystem::path source = source_folder();
   nlohmann::json protocol = nlohmann::json::parse(text_of(causality_file()));
   protocol[nlohmann::json::json_pointer(pointer)] = value;
   folder.write("protocols/a.json", protocol.dump());

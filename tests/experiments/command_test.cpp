@@ -1,6 +1,7 @@
 // The program as a researcher meets it: commands, sentences, exit status.
 // SPDX-License-Identifier: MIT
 #include "tests/experiments/command_lines.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -54,8 +55,8 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        "--show: expected --observer NAME with it"},
       {{"run", causality_file(), "--db", "a.sqlite", "--participant", "P01", "--observer",
         "nobody"},
-       "--observer nobody: expected a file, or the name of one in " IMPETUS_SOURCE_DIR
-       "/experiments/observers"}};
+       "--observer nobody: expected a file, or the name of one in " + source_folder() +
+           "/experiments/observers"}};
   for (const auto& [arguments, sentence] : cases) {
     expect_refused_without_a_file(folder, arguments, sentence);
   }
@@ -216,7 +217,7 @@ TEST(Preview, ASceneThatIsNoneIsRefusedBeforeAWindowOpens) {
 
 TEST(Preview, WithoutADisplayItSaysSo) {
   const TemporaryFolder folder;
-  const std::string scene = IMPETUS_SOURCE_DIR "/stimuli/two-l-blocks.json";
+  const std::string scene = source_folder() + "/stimuli/two-l-blocks.json";
 #ifdef IMPETUS_PROGRAM_HAS_WINDOW
   folder.write("screen.json",
                R"({"schema_version": 1, "width_cm": 37.6, "height_cm": 30.1,

@@ -10,12 +10,13 @@
 #include "experiments/session/trial.hpp"
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
 std::filesystem::path source(const char* path) {
-  return std::filesystem::path(IMPETUS_SOURCE_DIR) / path;
+  return std::filesystem::path(source_folder()) / path;
 }
 
 Protocol shipped_study() { return load_protocol(source("protocols/crowd.json")); }

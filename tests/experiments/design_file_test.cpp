@@ -5,6 +5,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -75,9 +76,8 @@ TEST(Protocol, CausalityIs27CellsTimesThreeRepetitions) {
 }
 
 TEST(Protocol, TheShippedFilesAreValid) {
-  EXPECT_EQ(
-      refusal([] { load_protocol(std::filesystem::path(IMPETUS_SOURCE_DIR) / kProtocolName); }),
-      "accepted");
+  EXPECT_EQ(refusal([] { load_protocol(std::filesystem::path(source_folder()) / kProtocolName); }),
+            "accepted");
 }
 
 TEST(Protocol, TheHashIgnoresWhiteSpaceAndNotValues) {

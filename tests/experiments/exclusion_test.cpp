@@ -4,13 +4,14 @@
 
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
 /// A study that one simulated participant, P01, finished.
 std::string finished_study(const TemporaryFolder& folder) {
-  const std::string protocol = std::string(IMPETUS_SOURCE_DIR) + "/protocols/causality.json";
+  const std::string protocol = source_folder() + "/protocols/causality.json";
   EXPECT_EQ(run_program(folder, {"run", protocol, "--db", "a.sqlite", "--observer", "causality",
                                  "--participant", "P01"})
                 .status,

@@ -14,11 +14,12 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/session.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 
 inline std::filesystem::path source_file(const std::string& path) {
-  return std::filesystem::path(IMPETUS_SOURCE_DIR) / path;
+  return std::filesystem::path(source_folder()) / path;
 }
 
 inline Protocol causality() { return load_protocol(source_file("protocols/causality.json")); }

@@ -3,6 +3,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -71,7 +72,7 @@ TEST(ObserverFile, AnswersOnOnePointMoreThanItHasCuts) {
   for (const auto& [name, points] : std::vector<std::pair<std::string, std::size_t>>{
            {"causality", 3}, {"gap", 3}, {"gaze-contingent", 5}}) {
     const auto path =
-        std::filesystem::path(IMPETUS_SOURCE_DIR) / "experiments/observers" / (name + ".json");
+        std::filesystem::path(source_folder()) / "experiments/observers" / (name + ".json");
     EXPECT_EQ(load_observer(path.string(), "x").points(), points) << name;
   }
 }

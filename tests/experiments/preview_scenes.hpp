@@ -7,6 +7,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 
@@ -23,14 +24,14 @@ inline StagedScene crowd(Schedule schedule = {}) {
 
 inline StagedScene two_l_blocks() {
   const JsonDocument scene =
-      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/two-l-blocks.json");
+      load_scene(std::filesystem::path(source_folder()) / "stimuli/two-l-blocks.json");
   ShapeLibrary shapes;
   return build_scene(scene.value, assumed_screen(), 0.0, shapes);
 }
 
 inline StagedScene cube() {
   const JsonDocument scene =
-      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/l-blocks-in-a-cube.json");
+      load_scene(std::filesystem::path(source_folder()) / "stimuli/l-blocks-in-a-cube.json");
   ShapeLibrary shapes;
   return build_scene(scene.value, assumed_screen(), 0.0, shapes);
 }

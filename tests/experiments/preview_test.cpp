@@ -8,6 +8,7 @@
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/session/preview_run.hpp"
 #include "tests/experiments/preview_scenes.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -323,7 +324,7 @@ TEST(PairsOfStep, HoldEveryCollisionInItsOwnList) {
 
 TEST(SceneLoading, TheShippedScenesAreAccepted) {
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli")) {
+       std::filesystem::directory_iterator(std::filesystem::path(source_folder()) / "stimuli")) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() == ".json" && name.find("schema") == std::string::npos) {
       EXPECT_EQ(refusal([&] { load_scene(entry.path()); }), "accepted") << name;

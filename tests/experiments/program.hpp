@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/experiments/temporary_folder.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 
@@ -25,7 +26,7 @@ struct ProgramResult {
 /// process. `before` runs in the child, just before the program takes over.
 inline pid_t start_program(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                            const std::function<void()>& before = {}) {
-  std::string program = IMPETUS_PROGRAM;
+  std::string program = program_file();
   std::vector<std::string> words = arguments;
   std::vector<char*> pointers{program.data()};
   for (std::string& word : words) {
@@ -71,7 +72,7 @@ inline ProgramResult run_program(const TemporaryFolder& folder,
 }
 
 /// The shipped protocol.
-inline std::string causality_file() { return IMPETUS_SOURCE_DIR "/protocols/causality.json"; }
+inline std::string causality_file() { return source_folder() + "/protocols/causality.json"; }
 
 /// "run protocol --db a.sqlite --observer causality", and more.
 inline std::vector<std::string> simulated_run(const std::vector<std::string>& more) {

@@ -6,6 +6,7 @@
 #include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -230,7 +231,7 @@ TEST(ProtocolChecks, QuestionsHaveIdsAndSensibleAnswers) {
 TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   const auto refused = [](Study study, std::size_t observer_points) {
     ObserverFile observer =
-        load_observer("causality", std::filesystem::path(IMPETUS_SOURCE_DIR) / kProtocolName);
+        load_observer("causality", std::filesystem::path(source_folder()) / kProtocolName);
     std::get<CausalityParameters>(observer.parameters).cuts.resize(observer_points - 1);
     return refusal([&] { check_observer(study.made(), observer); });
   };

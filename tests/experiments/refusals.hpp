@@ -10,6 +10,7 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 #include "tests/experiments/temporary_folder.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 
@@ -19,7 +20,7 @@ inline constexpr const char* kProtocolName = "protocols/causality.json";
 inline constexpr const char* kSceneName = "stimuli/two-spheres.json";
 
 inline std::string shipped(const std::string& path) {
-  return text_of(std::filesystem::path(IMPETUS_SOURCE_DIR) / path);
+  return text_of(std::filesystem::path(source_folder()) / path);
 }
 
 /// The sentence with which something is refused; "accepted" when it is not.

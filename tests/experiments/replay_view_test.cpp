@@ -10,6 +10,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/playback.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -21,7 +22,7 @@ constexpr double kRadius_deg = 5.0;
 
 StagedScene cube(RegionKind kind) {
   const JsonDocument scene =
-      load_scene(std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli/l-blocks-in-a-cube.json");
+      load_scene(std::filesystem::path(source_folder()) / "stimuli/l-blocks-in-a-cube.json");
   ShapeLibrary shapes;
   StagedScene staged = build_scene(scene.value, assumed_screen(), 0.0, shapes);
   staged.region = {kind, kRadius_deg, 60};

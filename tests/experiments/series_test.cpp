@@ -8,12 +8,13 @@
 #include "experiments/session/input_error.hpp"
 #include "experiments/session/session_pages.hpp"
 #include "tests/experiments/program.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
 std::string protocol_path(const std::string& name) {
-  return std::string(IMPETUS_SOURCE_DIR) + "/protocols/" + name + ".json";
+  return source_folder() + "/protocols/" + name + ".json";
 }
 
 std::string series_text(const std::string& first, const std::string& second) {
@@ -101,7 +102,7 @@ TEST(Series, AGroupGoesThroughAllPartsWhateverRunsBeside) {
 
 TEST(Series, TheShippedOneIsTheThesissThreeExperimentsInTheirOrder) {
   std::vector<std::string> names;
-  const std::string file = std::string(IMPETUS_SOURCE_DIR) + "/protocols/series/collisions.json";
+  const std::string file = source_folder() + "/protocols/series/collisions.json";
   for (const auto& protocol : load_series(file).protocols) {
     names.push_back(protocol.stem().string());
   }

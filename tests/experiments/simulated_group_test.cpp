@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/experiments/program.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
 std::vector<std::string> group_of(int participants) {
-  const std::string source = IMPETUS_SOURCE_DIR;
+  const std::string source = source_folder();
   return {"run",
           source + "/protocols/causality.json",
           "--db",

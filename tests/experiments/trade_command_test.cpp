@@ -18,12 +18,13 @@
 #include "experiments/trade/trade_words.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
 std::string stimulus(const std::string& name) {
-  return IMPETUS_SOURCE_DIR "/stimuli/" + name + ".json";
+  return source_folder() + "/stimuli/" + name + ".json";
 }
 
 /// A quick run; R is out of reach.

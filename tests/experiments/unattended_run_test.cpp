@@ -7,6 +7,7 @@
 
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/refusals.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -94,7 +95,7 @@ TEST(ResponseRun, FromConsentToThanksWithItsObserverAndReplays) {
   Copied study("response.json", "two-l-blocks-off-centre.json");
   study.protocol["design"]["repetitions"] = 1;
   study.protocol["solve"][0]["runs"] = 20;
-  const std::string observer = IMPETUS_SOURCE_DIR "/experiments/observers/response.json";
+  const std::string observer = source_folder() + "/experiments/observers/response.json";
   const ProgramResult ran = study.run({"--observer", observer, "--participant", "S01"});
   ASSERT_EQ(ran.status, 0) << ran.errors;
   EXPECT_EQ(study.asked("SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "27");
@@ -115,7 +116,7 @@ TEST(ResponseRun, FromConsentToThanksWithItsObserverAndReplays) {
 TEST(GapThresholdsRun, FromConsentToThanksWithItsObserverAndTheTruthIsWhatWasSet) {
   Copied study("gap-thresholds.json", "shells.json");
   study.protocol["design"]["adaptive"]["trials_per_track"] = 3;
-  const std::string observer = IMPETUS_SOURCE_DIR "/experiments/observers/gap-thresholds.json";
+  const std::string observer = source_folder() + "/experiments/observers/gap-thresholds.json";
   const ProgramResult ran = study.run({"--observer", observer, "--participant", "S01"});
   ASSERT_EQ(ran.status, 0) << ran.errors;
   EXPECT_EQ(study.asked("SELECT count(*) FROM trial_response WHERE phase = 'main'"), "12");

@@ -11,6 +11,7 @@
 
 #include "tests/fuzz/seeds.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -39,7 +40,7 @@ void feed(const Target& target, const std::vector<std::string>& seeds, int chang
 /// Committed files that once crashed something; there may be none.
 void feed_found(const Target& target, const std::string& kind) {
   const std::filesystem::path folder =
-      std::filesystem::path(IMPETUS_SOURCE_DIR) / "tests/fuzz/found" / kind;
+      std::filesystem::path(source_folder()) / "tests/fuzz/found" / kind;
   if (!std::filesystem::exists(folder)) {
     return;
   }

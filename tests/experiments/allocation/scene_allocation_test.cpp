@@ -7,6 +7,7 @@
 
 #include "tests/engine/allocation/counted_new.hpp"
 #include "tests/experiments/demand_scenes.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
@@ -35,7 +36,7 @@ Run run(const DemandScene& scene, World& world) {
 
 TEST(SceneAllocation, NoStepAllocatesInASecondRunOfAnyScene) {
   ShapeLibrary library{TreeCache()};
-  const auto stimuli = std::filesystem::path(IMPETUS_SOURCE_DIR) / "stimuli";
+  const auto stimuli = std::filesystem::path(source_folder()) / "stimuli";
   for (const DemandScene& scene : scenes_of_growing_demand(stimuli, library)) {
     World world = scene.staged.world;
     EXPECT_GT(run(scene, world).collisions, 0) << scene.name;

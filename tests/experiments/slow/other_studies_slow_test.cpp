@@ -8,11 +8,12 @@
 #include <cmath>
 
 #include "tests/experiments/program.hpp"
+#include "tests/places/places.hpp"
 
 namespace impetus {
 namespace {
 
-const std::string kSource = IMPETUS_SOURCE_DIR;
+const std::string kSource = source_folder();
 
 /// The whole distribution study, run once, and its shares.
 class Distributions {
