@@ -10,6 +10,7 @@
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_migration_3_4.hpp"
+#include "experiments/store/embedded_migration_4_5.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 
@@ -81,6 +82,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 4) {
     database.exec(kMigrationFrom3To4Sql);
+  }
+  if (version < 5) {
+    database.exec(kMigrationFrom4To5Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

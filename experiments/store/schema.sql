@@ -16,6 +16,16 @@ CREATE TABLE study (
   build TEXT NOT NULL
 ) STRICT;
 
+-- Files of other stations of the study whose participants were taken in by `impetus merge`.
+CREATE TABLE merged_file (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,                 -- without its folder
+  hash TEXT NOT NULL UNIQUE,          -- of the file's bytes
+  created_utc TEXT NOT NULL,          -- of the study that it was
+  build TEXT NOT NULL,                -- that made it
+  merged_utc TEXT NOT NULL
+) STRICT;
+
 CREATE TABLE protocol (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL,
@@ -27,7 +37,8 @@ CREATE TABLE protocol (
 CREATE TABLE participant (
   id INTEGER PRIMARY KEY,
   pseudonym TEXT NOT NULL UNIQUE CHECK (length(pseudonym) > 0),
-  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1))
+  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),
+  merged_file_id INTEGER REFERENCES merged_file (id)  -- NULL: recorded in this file
 ) STRICT;
 
 CREATE TABLE enrolment (
@@ -67,7 +78,14 @@ CREATE TABLE session (
   sync_passed INTEGER NOT NULL CHECK (sync_passed IN (0, 1)),
   sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),
   series TEXT,                        -- name of the series of protocols it was part of; NULL: none
-  series_place INTEGER CHECK (series_place >= 1)  -- of this protocol in the series
+  series_place INTEGER CHECK (series_place >= 1), -- of this protocol in the series
+  -- NULL, here and below: the enrolment's first session, or recorded before schema 5.
+  resumed_at TEXT CHECK (resumed_at IN ('trial', 'block')),  -- from whose start it went on
+  resumed_after_s REAL,               -- by the wall clock, since anything was last recorded; < 0:
+                                      -- that clock was set back
+  first_slot INTEGER,                 -- the planned trial it began with; NULL too: none was left
+  gaze_source TEXT,                   -- NULL: gaze not followed
+  photodiode_patch TEXT               -- its corner, 'bottom left', ...; NULL: none
 ) STRICT;
 
 CREATE TABLE trial (
@@ -95,7 +113,8 @@ CREATE TABLE attempt (
   trial_id INTEGER NOT NULL REFERENCES trial (id),
   session_id INTEGER NOT NULL REFERENCES session (id),
   number INTEGER NOT NULL CHECK (number >= 1),
-  outcome TEXT NOT NULL CHECK (outcome IN ('completed', 'interrupted')),
+  -- Set aside: was completed, but a resumed session began its block anew.
+  outcome TEXT NOT NULL CHECK (outcome IN ('completed', 'interrupted', 'set aside')),
   onset_ns INTEGER NOT NULL,          -- flip of the first frame of the stimulus; 0: never shown
   intended_hold_ms REAL NOT NULL,
   realised_hold_ms REAL NOT NULL,     -- differs only when rounding was allowed
@@ -110,7 +129,10 @@ CREATE TABLE attempt (
   interrupted_by TEXT,                -- 'pause', 'display closed', 'gaze lost'; NULL: completed
   gaze_lost_share REAL,               -- of the stimulus, time without a valid sample; NULL: no gaze
   imposed_gaze_latency_ms REAL,       -- samples younger than this were not used; NULL: no gaze
-  UNIQUE (trial_id, number)
+  saved_utc TEXT,                     -- NULL: recorded before schema 5
+  set_aside_in INTEGER REFERENCES session (id),  -- the session that set it aside
+  UNIQUE (trial_id, number),
+  CHECK ((outcome = 'set aside') = (set_aside_in IS NOT NULL))
 ) STRICT;
 CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 'completed';
 
@@ -121,7 +143,7 @@ CREATE TABLE step (
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
   work_granted INTEGER NOT NULL,            -- units of work; a test of a pair of nodes is one
   work_spent INTEGER NOT NULL,
-  degradations INTEGER NOT NULL,            -- bits, see engine/world.hpp
+  degradations INTEGER NOT NULL,            -- bits, see engine/step.hpp
   hash INTEGER NOT NULL,                    -- of the bodies' state, 64 bits
   digests BLOB NOT NULL,                    -- 16 bits per body and field, little endian
   fixation_x_m REAL,                        -- right of the screen's centre; NULL: not known
@@ -191,6 +213,7 @@ CREATE TABLE frame (
   flipped_ns INTEGER NOT NULL,
   missed_slots INTEGER NOT NULL,      -- > 0: the frame was late by so many refreshes
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+  patch INTEGER,                      -- code that the photodiode patch showed; NULL: no patch
   PRIMARY KEY (attempt_id, frame)
 ) STRICT, WITHOUT ROWID;
 
