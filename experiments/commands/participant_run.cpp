@@ -114,6 +114,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   std::optional<Enrolment> resumed = find_to_resume(study, part, options_);
   plan_ =
       resumed ? planned(resumed->trials, part.protocol.design) : new_plan(study, part, options_);
+  if (resumed) {
+    resumed_ = take_up(study, part, options_, plan_, *resumed);
+  }
   gaze_paths_ = gaze_paths_of(plan_, study);
   if (!laboratory_) {
     LaboratoryOptions lab = part.lab;
@@ -130,7 +133,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
 
 SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const Protocol& protocol = part_.protocol;
-  StudyWriter writer(study_, enrolment_, facts_of(*laboratory_, part_, options_, sync_));
+  SessionFacts facts = facts_of(*laboratory_, part_, options_, sync_);
+  facts.resumed = resumed_;
+  StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
   if (!sync_.passed && !options_.override_sync_test) {
     writer.save(NoteRecord{"sync test failed", sync_.verdict});

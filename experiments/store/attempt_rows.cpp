@@ -53,8 +53,8 @@ std::int64_t insert_attempt_row(SQLite::Database& database, const AttemptOwner& 
       "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns, intended_hold_ms, "
       "realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames, sync_overridden, "
       "gaze_source, gaze_late, interrupted_by, gaze_latency_p95_ms, region_covered_share, "
-      "gaze_lost_share, imposed_gaze_latency_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?)");
+      "gaze_lost_share, imposed_gaze_latency_ms, saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?, nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))");
   SQLite::bind(insert, owner.trial_id, owner.session_id, attempt.number,
                attempt.outcome == AttemptOutcome::kCompleted ? "completed" : "interrupted",
                attempt.onset_ns, attempt.intended_hold_s * 1e3, attempt.realised_hold_s * 1e3,

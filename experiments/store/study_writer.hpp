@@ -17,10 +17,19 @@
 #include <utility>
 
 #include "experiments/session/ports.hpp"
+#include "experiments/session/resumption.hpp"
 #include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"
 
 namespace impetus {
+
+/// How a session goes on with what an earlier one left.
+struct ResumedSession {
+  ResumeRule::At at{ResumeRule::At::kTrial};
+  double after_s{
+      0.0};  ///< by the wall clock, since anything was last recorded; < 0: it was set back
+  Resumption resumption{};
+};
 
 /// What a session says of itself before it begins.
 struct SessionFacts {
@@ -37,6 +46,7 @@ struct SessionFacts {
   bool sync_overridden{false};
   std::string series{};  ///< of protocols, which this one is part of; "": none
   std::int64_t series_place{1};
+  std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
 };
 
 class StudyWriter final : public Recorder {
