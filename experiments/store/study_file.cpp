@@ -45,6 +45,15 @@ bool is_empty(SQLite::Database& database, const std::string& name) {
   }
 }
 
+/// ", which BUILD made", where a study of whatever version tells it.
+std::string made_by(SQLite::Database& database) {
+  try {
+    return ", which " + database.execAndGet("SELECT build FROM study").getString() + " made";
+  } catch (const SQLite::Exception&) {
+    return "";
+  }
+}
+
 /// Refuses what is not a study of a version that is known; returns that version.
 std::int64_t require_study(SQLite::Database& database, const std::string& name) {
   if (is_empty(database, name)) {
@@ -57,7 +66,8 @@ std::int64_t require_study(SQLite::Database& database, const std::string& name) 
   if (version < kOldestSchemaVersion || version > kSchemaVersion) {
     throw InputError(name + ": expected a study of schema version " +
                      std::to_string(kOldestSchemaVersion) + " to " +
-                     std::to_string(kSchemaVersion) + ", got version " + std::to_string(version));
+                     std::to_string(kSchemaVersion) + ", got version " + std::to_string(version) +
+                     made_by(database));
   }
   return version;
 }

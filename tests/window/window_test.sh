@@ -36,7 +36,7 @@ query() { sqlite3 -cmd '.timeout 2000' study.sqlite "$1" 2>/dev/null || echo non
 until_query() {
   local sql=$1 expected=$2
   shift 2
-  for _ in $(seq 120); do
+  for _ in $(seq 300); do
     for action in "$@"; do
       [ "$(query "$sql")" = "$expected" ] && return 0
       # shellcheck disable=SC2086 # an action is a command of xdotool with its arguments
@@ -56,7 +56,7 @@ expect() {
 # The program, `session`, ends by itself with this status.
 await_exit() {
   local status=0
-  timeout 20 tail --pid="$session" -f /dev/null || fail "the program did not end"
+  timeout 60 tail --pid="$session" -f /dev/null || fail "the program did not end"
   wait "$session" || status=$?
   [ "$status" -eq "$1" ] || fail "expected exit status $1, got $status"
 }
