@@ -12,7 +12,7 @@
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/study/stored_plan.hpp"
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"

@@ -12,7 +12,7 @@
 
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/study/stored_plan.hpp"
 #include "experiments/store/enrolment.hpp"
 
 namespace impetus {

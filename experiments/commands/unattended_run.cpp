@@ -10,7 +10,7 @@
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/not_finite_warning.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/study/stored_plan.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/unattended.hpp"
