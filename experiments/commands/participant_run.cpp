@@ -10,13 +10,12 @@
 #include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
-#include "experiments/commands/not_finite_warning.hpp"
-#include "experiments/study/stored_plan.hpp"
+#include "experiments/commands/session_warnings.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {
@@ -57,28 +56,6 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.series = part.series;
   facts.series_place = part.series_place;
   return facts;
-}
-
-void tell_gaze_latency(const SessionResult& result) {
-  if (result.gaze.slow_trials > 0) {
-    std::fprintf(
-        stderr,
-        "warning: trials with more than %.0f ms from gaze sample to flip (95th percentile): "
-        "%lld; of them with more than %.0f ms, and marked: %lld\n",
-        kWarnedGazeLatency_ms, static_cast<long long>(result.gaze.slow_trials),
-        kMarkedGazeLatency_ms, static_cast<long long>(result.gaze.late_trials));
-  }
-}
-
-void tell_lost_gaze(const SessionResult& result) {
-  if (result.gaze.lost_trials + result.gaze.repeated_trials > 0) {
-    std::fprintf(
-        stderr,
-        "warning: trials marked because too much of the gaze was lost: %lld; shown again for "
-        "that: %lld\n",
-        static_cast<long long>(result.gaze.lost_trials),
-        static_cast<long long>(result.gaze.repeated_trials));
-  }
 }
 
 /// Says how the session ended.
@@ -152,9 +129,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
                     laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
-  tell_gaze_latency(result);
-  tell_lost_gaze(result);
-  tell_not_finite(writer);
+  tell_warnings(result, writer);
   conclude(result, writer);
   return result.ending;
 }

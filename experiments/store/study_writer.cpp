@@ -82,6 +82,10 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
 }
 
 void StudyWriter::save(AttemptRecord attempt) {
+  const std::int64_t late = late_frames(attempt);
+  frames_.timed += static_cast<std::int64_t>(attempt.frames.size());
+  frames_.late += late;
+  frames_.late_attempts += late > 0 ? 1 : 0;
   not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);

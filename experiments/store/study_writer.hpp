@@ -31,6 +31,13 @@ struct ResumedSession {
   Resumption resumption{};
 };
 
+/// Timed frames of the attempts that were given to save.
+struct FrameCount {
+  std::int64_t timed{0};
+  std::int64_t late{0};
+  std::int64_t late_attempts{0};  ///< with any that was late
+};
+
 /// What a session says of itself before it begins.
 struct SessionFacts {
   std::string build;
@@ -77,6 +84,8 @@ class StudyWriter final : public Recorder {
   /// Of those that were given to save: how many had a body taken out (not_finite_notes.hpp).
   [[nodiscard]] std::int64_t not_finite_attempts() const { return not_finite_attempts_; }
 
+  [[nodiscard]] const FrameCount& frames() const { return frames_; }
+
   /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
   void end(const std::string& ending);
 
@@ -95,6 +104,7 @@ class StudyWriter final : public Recorder {
   std::int64_t session_id_{0};
   std::function<void()> saved_;
   std::int64_t not_finite_attempts_{0};
+  FrameCount frames_;
 
   std::mutex mutex_;
   std::condition_variable changed_;
