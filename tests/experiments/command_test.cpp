@@ -13,9 +13,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, extremes, preview, replay, screen, mesh, "
-      "tree, "
-      "trade, got ";
+      "expected one of the commands run, check, exclude, extremes, merge, preview, replay, screen, "
+      "sessions, mesh, tree, trade, verify, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");
