@@ -52,6 +52,7 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.rounding_allowed = options.allow_rounding;
   facts.sync = sync;
   facts.sync_overridden = !sync.passed && options.override_sync_test;
+  facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
   facts.series = part.series;
   facts.series_place = part.series_place;
   return facts;

@@ -10,6 +10,7 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
+#include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
 #include "experiments/commands/stored_plan.hpp"
@@ -66,6 +67,14 @@ Text part_done(std::size_t part, std::size_t parts) {
       {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
 }
 
+ScreenCorner photodiode_corner(const RunOptions& options) {
+  if (options.simulated() && !options.show) {
+    throw InputError(
+        "--photodiode: expected a window to draw in; with --observer, give --show too");
+  }
+  return patch_corner("--photodiode", options.photodiode);
+}
+
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
   RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
@@ -76,6 +85,9 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
+  if (!options.photodiode.empty()) {
+    part.lab.photodiode = photodiode_corner(options);
+  }
   const bool group = options.participants > 0;
   plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
            options.seed.value_or(1));
@@ -215,6 +227,9 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option(
+      "--photodiode", options->photodiode,
+      "A corner, such as \"bottom left\", for a square whose light tells each frame");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

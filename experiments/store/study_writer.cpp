@@ -43,18 +43,19 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
       "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
       "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
       "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
-      "series, series_place) "
+      "photodiode_patch, series, series_place) "
       "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), ?, ?)");
   SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,
                facts.simulated ? 1 : 0, facts.observer, facts.screen.width_m, facts.screen.height_m,
                facts.screen.width_px, facts.screen.height_px, facts.screen.viewing_distance_m,
                facts.screen_measured ? 1 : 0, facts.refresh_hz, facts.rounding_allowed ? 1 : 0,
                facts.sync.tries, facts.sync.valid_flips, facts.sync.mean_interval_ns,
-               facts.sync.sd_interval_ns, facts.sync.passed ? 1 : 0, facts.sync_overridden ? 1 : 0);
+               facts.sync.sd_interval_ns, facts.sync.passed ? 1 : 0, facts.sync_overridden ? 1 : 0,
+               facts.photodiode_patch);
   if (!facts.series.empty()) {
-    insert.bind(22, facts.series);
-    insert.bind(23, facts.series_place);
+    insert.bind(23, facts.series);
+    insert.bind(24, facts.series_place);
   }
   insert.exec();
   session_id_ = database.getLastInsertRowid();

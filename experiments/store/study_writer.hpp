@@ -37,6 +37,7 @@ struct SessionFacts {
   bool sync_overridden{false};
   std::string series{};  ///< of protocols, which this one is part of; "": none
   std::int64_t series_place{1};
+  std::string photodiode_patch{};  ///< its corner; "": none
 };
 
 class StudyWriter final : public Recorder {
