@@ -38,6 +38,7 @@ const std::vector<Room> kRooms = {
     {"experiments/session", {"engine"}, {}},
     {"experiments/extremes", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
+    {"experiments/timing", {"experiments/scenes"}, {"JSON"}},
     {"experiments/trade", {"experiments/scenes"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
     {"experiments/protocol",
@@ -47,7 +48,7 @@ const std::vector<Room> kRooms = {
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
      {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade",
-      "experiments/extremes"},
+      "experiments/timing", "experiments/extremes"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -27,6 +27,7 @@ void add_replay(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);
 void add_mesh(CLI::App& app, Command& chosen);
 void add_tree(CLI::App& app, Command& chosen);
+void add_timing(CLI::App& app, Command& chosen);
 void add_trade(CLI::App& app, Command& chosen);
 
 }  // namespace impetus

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_screen(app, chosen);
+  impetus::add_timing(app, chosen);
   impetus::add_mesh(app, chosen);
   impetus::add_tree(app, chosen);
   impetus::add_trade(app, chosen);
