@@ -45,10 +45,11 @@ const std::vector<Room> kRooms = {
      {"experiments/session", "experiments/scenes", "experiments/observers"},
      {"JSON", "valijson"}},
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
+    {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
-     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade",
-      "experiments/timing", "experiments/extremes"},
+     {"experiments/study", "experiments/stage", "experiments/trade", "experiments/timing",
+      "experiments/extremes"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -13,7 +13,6 @@
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
@@ -21,6 +20,7 @@
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {

@@ -12,8 +12,9 @@
 
 CREATE TABLE study (
   id INTEGER PRIMARY KEY CHECK (id = 1),
-  created_utc TEXT NOT NULL,
-  build TEXT NOT NULL
+  created_utc TEXT NOT NULL,          -- when the file was made
+  build TEXT NOT NULL,                -- of the program that made it
+  anonymised_by TEXT                  -- build that took out who took part; NULL: nothing was
 ) STRICT;
 
 -- Files of other stations of the study whose participants were taken in by `impetus merge`.

@@ -367,6 +367,52 @@ FROM enrolment
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
 
+-- One row per session: what recorded it, on what, before which screen, who took part, and how sure
+-- the display's timing was.
+CREATE VIEW session_provenance AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       protocol.hash AS protocol_hash,
+       session.id AS session,
+       session.started_utc AS started_utc,
+       session.ended_utc AS ended_utc,
+       session.ending AS ending,
+       session.build AS build,
+       session.recording_format AS recording_format,
+       session.machine AS machine,
+       session.display AS display,
+       session.screen_width_m AS screen_width_m,
+       session.screen_height_m AS screen_height_m,
+       session.screen_width_px AS screen_width_px,
+       session.screen_height_px AS screen_height_px,
+       session.viewing_distance_m AS viewing_distance_m,
+       session.screen_measured AS screen_measured,
+       session.refresh_hz AS refresh_hz,
+       session.rounding_allowed AS rounding_allowed,
+       session.sync_tries AS sync_tries,
+       session.sync_valid_flips AS sync_valid_flips,
+       session.sync_mean_interval_ns / 1e6 AS sync_mean_interval_ms,
+       session.sync_sd_interval_ns / 1e6 AS sync_sd_interval_ms,
+       session.sync_passed AS sync_passed,
+       session.sync_overridden AS sync_overridden,
+       session.gaze_source AS gaze_source,
+       session.photodiode_patch AS photodiode_patch,
+       session.observer AS observer,
+       session.series AS series,
+       session.series_place AS series_place,
+       session.resumed_at AS resumed_at,
+       session.resumed_after_s AS resumed_after_s,
+       session.first_slot AS first_slot,
+       merged_file.name AS merged_from,
+       merged_file.hash AS merged_hash,
+       merged_file.merged_utc AS merged_utc
+FROM session
+JOIN enrolment ON enrolment.id = session.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN merged_file ON merged_file.id = participant.merged_file_id;
+
 -- One row per question outside trials.
 CREATE VIEW questionnaire AS
 SELECT participant.pseudonym AS participant,
