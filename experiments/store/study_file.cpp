@@ -90,7 +90,8 @@ void create_schema(SQLite::Database& database, const std::string& build) {
   SQLite::Transaction transaction(database);
   create_tables_and_views(database);
   SQLite::Statement study(database,
-                          "INSERT INTO study VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
+                          "INSERT INTO study (id, created_utc, build) "
+                          "VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
   study.bind(1, build);
   study.exec();
   database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));

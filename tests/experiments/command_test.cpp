@@ -13,7 +13,7 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, extremes, preview, replay, screen, mesh, "
+      "expected one of the commands run, check, exclude, export, extremes, preview, replay, screen, mesh, "
       "tree, "
       "trade, got ";
   expect_refused(folder, {}, expected + "none");
