@@ -29,7 +29,7 @@ class BidsWriter {
     ++report_.files;
   }
 
-  void write(const std::string& name, const ordered_json& value) {
+  void write_json(const std::string& name, const ordered_json& value) {
     write(name, value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
   }
 
@@ -86,11 +86,12 @@ void write_participants(SQLite::Database& database, const BidsNames& names, Bids
     writer.count(1);
   }
   writer.write("participants.tsv", table);
-  writer.write("participants.json",
-               ordered_json{{"code", {{"Description", "The code that was given at enrolment"}}},
-                            {"simulated",
-                             {{"Description", "Whether no person took part"},
-                              {"Levels", {{"0", "a person"}, {"1", "simulated"}}}}}});
+  writer.write_json(
+      "participants.json",
+      ordered_json{{"code", {{"Description", "The code that was given at enrolment"}}},
+                   {"simulated",
+                    {{"Description", "Whether no person took part"},
+                     {"Levels", {{"0", "a person"}, {"1", "simulated"}}}}}});
 }
 
 void write_stimuli(SQLite::Database& database, const BidsNames& names, BidsWriter& writer) {
@@ -135,7 +136,7 @@ ExportReport export_bids(StudyFile& study, const CodebookHead& head,
   const FactorLabels factors = factor_labels(database);
   const std::string protocols = protocol_names(database);
   BidsWriter writer(folder);
-  writer.write("dataset_description.json", description(head, protocols));
+  writer.write_json("dataset_description.json", description(head, protocols));
   writer.write("README", readme(head, protocols));
   write_participants(database, names, writer);
   write_stimuli(database, names, writer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/tables/gzip.hpp"
 
+#define ZLIB_CONST  // what is read is not changed
 #include <zlib.h>
 
 #include <algorithm>
