@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);
   impetus::add_exclude(app, chosen);
+  impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
   impetus::add_merge(app, chosen);
   impetus::add_preview(app, chosen);

@@ -16,6 +16,7 @@
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
+#include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -27,6 +28,13 @@ namespace {
 
 /// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
 constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
+
+/// In quotes and on one line, whatever it holds; its beginning when it is long.
+std::string shown(const std::string& code) {
+  const std::string beginning = code.substr(0, kLongestParticipantCode);
+  return nlohmann::json(beginning).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
+         (beginning == code ? "" : " ...");
+}
 
 void require_sensible(const RunOptions& options) {
   const bool simulated = options.simulated();
@@ -44,6 +52,13 @@ void require_sensible(const RunOptions& options) {
   }
   if (options.participants == 0 && options.participant.empty()) {
     throw InputError("--participant: expected a code for the participant, such as P01");
+  }
+  if (!options.participant.empty() && !is_participant_code(options.participant)) {
+    throw InputError("--participant: expected a code of at most " +
+                     std::to_string(kLongestParticipantCode) +
+                     " bytes of text without control characters, unseen ones, / and \\, and "
+                     "without a space at its ends, got " +
+                     shown(options.participant));
   }
 }
 
