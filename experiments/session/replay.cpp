@@ -6,12 +6,15 @@
 namespace impetus {
 namespace {
 
-Divergence locate(const StepRecord& recorded, const StateHash& actual,
-                  const std::vector<BodyModel>& models) {
-  Divergence divergence{recorded.step, "", ""};
-  if (const auto difference = first_difference(recorded.state.bodies, actual.bodies)) {
+/// What is known of a divergence once this step's hash differs.
+Divergence locate(const std::optional<Divergence>& known, const StepRecord& recorded,
+                  const StateHash& actual, const std::vector<BodyModel>& models) {
+  Divergence divergence = known.value_or(Divergence{recorded.step, "", "", recorded.step});
+  const auto difference = first_difference(recorded.state.bodies, actual.bodies);
+  if (divergence.body.empty() && difference) {
     divergence.body = models[difference->body].name;
     divergence.field = name_of(difference->field);
+    divergence.named_at = recorded.step;
   }
   return divergence;
 }
@@ -38,12 +41,12 @@ ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
                                   scene.world.models()[static_cast<std::size_t>(found.body)].name,
                                   std::string(name_of(found.field))});
     }
-    if (now->state.hash != then.state.hash && !result.divergence) {
-      result.divergence = locate(then, now->state, scene.world.models());
+    if (now->state.hash != then.state.hash) {
+      result.divergence = locate(result.divergence, then, now->state, scene.world.models());
     }
     if (watcher) {
       watcher(then.step, scene.world, *now);
-    } else if (result.divergence) {
+    } else if (result.divergence && !result.divergence->body.empty()) {
       return result;
     }
   }

@@ -173,6 +173,22 @@ TEST(Replay, WhatCannotBeReplayedIsRefused) {
   expect_refused(folder, {"replay", "a.sqlite"},
                  "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays "
                  "formats 1 to 2, use that one");
+  change(folder, "UPDATE session SET recording_format = 0, build = 'Impetus 0.0'");
+  expect_refused(folder, {"replay", "a.sqlite"},
+                 "a.sqlite: trial 1 was recorded in format 0 by Impetus 0.0; this build replays "
+                 "formats 1 to 2, use that one");
+}
+
+TEST(Replay, ADivergenceThatDigestsHideForAStepIsNamedByTheNext) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE step SET hash = hash + 1 WHERE attempt_id = 5 AND step = 100");
+  change(folder,
+         "UPDATE step SET hash = hash + 1, digests = zeroblob(length(digests)) "
+         "WHERE attempt_id = 5 AND step = 101");
+  EXPECT_EQ(lines_of(run_program(folder, {"replay", "a.sqlite"}).output).front(),
+            "trial 5 (S01, slot 5, attempt 1): diverges at step 100, body left, position, as step "
+            "101 tells");
 }
 
 TEST(Replay, ADamagedStudyIsRefusedByName) {
