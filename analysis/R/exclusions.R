@@ -3,6 +3,7 @@
 #   excluded ────────────> exclusions: rows leave the trials, and stand in the report's table
 #   rated_trial.catch ───> catch trials: outside the design, reported apart
 #   interrupted_attempt,
+#   set_aside_attempt,
 #   trial_response ──────> counts: showings that were cut short, answers that never came
 #
 # Invariant: nothing is left out that the report does not name, with its reason.
@@ -18,8 +19,11 @@ read_remarkable <- function(study, protocol, enrolments, mark) {
   exclusions <- exclusions[exclusions$participant %in% enrolments$participant, ]
   list(
     exclusions = mark(exclusions),
-    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM interrupted_attempt",
-      "WHERE protocol = ? AND phase = 'main'")),
+    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM (",
+      "SELECT protocol, participant, trial, interrupted_by FROM interrupted_attempt",
+      "WHERE phase = 'main' UNION ALL",
+      "SELECT protocol, participant, trial, 'set aside with its block' FROM set_aside_attempt)",
+      "WHERE protocol = ?")),
     timed_out = mark(ask("SELECT participant, trial FROM trial_response",
       "WHERE protocol = ? AND phase = 'main' AND timed_out = 1"))
   )

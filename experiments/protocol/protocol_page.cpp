@@ -163,6 +163,21 @@ std::string quoted(const Text& text) {
   return text.paragraphs.empty() ? page : page.substr(0, page.size() - 2) + "\n";
 }
 
+std::string resuming(const Script& script) {
+  const bool block = script.resume.at == ResumeRule::At::kBlock;
+  std::string page = heading("When a session is left");
+  page += block ? "It goes on at the start of the block that was begun; the trials of that block "
+                  "which were done are kept, set aside, and shown again."
+                : "It goes on at the next trial.";
+  if (script.resume.refuse_after_h > 0.0) {
+    page += " More than " + number(script.resume.refuse_after_h) +
+            " hours after anything was last recorded it is refused.";
+  }
+  return page + " Instructions are shown again" +
+         (script.gaze && script.gaze->calibration ? ", and the gaze is calibrated anew" : "") +
+         ".\n";
+}
+
 std::string words_shown(const Script& script) {
   std::string page = heading("What the participant reads");
   page += quoted(script.welcome) + quoted(script.consent);
@@ -237,7 +252,7 @@ std::string protocol_page(const Protocol& protocol) {
   if (has_participants(document)) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
-    page += words_shown(protocol.script);
+    page += resuming(protocol.script) + words_shown(protocol.script);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }

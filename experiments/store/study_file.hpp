@@ -38,6 +38,11 @@ class StudyFile {
   [[nodiscard]] SQLite::Database& database() { return *database_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// After a commit: that what was written can be found. Throws StoreError when the file was
+  /// removed or replaced since it was opened for writing; then all of it is written beside it
+  /// first.
+  void require_present();
+
   /// To be held for each transaction and query while several sessions share the file.
   [[nodiscard]] std::mutex& transactions() { return *transactions_; }
 

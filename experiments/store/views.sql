@@ -141,6 +141,21 @@ JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 WHERE attempt.outcome = 'interrupted';
 
+-- One row per attempt that was completed and then set aside: a resumed session began its block anew.
+CREATE VIEW set_aside_attempt AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       attempt.number AS attempt,
+       attempt.session_id AS session,
+       attempt.set_aside_in AS set_aside_in
+FROM attempt
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE attempt.outcome = 'set aside';
+
 -- One row per collision of a completed attempt, with its truth where `replay --truth` filled it.
 CREATE VIEW seen_collision AS
 SELECT participant.pseudonym AS participant,

@@ -79,6 +79,10 @@ test_that("what else happened is counted: late frames, late gaze, interruptions,
     intended_hold_ms, realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames,
     sync_overridden, interrupted_by) SELECT trial_id, session_id, 2, 'interrupted', 0, 0, 0, 0, 0,
     0, 0, 'gaze lost' FROM attempt WHERE trial_id IN (1, 2, 40)")
+  DBI::dbExecute(study, "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns,
+    intended_hold_ms, realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames,
+    sync_overridden, set_aside_in) SELECT trial_id, session_id, 3, 'set aside', 0, 0, 0, 0, 0,
+    0, 0, session_id FROM attempt WHERE trial_id = 5")
   DBI::dbExecute(study, "INSERT INTO response (attempt_id, number, kind, question, detail, device,
     question_shown_ns, arrived_ns, arrival_uncertainty_ns, timed_out)
     VALUES (9, 1, 'yes_no', 'Seen?', '{}', 'none', 0, 0, 0, 1)")
@@ -88,6 +92,7 @@ test_that("what else happened is counted: late frames, late gaze, interruptions,
     "| with late timed frames | 2 | 1 | in the analysis |",
     "| with gaze shown too late | 1 | 1 | in the analysis |",
     "| showings interrupted (gaze lost) | 3 | 2 | not data; shown again |",
+    "| showings interrupted (set aside with its block) | 1 | 1 | not data; shown again |",
     "| without an answer in time | 1 | 1 | no answer to analyse |",
     "| catch trials | 0 | 0 | apart, below |"))
 })
