@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "experiments/trade/csv_line.hpp"
+#include "experiments/tables/csv_line.hpp"
 
 namespace impetus {
 namespace {
