@@ -31,6 +31,11 @@ TimingGrade of_stamps(const TimingReport& report, TimingGrade grade) {
   return report.sync.passed ? grade : std::max(grade, TimingGrade::kWithCare);
 }
 
+/// The criterion of a line that of_stamps() grades.
+std::string for_stamps(const TimingReport& report, const std::string& criterion) {
+  return report.sync.passed ? criterion : criterion + "; never good without synchronisation";
+}
+
 std::string limits_in_words(const Limits& limits, double factor, const std::string& unit) {
   char text[120];
   std::snprintf(text, sizeof text, "good up to %g%s, with care up to %g%s", limits.good * factor,
@@ -49,14 +54,14 @@ TimingVerdict spread_verdict(const TimingReport& report) {
   return {"Spread of flips about their slope",
           decimal(flips.spread_ms, 3) + " ms over " + std::to_string(flips.flips) + " flips",
           of_stamps(report, graded(flips.spread_ms, kSpread_ms)),
-          limits_in_words(kSpread_ms, 1.0, " ms")};
+          for_stamps(report, limits_in_words(kSpread_ms, 1.0, " ms"))};
 }
 
 TimingVerdict drift_verdict(const TimingReport& report) {
   const FlipStatistics& flips = report.runs.front().statistics;
   return {"Drift against the nominal rate", decimal(flips.drift_ppm, 1) + " ppm",
           of_stamps(report, graded(std::abs(flips.drift_ppm), kDrift_ppm)),
-          limits_in_words(kDrift_ppm, 1.0, " ppm") + " either way"};
+          for_stamps(report, limits_in_words(kDrift_ppm, 1.0, " ppm") + " either way")};
 }
 
 TimingVerdict late_verdict(const TimingReport& report, const FlipSeries& run) {
@@ -66,7 +71,7 @@ TimingVerdict late_verdict(const TimingReport& report, const FlipSeries& run) {
                 static_cast<long long>(flips.flips), 100.0 * flips.late_share());
   return {"Late frames with " + pictured(run.bodies), text,
           of_stamps(report, graded(flips.late_share(), kLateShare)),
-          limits_in_words(kLateShare, 100.0, " %")};
+          for_stamps(report, limits_in_words(kLateShare, 100.0, " %"))};
 }
 
 TimingVerdict input_verdict(const InputDelay& input) {
