@@ -51,6 +51,7 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.rounding_allowed = options.allow_rounding;
   facts.sync = sync;
   facts.sync_overridden = !sync.passed && options.override_sync_test;
+  facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
   const Gaze* gaze = part.protocol.script.gaze ? laboratory.gaze() : nullptr;
   facts.gaze_source = gaze != nullptr ? gaze->source() : "";
   facts.series = part.series;

@@ -199,6 +199,15 @@ void StudyFile::require_present() {
   }
 }
 
+StudyFile StudyFile::copy_in_memory(StudyFile& study) {
+  StudyFile copy;
+  copy.name_ = study.name();
+  copy.database_ =
+      std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(*copy.database_, *study.database_).executeStep();
+  return copy;
+}
+
 StudyFile::StudyFile(StudyFile&& other) noexcept
     : name_(std::move(other.name_)),
       lock_(std::exchange(other.lock_, -1)),

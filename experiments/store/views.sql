@@ -311,6 +311,32 @@ JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 WHERE step.pops > 0 OR step.stopped_short > 0;
 
+-- One row per frame of a completed attempt that showed a photodiode patch, to match a recorded trace.
+CREATE VIEW patch_frame AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       session.id AS session,
+       session.photodiode_patch AS corner,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS trial_phase,
+       frame.frame AS frame,
+       frame.interval AS interval,
+       frame.phase AS phase,
+       frame.shown_time_s AS shown_time_s,
+       frame.scheduled_ns / 1e9 AS scheduled_s,
+       frame.flipped_ns / 1e9 AS flipped_s,
+       frame.missed_slots AS missed_slots,
+       frame.patch AS code
+FROM frame
+JOIN attempt ON attempt.id = frame.attempt_id AND attempt.outcome = 'completed'
+JOIN session ON session.id = attempt.session_id
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE frame.patch IS NOT NULL;
+
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS
 SELECT trial.id AS trial, json_each.key AS factor, json_each.value AS level

@@ -4,7 +4,7 @@
 
 #include "experiments/store/exclusion.hpp"
 #include "tests/experiments/command_lines.hpp"
-#include "tests/experiments/whole_study.hpp"
+#include "tests/experiments/small_study.hpp"
 
 namespace impetus {
 namespace {
@@ -29,7 +29,7 @@ std::function<Answer(const Page&)> quits_at_third_rating() {
 
 TEST(SessionList, TellsHowFarEachParticipantCame) {
   const TemporaryFolder folder;
-  const SessionList list = listed(whole_study(folder / "a.sqlite", {"P01", "P02"}));
+  const SessionList list = listed(small_study(folder / "a.sqlite", {"P01", "P02"}));
   ASSERT_EQ(list.participations.size(), 2U);
   const Participation& second = list.participations[1];
   EXPECT_EQ(second.participant, "P02");
@@ -82,7 +82,7 @@ TEST(SessionList, ASessionThatWasLeftAndOneThatWentOnAreTold) {
 
 TEST(SessionList, WhatIsExcludedAndWhatIsNotedStandsInIt) {
   const TemporaryFolder folder;
-  const std::filesystem::path path = whole_study(folder / "a.sqlite");
+  const std::filesystem::path path = small_study(folder / "a.sqlite");
   {
     StudyFile study = opened(path);
     exclude(study, {"P01", 3, true, "the phone rang"});
@@ -105,7 +105,7 @@ TEST(SessionList, WhatIsExcludedAndWhatIsNotedStandsInIt) {
 
 TEST(Sessions, AKilledSessionHasNoEndingAndLastsToWhatItSavedLast) {
   const TemporaryFolder folder;
-  tamper(whole_study(folder / "a.sqlite"),
+  tamper(small_study(folder / "a.sqlite"),
          "UPDATE session SET ending = NULL, ended_utc = NULL, started_utc = "
          "'2026-01-01T10:00:00.000Z'; UPDATE attempt SET saved_utc = '2026-01-01T10:23:10.000Z'; "
          "UPDATE enrolment SET finished_utc = NULL");
@@ -150,7 +150,7 @@ TEST(Sessions, WhatAnybodyWroteStaysInItsCell) {
 
 TEST(Sessions, AsJsonTheyAreTheSame) {
   const TemporaryFolder folder;
-  whole_study(folder / "a.sqlite", {"P01", "P02"});
+  small_study(folder / "a.sqlite", {"P01", "P02"});
   const ProgramResult result = run_program(folder, {"sessions", "a.sqlite", "--json"});
   const json list = json::parse(result.output);
   ASSERT_EQ(list.at("participations").size(), 2U);
@@ -164,7 +164,7 @@ TEST(Sessions, AsJsonTheyAreTheSame) {
 
 TEST(Sessions, OfACopyThatCannotBeWrittenAreListed) {
   const OpenFolder folder;
-  const std::filesystem::path path = whole_study(folder / "a.sqlite");
+  const std::filesystem::path path = small_study(folder / "a.sqlite");
   // As a session that was killed leaves the file: in write-ahead mode. Its log is not copied.
   tamper(path, "PRAGMA journal_mode = WAL");
   ASSERT_EQ(text_of(path).substr(18, 2), "\x02\x02");

@@ -7,7 +7,7 @@
 
 #include "experiments/store/study_schema.hpp"
 #include "tests/experiments/command_lines.hpp"
-#include "tests/experiments/whole_study.hpp"
+#include "tests/experiments/small_study.hpp"
 
 namespace impetus {
 namespace {
@@ -17,7 +17,7 @@ using Rows = std::multiset<std::string>;
 /// A whole study with at least one row in every table there is.
 std::filesystem::path study_with_every_table(const std::filesystem::path& path,
                                              const std::string& person) {
-  whole_study(path, {person});
+  small_study(path, {person});
   SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
   database.exec("PRAGMA foreign_keys = ON");
   database.exec(
@@ -133,8 +133,8 @@ Rows rows_of_view(SQLite::Database& database, const std::string& view) {
 /// Two files of stations and the folder they are in.
 struct Stations {
   TemporaryFolder folder;
-  std::filesystem::path a = whole_study(folder / "a.sqlite", {"P01"});
-  std::filesystem::path b = whole_study(folder / "b.sqlite", {"P02"});
+  std::filesystem::path a = small_study(folder / "a.sqlite", {"P01"});
+  std::filesystem::path b = small_study(folder / "b.sqlite", {"P02"});
   std::filesystem::path into = folder / "all.sqlite";
 
   std::string refusal(const std::vector<std::filesystem::path>& sources) const {
@@ -196,7 +196,7 @@ TEST(Merge, TheViewsHoldWhatTheSourcesViewsHold) {
 
 TEST(Merge, EachParticipantKeepsTheFileTheyCameFrom) {
   const Stations at;
-  const std::filesystem::path c = whole_study(at.folder / "c.sqlite", {"P03"});
+  const std::filesystem::path c = small_study(at.folder / "c.sqlite", {"P03"});
   merge_studies({at.a, at.b}, at.into, kTestBuild);
   merge_studies({at.into, c}, at.folder / "twice.sqlite", kTestBuild);
   EXPECT_EQ(value_of(at.folder / "twice.sqlite",
@@ -255,10 +255,10 @@ TEST(Merge, WhatIsNotOneStudyIsRefusedBeforeAnythingIsWritten) {
   const std::string b = at.b.string();
   const auto file = [&](const std::string& name) { return at.folder / name; };
   const std::filesystem::path version =
-      whole_study(file("version.sqlite"), {"P03"}, small_protocol("revised"));
+      small_study(file("version.sqlite"), {"P03"}, small_protocol("revised"));
   const std::filesystem::path gap =
-      whole_study(file("gap.sqlite"), {"P04"}, small_protocol("small", "gap"));
-  const std::filesystem::path same_person = whole_study(file("person.sqlite"), {"P01", "P05"});
+      small_study(file("gap.sqlite"), {"P04"}, small_protocol("small", "gap"));
+  const std::filesystem::path same_person = small_study(file("person.sqlite"), {"P01", "P05"});
   std::filesystem::copy_file(at.a, file("copy.sqlite"));
   const std::string hash = small_protocol().hash;
   const std::vector<std::pair<std::vector<std::filesystem::path>, std::string>> cases{

@@ -4,7 +4,7 @@
 
 #include "experiments/store/exclusion.hpp"
 #include "tests/experiments/command_lines.hpp"
-#include "tests/experiments/whole_study.hpp"
+#include "tests/experiments/small_study.hpp"
 
 namespace impetus {
 namespace {
@@ -34,7 +34,7 @@ bool remarked(const std::filesystem::path& path, const std::string& remark) {
 /// A study that passes, to be copied and changed.
 class VerifiedStudy {
  public:
-  VerifiedStudy() : whole_(whole_study(folder_ / "whole.sqlite", {"P01", "P02"})) {}
+  VerifiedStudy() : whole_(small_study(folder_ / "whole.sqlite", {"P01", "P02"})) {}
 
   /// A fresh copy.
   [[nodiscard]] std::filesystem::path copy() const {

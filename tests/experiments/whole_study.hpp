@@ -1,69 +1,84 @@
-// A small study that lacks nothing: one person's finished session of a protocol of five trials.
+// One study file with all that a study can hold, made by the program itself: short versions of
+// three studies, by simulated participants; collisions measured, an exclusion, what people type.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <SQLiteCpp/Statement.h>
+#include <gtest/gtest.h>
+
 #include <string>
 
-#include "experiments/protocol/protocol_checks.hpp"
-#include "tests/experiments/test_study.hpp"
+#include "tests/experiments/command_lines.hpp"
 
 namespace impetus {
 
-/// The shipped protocol with one practice trial and two delays, shown twice each; with another
-/// `title` it is another version of it, with another `name` another protocol.
-inline Protocol small_protocol(const std::string& title = "small",
-                               const std::string& name = "causality") {
-  const Protocol shipped = causality();
-  nlohmann::json json = shipped.document.value;
-  json["name"] = name;
-  json["title"] = title;
-  nlohmann::json& design = json["design"];
-  design["repetitions"] = 2;
-  design["factors"][0]["levels"] = {0, 100};
-  design["factors"][1]["levels"] = {10};
-  design["factors"][2]["levels"] = {0};
-  design["practice"].erase(design["practice"].begin() + 1, design["practice"].end());
-  return make_protocol(parse_json("small.json", json.dump()), shipped.scene);
+/// `text` with the first `from` in it replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-inline constexpr const char* kSmallTrials = "5";  // 1 of practice, 2 × 2 that count
-
-/// Runs a session of what is left of the plan; `on_page` answers, or ends it.
-inline void run_sitting(StudyFile& study, Enrolment& enrolment, const Protocol& protocol,
-                        const Plan& plan, const SessionFacts& said,
-                        const std::function<Answer(const Page&)>& on_page = {}) {
-  TestLab lab(60.0, protocol);
-  lab.input.on_page = on_page;
-  StudyWriter writer(study, enrolment, said);
-  const Ports ports{lab.display, lab.input, lab.scenes, writer, nullptr, &lab.clock, &lab.clock};
-  const SessionResult result =
-      run_session(protocol.script, plan, enrolment.history, ports, protocol.design);
-  writer.end(result.ending == SessionEnding::kFinished ? "finished" : "quit");
-}
-
-/// Enrols a person in the study and runs the whole session.
-inline void add_person(StudyFile& study, const Protocol& protocol, const std::string& pseudonym) {
-  const Plan plan = plan_for(protocol, pseudonym, 1);
-  Enrolment enrolment = enrol(study, pseudonym, false, texts_of(protocol), 1, stored(plan));
-  run_sitting(study, enrolment, protocol, plan, facts());
-}
-
-/// A closed study file of these people.
-inline std::filesystem::path whole_study(const std::filesystem::path& path,
-                                         const std::vector<std::string>& people = {"P01"},
-                                         const Protocol& protocol = small_protocol()) {
-  StudyFile study = opened(path);
-  for (const std::string& pseudonym : people) {
-    add_person(study, protocol, pseudonym);
+class WholeStudy {
+ public:
+  static const WholeStudy& once() {
+    static const WholeStudy kStudy;
+    return kStudy;
   }
-  return path;
-}
 
-/// Changes a study as no program of ours would: no constraint is in the way.
-inline void tamper(const std::filesystem::path& path, const std::string& sql) {
-  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
-  database.exec("PRAGMA ignore_check_constraints = ON");
-  database.exec(sql);
-}
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "study.sqlite"; }
+
+  /// A copy of the study in another folder, to be changed by statements.
+  std::filesystem::path copy_to(const TemporaryFolder& folder, const std::string& sql = "") const {
+    const std::filesystem::path copy = folder / "a.sqlite";
+    std::filesystem::copy_file(file(), copy);
+    SQLite::Database database(copy.string(), SQLite::OPEN_READWRITE);
+    database.exec(sql);
+    return copy;
+  }
+
+ private:
+  WholeStudy() {
+    const std::string source = source_folder();
+    std::filesystem::create_directories(folder_ / "stimuli");
+    for (const char* name : {"two-spheres", "shells"}) {
+      std::filesystem::copy_file(source + "/stimuli/" + name + ".json",
+                                 folder_ / "stimuli" / (std::string(name) + ".json"));
+    }
+    folder_.write("stimuli/l-blocks-in-a-cube.json",
+                  replaced(text_of(source + "/stimuli/l-blocks-in-a-cube.json"),
+                           "\"duration_s\": 10", "\"duration_s\": 1"));
+    run("causality", {{"\"repetitions\": 3", "\"repetitions\": 1"}, {"[5, 10, 15]", "[10]"}});
+    run("gap-thresholds", {{"\"trials_per_track\": 40", "\"trials_per_track\": 1"}});
+    run("gaze-contingent", {{"\"repetitions\": 3", "\"repetitions\": 1"},
+                            {"\"levels\": [5, 10, 15]", "\"levels\": [5]"}});
+    run_program(folder_, {"replay", "study.sqlite", "--truth", "--trial", "1"});
+    run_program(folder_, {"exclude", "study.sqlite", "--participant", "S01", "--trial", "7",
+                          "--reason", "fell asleep, \"twice\""});
+    SQLite::Database(file().string(), SQLite::OPEN_READWRITE)
+        .exec(
+            "INSERT INTO note (session_id, written_utc, kind, text) VALUES "
+            "(1, '2026-01-02T03:04:05Z', 'test', '')");
+  }
+
+  void run(const std::string& study,
+           const std::vector<std::pair<std::string, std::string>>& changes) {
+    std::string protocol = text_of(source_folder() + "/protocols/" + study + ".json");
+    for (const auto& [from, to] : changes) {
+      if (protocol.find(from) != std::string::npos) {
+        protocol = replaced(protocol, from, to);
+      }
+    }
+    const std::string file = "protocols/" + study + ".json";
+    folder_.write(file, protocol);
+    const ProgramResult result =
+        run_program(folder_, {"run", file, "--db", "study.sqlite", "--observer",
+                              source_folder() + "/experiments/observers/" + study + ".json",
+                              "--participant", "S01", "--allow-rounding"});
+    EXPECT_EQ(result.status, 0) << result.errors;
+  }
+
+  TemporaryFolder folder_;
+};
 
 }  // namespace impetus
