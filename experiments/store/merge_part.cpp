@@ -169,6 +169,7 @@ MergePart open_merge_part(const std::filesystem::path& path) {
   const std::string hash = hash_of_file(path);
   MergePart part{std::move(lock), StudyFile::open_for_reading(path), hash, {}, {}, {}};
   require_whole(path.string(), schema_differences(part.study.database()));
+  require_whole(path.string(), forbidden_rows(part.study.database()));
   require_not_anonymised(part.study);
   load_identity(part);
   return part;
