@@ -155,7 +155,7 @@ TEST(Confinement, AStudysOwnSceneOpensNoFile) {
   const TemporaryFolder folder;
   run_program(folder, simulated_run({"--participant", "S01"}));
   write_mesh(box_mesh({1.0, 1.0, 1.0}), folder / "box.obj");
-  for (const std::string file : {(folder / "box.obj").string(), std::string("box.obj")}) {
+  for (const std::string& file : {(folder / "box.obj").string(), std::string("box.obj")}) {
     change(folder,
            "UPDATE protocol SET scene_json = json_set(scene_json, '$.bodies[0].shape', "
            "json_object('kind', 'mesh', 'size_deg', 2, 'file', '" +
