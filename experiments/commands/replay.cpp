@@ -57,9 +57,11 @@ void print_divergence(const StoredAttempt& attempt, const Divergence& divergence
               static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
               static_cast<long long>(divergence.step), where.c_str());
-  const std::string what = divergence.body.empty()
-                               ? "in the hash alone"
-                               : "body " + divergence.body + ", " + divergence.field;
+  std::string what = divergence.body.empty() ? "in the hash alone"
+                                             : "body " + divergence.body + ", " + divergence.field;
+  if (divergence.named_at != divergence.step) {
+    what += ", as step " + std::to_string(divergence.named_at) + " tells";
+  }
   std::printf(", %s%s\n", what.c_str(), why_divergent(attempt).c_str());
 }
 

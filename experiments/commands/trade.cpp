@@ -25,7 +25,7 @@
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/trade/chosen_settings.hpp"
-#include "experiments/trade/csv_line.hpp"
+#include "experiments/tables/csv_line.hpp"
 #include "experiments/trade/impact_rows.hpp"
 #include "experiments/trade/scene_pairs.hpp"
 #include "experiments/trade/scene_rows.hpp"

@@ -6,14 +6,17 @@
 namespace impetus {
 
 std::optional<Divergence> divergence_of(const StepRecord& recorded, const StateHash& actual,
-                                        const World& world) {
+                                        const World& world,
+                                        const std::optional<Divergence>& known) {
   if (actual.hash == recorded.state.hash) {
-    return std::nullopt;
+    return known;
   }
-  Divergence divergence{recorded.step, "", ""};
-  if (const auto difference = first_difference(recorded.state.bodies, actual.bodies)) {
+  Divergence divergence = known.value_or(Divergence{recorded.step, "", "", recorded.step});
+  const auto difference = first_difference(recorded.state.bodies, actual.bodies);
+  if (divergence.body.empty() && difference) {
     divergence.body = world.models()[difference->body].name;
     divergence.field = name_of(difference->field);
+    divergence.named_at = recorded.step;
   }
   return divergence;
 }
@@ -39,16 +42,17 @@ const StepReport& RunningReplay::next() {
                                  scene_.world.models()[static_cast<std::size_t>(found.body)].name,
                                  std::string(name_of(found.field))});
   }
-  if (!result_.divergence) {
-    result_.divergence = divergence_of(then, now->state, scene_.world);
-  }
+  result_.divergence = divergence_of(then, now->state, scene_.world, result_.divergence);
   return *now;
 }
 
 ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
                     const StepWatcher& watcher) {
   RunningReplay running(std::move(scene), recorded);
-  while (!running.done() && (watcher || !running.result().divergence)) {
+  const auto is_named = [&] {
+    return running.result().divergence && !running.result().divergence->body.empty();
+  };
+  while (!running.done() && (watcher || !is_named())) {
     const std::int64_t step = running.next_step();
     const StepReport& report = running.next();
     if (watcher) {

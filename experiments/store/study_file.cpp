@@ -17,6 +17,7 @@
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/migration.hpp"
 #include "experiments/store/present_file.hpp"
+#include "experiments/store/read_only_file.hpp"
 
 namespace impetus {
 namespace {
@@ -105,7 +106,8 @@ void create_schema(SQLite::Database& database, const std::string& build) {
   SQLite::Transaction transaction(database);
   create_tables_and_views(database);
   SQLite::Statement study(database,
-                          "INSERT INTO study VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
+                          "INSERT INTO study (id, created_utc, build) "
+                          "VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
   study.bind(1, build);
   study.exec();
   database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
@@ -174,8 +176,7 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
     throw InputError(study.name_ + ": expected an Impetus study, but there is no such file");
   }
   try {
-    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READONLY);
-    study.database_->setBusyTimeout(2000);
+    study.database_ = open_read_only(path);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }
@@ -196,6 +197,15 @@ void StudyFile::require_present() {
   } catch (const SQLite::Exception& error) {
     throw StoreError(gone + "what was saved could not be written beside it: " + error.what());
   }
+}
+
+StudyFile StudyFile::copy_in_memory(StudyFile& study) {
+  StudyFile copy;
+  copy.name_ = study.name();
+  copy.database_ =
+      std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(*copy.database_, *study.database_).executeStep();
+  return copy;
 }
 
 StudyFile::StudyFile(StudyFile&& other) noexcept

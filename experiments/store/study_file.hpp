@@ -31,6 +31,9 @@ class StudyFile {
   /// Opens a study that exists, read-only; of an older schema, a copy in memory. Throws InputError.
   static StudyFile open_for_reading(const std::filesystem::path& path);
 
+  /// A copy in memory, which may be changed: no file is. Throws SQLite::Exception.
+  static StudyFile copy_in_memory(StudyFile& study);
+
   StudyFile(StudyFile&&) noexcept;
   StudyFile& operator=(StudyFile&&) = delete;
   ~StudyFile();
