@@ -169,6 +169,7 @@ void add_replay(CLI::App& app, Command& chosen) {
   command->add_flag("--truth", options->truth,
                     "Measure each collision's gap and hidden share and store them");
   command->add_option("--with", options->what_if.with, words_of_setting_keys())
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--out", options->what_if.csv_file,
                       "Of --with: write a CSV file, a row for each stimulus");

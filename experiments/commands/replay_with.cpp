@@ -8,7 +8,8 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/replayed_trial.hpp"
-#include "experiments/commands/what_if_tables.hpp"
+#include "experiments/commands/what_if_files.hpp"
+#include "experiments/commands/what_if_words.hpp"
 #include "experiments/models/atomic_file.hpp"
 
 namespace impetus {
@@ -80,8 +81,9 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string words_of_setting_keys() {
   std::string words =
-      "KEY=VALUE: what would have happened with this setting, for the gaze as recorded. May be "
-      "given several times. A JSON Pointer below /engine, or one of:";
+      "What would have happened with this setting, for the gaze as\n"
+      "recorded; as often as needed. KEY is a JSON Pointer below\n"
+      "/engine of the scene, or one of:";
   for (const SettingKey& key : setting_keys()) {
     words += "\n  " + std::string(key.name) + ": " + key.meaning;
   }

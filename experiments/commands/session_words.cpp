@@ -53,13 +53,13 @@ std::string late_frames(const Participation& one) {
          share.data();
 }
 
-std::string ending(const Sitting& sitting) {
+std::string ending(const ListedSession& sitting) {
   return !sitting.ending.empty() ? sitting.ending
          : sitting.running       ? "none yet: in use now"
                                  : "none: killed";
 }
 
-std::string resumption(const Sitting& sitting) {
+std::string resumption(const ListedSession& sitting) {
   if (!sitting.resumed) {
     return "-";
   }
@@ -71,7 +71,7 @@ std::string resumption(const Sitting& sitting) {
          (after_s < 0.0 ? "clock set back by " + span(-after_s) : "after " + span(after_s));
 }
 
-std::string sync_test(const Sitting& sitting) {
+std::string sync_test(const ListedSession& sitting) {
   return sitting.sync_passed       ? (sitting.sync_tries == 0 ? "none: virtual time" : "passed")
          : sitting.sync_overridden ? "failed, overridden"
                                    : "failed";
@@ -113,7 +113,7 @@ std::string sitting_table(const SessionList& list) {
   Rows rows{{"participant", "protocol", "session", "began", "length", "ending", "resumed", "trials",
              "sync test", "gaze"}};
   for (const Participation& one : list.participations) {
-    for (const Sitting& sitting : one.sittings) {
+    for (const ListedSession& sitting : one.sittings) {
       rows.push_back({one.participant, one.protocol, std::to_string(sitting.session),
                       moment(sitting.started_utc), span(sitting.length_s), ending(sitting),
                       resumption(sitting), std::to_string(sitting.completed_trials),
@@ -135,7 +135,7 @@ std::string left_out_table(const SessionList& list) {
 std::string note_table(const SessionList& list) {
   Rows rows{{"noted of", "protocol", "session", "what", "times", "the first"}};
   for (const Participation& one : list.participations) {
-    for (const Sitting& sitting : one.sittings) {
+    for (const ListedSession& sitting : one.sittings) {
       for (const NoteSummary& note : sitting.notes) {
         rows.push_back({one.participant, one.protocol, std::to_string(sitting.session), note.kind,
                         std::to_string(note.count), or_none(note.first_text)});
@@ -147,7 +147,7 @@ std::string note_table(const SessionList& list) {
 
 json text_or_null(const std::string& text) { return text.empty() ? json() : json(text); }
 
-json json_of(const Sitting& sitting) {
+json json_of(const ListedSession& sitting) {
   json notes = json::array();
   for (const NoteSummary& note : sitting.notes) {
     notes.push_back({{"kind", note.kind}, {"count", note.count}, {"first_text", note.first_text}});
@@ -172,7 +172,7 @@ json json_of(const Sitting& sitting) {
 
 json json_of(const Participation& one) {
   json sittings = json::array();
-  for (const Sitting& sitting : one.sittings) {
+  for (const ListedSession& sitting : one.sittings) {
     sittings.push_back(json_of(sitting));
   }
   return {{"participant", one.participant},

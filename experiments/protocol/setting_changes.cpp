@@ -157,9 +157,10 @@ const std::vector<SettingKey>& setting_keys() {
       {"restitution", "/engine/restitution", "of all contacts but those of materials", nullptr},
       {"rotation", "/engine/rotation", "midpoint, energy-kept", nullptr},
       {"scheduler", "/engine/schedule",
-       "what comes first: distance, eccentricity, ...; with one list, from the coarsest level to "
-       "the finest, unless lists go by shares of the pairs; for region the finest level inside, "
-       "the coarsest outside",
+       "distance, eccentricity, ..., region, with lists of its own:\n"
+       "    one, from the coarsest level to the finest, or those by\n"
+       "    shares of the pairs; of region the finest inside, the\n"
+       "    coarsest outside",
        put_scheduler},
       {"traversal", "/engine/schedule/traversal", "depth-first, breadth-first, best-first, ...",
        nullptr},

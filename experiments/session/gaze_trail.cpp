@@ -53,9 +53,9 @@ const char* word_of(GazeLoss loss) {
     case GazeLoss::kBlink:
       return "blink";
     case GazeLoss::kOffScreen:
-      return "off screen";
+      return "gaze off screen";
     case GazeLoss::kLost:
-      return "lost";
+      return "gaze lost";
     case GazeLoss::kNone:
       break;
   }

@@ -50,7 +50,7 @@ struct LostStretch {
 };
 std::vector<LostStretch> lost_stretches(const std::vector<TimedGaze>& gaze);
 
-/// "blink", "off screen", "lost"; "" when nothing is.
+/// "blink", "gaze off screen", "gaze lost"; "" when nothing is.
 const char* word_of(GazeLoss loss);
 
 }  // namespace impetus

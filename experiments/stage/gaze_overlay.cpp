@@ -4,8 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
-#include <string>
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/session/region_source.hpp"
@@ -22,6 +22,18 @@ constexpr ImU32 kLostColour = IM_COL32(132, 44, 24, 255);
 /// Fresh: 1, faded: 0.
 ImU32 trail_ink(double freshness) {
   return IM_COL32(20, 110, 40, static_cast<int>(40.0 + 190.0 * std::clamp(freshness, 0.0, 1.0)));
+}
+
+/// Small, on a ground of its own.
+void write_beside(ImDrawList& draw, const WindowPoint& place, const char* words) {
+  constexpr float kShareOfBody = 0.64F;
+  ImFont* font = ImGui::GetFont();
+  const float size_px = std::round(kShareOfBody * ImGui::GetFontSize());
+  const ImVec2 from(std::round(place.x + 12.0F), std::round(place.y + 9.0F));
+  const ImVec2 size = font->CalcTextSizeA(size_px, 1e6F, 0.0F, words);
+  draw.AddRectFilled(ImVec2(from.x - 3.0F, from.y - 1.0F),
+                     ImVec2(from.x + size.x + 3.0F, from.y + size.y + 1.0F), kHalo, 2.0F);
+  draw.AddText(font, size_px, from, kLostColour, words);
 }
 
 /// None: it goes away from the glass.
@@ -90,8 +102,7 @@ void draw_trail(const PictureMap& map, const Viewer& own, const GazeTrail& trail
     last = at;
   }
   if (trail.lost != GazeLoss::kNone && last) {
-    const std::string words = std::string("gaze lost: ") + word_of(trail.lost);
-    draw.AddText(ImVec2(last->x + 12.0F, last->y + 8.0F), kLostColour, words.c_str());
+    write_beside(draw, *last, word_of(trail.lost));
   }
 }
 

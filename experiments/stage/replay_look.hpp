@@ -4,6 +4,7 @@
 
 #include "experiments/session/orbit_camera.hpp"
 #include "experiments/stage/body_colours.hpp"
+#include "experiments/stage/replay_commands.hpp"
 
 namespace impetus {
 
@@ -15,5 +16,8 @@ struct ReplayLook {
   BodyColours colours{BodyColours::kOwn};
   OrbitCamera camera;
 };
+
+/// Does what a command asks of it; false: it is about something else.
+bool change_look(ReplayLook& look, ReplayCommand command);
 
 }  // namespace impetus

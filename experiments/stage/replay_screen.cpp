@@ -11,6 +11,8 @@
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/picture_badge.hpp"
 #include "experiments/stage/replay_help.hpp"
+#include "experiments/stage/replay_panes.hpp"
+#include "experiments/stage/replay_steering.hpp"
 #include "experiments/stage/replay_timeline.hpp"
 #include "experiments/stage/replay_toolbar.hpp"
 #include "experiments/stage/widgets.hpp"
@@ -79,8 +81,6 @@ std::optional<std::size_t> ReplayScreen::run() {
   return next_;
 }
 
-// ---------------------------------------------------------------- what is asked for
-
 void ReplayScreen::take_events() {
   for (const StampedEvent& event : canvas_.events.take()) {
     canvas_.gui.feed(event.event);
@@ -135,12 +135,27 @@ void ReplayScreen::drag(const SDL_Event& event) {
   }
 }
 
+bool ReplayScreen::in_a_pane(int x_px, int y_px) const {
+  const std::vector<PixelArea> areas = pane_areas();
+  const int y_up_px = canvas_.window.height_px() - y_px;
+  return std::any_of(areas.begin(), areas.end(), [&](const PixelArea& area) {
+    return x_px >= area.left && x_px < area.left + area.width && y_up_px > area.bottom &&
+           y_up_px <= area.bottom + area.height;
+  });
+}
+
 void ReplayScreen::command(Command command) {
   if (command == Command::kHelp || (help_shown_ && command == Command::kClose)) {
     help_shown_ = !help_shown_;
     return;
   }
-  if (command_time(command) || command_look(command)) {
+  if (change_look(look_, command)) {
+    return;
+  }
+  if (const auto steered = steer(playback_, loaded_.view, command)) {
+    if (!steered->empty()) {
+      say(*steered);
+    }
     return;
   }
   switch (command) {
@@ -161,87 +176,12 @@ void ReplayScreen::command(Command command) {
   }
 }
 
-bool ReplayScreen::command_time(Command command) {
-  switch (command) {
-    case Command::kPlay:
-      playback_.toggle();
-      return true;
-    case Command::kStepBack:
-    case Command::kStepOn:
-      playback_.step(command == Command::kStepOn ? 1 : -1);
-      return true;
-    case Command::kStart:
-    case Command::kEnd:
-      playback_.seek(command == Command::kEnd ? playback_.span_s() : 0.0);
-      return true;
-    case Command::kSlower:
-    case Command::kFaster:
-      playback_.change_speed(command == Command::kFaster ? 1 : -1);
-      return true;
-    case Command::kPreviousCollision:
-    case Command::kNextCollision:
-      jump(JumpTarget::kCollision, command == Command::kNextCollision ? 1 : -1);
-      return true;
-    case Command::kPreviousClick:
-    case Command::kNextClick:
-      jump(JumpTarget::kClick, command == Command::kNextClick ? 1 : -1);
-      return true;
-    case Command::kPreviousLateFrame:
-    case Command::kNextLateFrame:
-      jump(JumpTarget::kLateFrame, command == Command::kNextLateFrame ? 1 : -1);
-      return true;
-    case Command::kPreviousAnswer:
-    case Command::kNextAnswer:
-      jump(JumpTarget::kResponse, command == Command::kNextAnswer ? 1 : -1);
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool ReplayScreen::command_look(Command command) {
-  switch (command) {
-    case Command::kGaze:
-      look_.gaze = !look_.gaze;
-      return true;
-    case Command::kContacts:
-      look_.contacts = !look_.contacts;
-      return true;
-    case Command::kVolumes:
-      look_.volumes = !look_.volumes;
-      return true;
-    case Command::kColours:
-      look_.colours = next_colours(look_.colours);
-      return true;
-    case Command::kFinest:
-      look_.finest = !look_.finest;
-      return true;
-    case Command::kOwnView:
-      look_.camera.reset();
-      return true;
-    default:
-      return false;
-  }
-}
-
-void ReplayScreen::jump(JumpTarget target, int direction) {
-  const ReplayView& view = loaded_.view;
-  if (const auto to_s =
-          jump_from(view.marks, target, playback_.time_s(), direction, view.step_hz)) {
-    playback_.seek(*to_s);
-  } else {
-    say(std::string(direction > 0 ? "no later " : "no earlier ") + word_of(target));
-  }
-}
-
 void ReplayScreen::go_to(std::size_t index) { next_ = index; }
 
 void ReplayScreen::say(std::string words) {
   said_ = std::move(words);
   said_until_ns_ = clock_.now_ns() + kSaidFor_ns;
 }
-
-// ---------------------------------------------------------------- the finest level, beside it
 
 void ReplayScreen::go_on_with_finest() {
   if (!look_.finest || !finest_.go_on()) {
@@ -284,7 +224,10 @@ std::string ReplayScreen::words_of_recorded() const {
   return words;
 }
 
-// ---------------------------------------------------------------- what is drawn
+std::vector<PixelArea> ReplayScreen::pane_areas() const {
+  const Panes panes{look_.finest ? 2 : 1, header_px_, footer_height()};
+  return areas_of(panes, canvas_.gui, loaded_.view.viewer.screen);
+}
 
 std::vector<ReplayMoment> ReplayScreen::moments() const {
   const std::vector<PixelArea> areas = pane_areas();
@@ -347,22 +290,25 @@ void ReplayScreen::draw_over_all() {
 
 void ReplayScreen::draw_header() {
   const Fonts& fonts = canvas_.gui.fonts();
-  ImGui::SetCursorScreenPos(ImVec2(margin(), margin()));
-  draw_text(loaded_.view.title, fonts.title[2], palette::kText, text_width(), Align::kLeft);
-  draw_text(joined(loaded_.view.facts), fonts.small, palette::kQuietText, text_width(),
+  ImGui::SetCursorScreenPos(ImVec2(screen_margin(canvas_.gui), screen_margin(canvas_.gui)));
+  draw_text(loaded_.view.title, fonts.title[2], palette::kText, content_width(canvas_.gui),
             Align::kLeft);
-  header_px_ = ImGui::GetCursorScreenPos().y + 0.5F * margin();
+  draw_text(joined(loaded_.view.facts), fonts.small, palette::kQuietText,
+            content_width(canvas_.gui), Align::kLeft);
+  header_px_ = ImGui::GetCursorScreenPos().y + 0.5F * screen_margin(canvas_.gui);
 }
 
 void ReplayScreen::draw_footer() {
   const Gui& gui = canvas_.gui;
-  ImGui::SetCursorScreenPos(ImVec2(margin(), gui.height() - footer_height()));
+  ImGui::SetCursorScreenPos(ImVec2(screen_margin(canvas_.gui), gui.height() - footer_height()));
   draw_state();
-  const auto clicked = draw_toolbar(gui, playback_, loaded_.view.marks, look_, text_width());
+  const auto clicked =
+      draw_toolbar(gui, playback_, loaded_.view.marks, look_, content_width(canvas_.gui));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const auto sought =
       draw_timeline(gui, loaded_.view.marks,
-                    {ImVec2(margin(), at.y), text_width(), playback_.span_s(), playback_.time_s()});
+                    {ImVec2(screen_margin(canvas_.gui), at.y), content_width(canvas_.gui),
+                     playback_.span_s(), playback_.time_s()});
   if (list_.is_open()) {
     return;
   }
@@ -382,7 +328,7 @@ void ReplayScreen::draw_state() const {
                 static_cast<long long>(playback_.last_step()), playback_.speed_words().c_str());
   ImFont* font = canvas_.gui.fonts().body[2];
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  draw_text(text, font, palette::kText, text_width(), Align::kLeft);
+  draw_text(text, font, palette::kText, content_width(canvas_.gui), Align::kLeft);
   const ImVec2 below = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(at);
   const bool says = clock_.now_ns() < said_until_ns_;
@@ -394,7 +340,7 @@ void ReplayScreen::draw_state() const {
             says     ? palette::kAccent
             : agrees ? palette::kResponse
                      : palette::kWarning,
-            text_width(), Align::kRight);
+            content_width(canvas_.gui), Align::kRight);
   ImGui::SetCursorScreenPos(ImVec2(below.x, below.y + 0.3F * canvas_.gui.fonts().small->FontSize));
 }
 
@@ -413,46 +359,9 @@ void ReplayScreen::save(const std::vector<ReplayMoment>& shown) {
   }
 }
 
-// ---------------------------------------------------------------- where it is drawn
-
-/// The largest areas between header and footer with the shape of the recorded screen.
-std::vector<PixelArea> ReplayScreen::pane_areas() const {
-  const int panes = look_.finest ? 2 : 1;
-  const double gap_px = 0.5 * margin();
-  const double wide_px = (text_width() - (panes - 1) * gap_px) / panes;
-  const double high_px = canvas_.gui.height() - header_px_ - footer_height() - 0.5F * margin();
-  const ScreenGeometry& screen = loaded_.view.viewer.screen;
-  const double scale = std::min(wide_px / screen.width_m, high_px / screen.height_m);
-  PixelArea area;
-  area.width = static_cast<int>(scale * screen.width_m);
-  area.height = static_cast<int>(scale * screen.height_m);
-  area.bottom = static_cast<int>(footer_height() + 0.5F * margin() + (high_px - area.height) / 2);
-  const double whole_px = panes * area.width + (panes - 1) * gap_px;
-  std::vector<PixelArea> areas;
-  for (int pane = 0; pane < panes; ++pane) {
-    area.left =
-        static_cast<int>((canvas_.gui.width() - whole_px) / 2 + pane * (area.width + gap_px));
-    areas.push_back(area);
-  }
-  return areas;
-}
-
-bool ReplayScreen::in_a_pane(int x_px, int y_px) const {
-  const int y_up_px = canvas_.window.height_px() - y_px;
-  const std::vector<PixelArea> areas = pane_areas();
-  return std::any_of(areas.begin(), areas.end(), [&](const PixelArea& area) {
-    return x_px >= area.left && x_px < area.left + area.width && y_up_px > area.bottom &&
-           y_up_px <= area.bottom + area.height;
-  });
-}
-
-float ReplayScreen::margin() const { return std::round(0.018F * canvas_.gui.height()); }
-
-float ReplayScreen::text_width() const { return canvas_.gui.width() - 2.0F * margin(); }
-
 float ReplayScreen::footer_height() const {
   const Gui& gui = canvas_.gui;
-  return std::round(0.5F * margin() + timeline_height(gui) + toolbar_height(gui) +
+  return std::round(0.5F * screen_margin(canvas_.gui) + timeline_height(gui) + toolbar_height(gui) +
                     1.35F * gui.fonts().body[2]->FontSize + 0.3F * gui.fonts().small->FontSize);
 }
 

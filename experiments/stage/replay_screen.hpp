@@ -8,7 +8,6 @@
 
 #include "experiments/session/finest_beside.hpp"
 #include "experiments/session/replay_playback.hpp"
-#include "experiments/session/timeline_jumps.hpp"
 #include "experiments/stage/replay_list.hpp"
 #include "experiments/stage/replay_loading.hpp"
 #include "experiments/stage/replay_picture.hpp"
@@ -34,9 +33,6 @@ class ReplayScreen {
   void press(const SDL_Keysym& key, bool repeats);
   void drag(const SDL_Event& event);
   void command(ReplayCommand command);
-  bool command_time(ReplayCommand command);
-  bool command_look(ReplayCommand command);
-  void jump(JumpTarget target, int direction);
   void go_to(std::size_t index);
 
   std::int64_t draw_and_flip();
@@ -54,8 +50,6 @@ class ReplayScreen {
   [[nodiscard]] std::string words_of_recorded() const;
   [[nodiscard]] std::string words_of_finest() const;
   [[nodiscard]] bool in_a_pane(int x_px, int y_px) const;
-  [[nodiscard]] float margin() const;
-  [[nodiscard]] float text_width() const;
   [[nodiscard]] float footer_height() const;
 
   Canvas& canvas_;

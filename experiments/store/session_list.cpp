@@ -14,9 +14,9 @@ constexpr const char* kOrdinaryNotes =
     "('break', 'demonstration', 'pause', 'continue', 'quit', 'display closed')";
 
 std::vector<NoteSummary> load_notes(SQLite::Database& database, std::int64_t session) {
+  // Beside min(id), SQLite takes the other columns from that row.
   SQLite::Statement query(
-      database, std::string("SELECT kind, count(*), (SELECT text FROM note AS first "
-                            "WHERE first.id = min(note.id)) FROM note WHERE session_id = ? "
+      database, std::string("SELECT kind, count(*), text, min(id) FROM note WHERE session_id = ? "
                             "AND kind NOT IN ") +
                     kOrdinaryNotes + " GROUP BY kind ORDER BY min(id)");
   query.bind(1, session);
@@ -28,7 +28,7 @@ std::vector<NoteSummary> load_notes(SQLite::Database& database, std::int64_t ses
   return notes;
 }
 
-std::vector<Sitting> load_sittings(SQLite::Database& database, std::int64_t enrolment) {
+std::vector<ListedSession> load_sittings(SQLite::Database& database, std::int64_t enrolment) {
   SQLite::Statement query(
       database,
       "WITH sitting AS (SELECT session.*, "
@@ -46,9 +46,9 @@ std::vector<Sitting> load_sittings(SQLite::Database& database, std::int64_t enro
       "sync_overridden, coalesce(gaze_source, attempts_gaze, ''), sync_tries FROM sitting "
       "ORDER BY id");
   query.bind(1, enrolment);
-  std::vector<Sitting> sittings;
+  std::vector<ListedSession> sittings;
   while (query.executeStep()) {
-    Sitting sitting;
+    ListedSession sitting;
     sitting.session = query.getColumn(0).getInt64();
     sitting.started_utc = query.getColumn(1).getString();
     sitting.ended_utc = query.getColumn(2).getString();

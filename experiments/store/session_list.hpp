@@ -19,7 +19,7 @@ struct NoteSummary {
 };
 
 /// One session. Times are UTC, as ISO 8601; "" where there is none.
-struct Sitting {
+struct ListedSession {
   std::int64_t session{0};
   std::string started_utc;
   std::string ended_utc;
@@ -54,7 +54,7 @@ struct Participation {
   std::int64_t set_aside_attempts{0};
   std::int64_t timed_frames{0};  ///< of all attempts
   std::int64_t late_timed_frames{0};
-  std::vector<Sitting> sittings;
+  std::vector<ListedSession> sittings;
 };
 
 /// What the analysis leaves out.

@@ -143,7 +143,32 @@ void compare_parts(const std::string& object, const Parts& expected, const Parts
   add_missing(found, expected, " has, beyond what this build makes, ");
 }
 
+/// What a check is true of may be unknown, too; then the row is allowed.
+std::int64_t rows_against(SQLite::Database& study, const std::string& table,
+                          const std::string& check) {
+  const std::string condition = check.substr(std::string("CHECK ").size());
+  return study.execAndGet("SELECT count(*) FROM \"" + table + "\" WHERE NOT " + condition)
+      .getInt64();
+}
+
 }  // namespace
+
+std::vector<std::string> forbidden_rows(SQLite::Database& study) {
+  SQLite::Statement query(study, "SELECT name, sql FROM sqlite_master WHERE type = 'table'");
+  std::vector<std::string> broken;
+  while (query.executeStep()) {
+    const std::string table = query.getColumn(0).getString();
+    Parts checks;
+    add_checks(query.getColumn(1).getString(), checks);
+    for (const std::string& check : checks) {
+      if (const std::int64_t rows = rows_against(study, table, check); rows > 0) {
+        broken.push_back(std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of " + table +
+                         (rows == 1 ? " breaks " : " break ") + check);
+      }
+    }
+  }
+  return broken;
+}
 
 std::vector<std::string> schema_differences(SQLite::Database& study) {
   SQLite::Database reference(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);

@@ -16,6 +16,11 @@ namespace impetus {
 /// SQLite::Exception.
 std::vector<std::string> schema_differences(SQLite::Database& study);
 
+/// Rows that break a CHECK of a table, each check in one sentence. SQLite's own check of a file's
+/// integrity leaves that out where the file is only read. Throws SQLite::Exception. Precondition:
+/// the schema has no differences.
+std::vector<std::string> forbidden_rows(SQLite::Database& study);
+
 /// A column and the table whose id it holds.
 struct Reference {
   std::string column;

@@ -62,7 +62,7 @@ constexpr const char* kRemarks[] = {
 
     "SELECT 'left out of the analysis: ' || (SELECT count(*) FROM excluded WHERE trial IS NULL) || "
     "' participants, ' || (SELECT count(*) FROM excluded WHERE trial IS NOT NULL) || "
-    "' single trials, with reasons' FROM excluded HAVING count(*) > 0",
+    "' single trials, with reasons' WHERE EXISTS (SELECT 1 FROM excluded)",
 
     "SELECT 'it holds ' || count(*) || ' versions of ' || name FROM protocol GROUP BY name "
     "HAVING count(*) > 1",

@@ -91,7 +91,8 @@ constexpr const char* kRecordingRules[] = {
     "WHERE late_timed_frames <> late",
 
     "SELECT place || ': a collision of ' || body_a || ' and ' || body_b || ' at step ' || "
-    "collision.step || ', which is missing' FROM collision JOIN shown ON shown.id = attempt_id "
+    "collision.step || ', which is missing' FROM collision JOIN shown ON shown.id = "
+    "collision.attempt_id "
     "LEFT JOIN step ON step.attempt_id = collision.attempt_id "
     "AND step.interval = collision.interval AND step.step = collision.step "
     "WHERE step.step IS NULL",

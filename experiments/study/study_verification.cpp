@@ -58,12 +58,13 @@ class StudyChecks {
       : study_(study), database_(study.database()), verification_(verification) {}
 
   void make(const FurtherCheck& further) {
-    const std::int64_t tables = static_cast<std::int64_t>(table_names(database_).size());
+    const auto tables = static_cast<std::int64_t>(table_names(database_).size());
     add("schema", count_of(tables, "table") + ", and views, as this build makes them",
         schema_differences(database_));
-    if (!verification_.checks.back().failures.empty()) {
+    if (!verification_.passed()) {
       return;  // queries may not even be possible
     }
+    add("values", "every value is one that its table allows", forbidden_rows(database_));
     check_protocols_and_attempts();
     add("provenance",
         count_of(count(database_, "session"), "session") +

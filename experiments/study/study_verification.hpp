@@ -1,8 +1,8 @@
 // Whether a study file can be published: whole, as this program makes them, complete, and saying of
 // everything where it comes from.
 //
-//   file ─> schema ─> protocols ─> plans ─> order ─> recordings ─> answers ─> provenance (─>
-//   replay)
+//   file ─> schema ─> values ─> protocols ─> plans ─> order ─> recordings ─> answers ─> provenance
+//   (─> replay)
 //
 // A damaged file is looked at no further.
 // SPDX-License-Identifier: MIT

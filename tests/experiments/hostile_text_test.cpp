@@ -57,7 +57,7 @@ TEST(ParticipantCode, IsTextOnOneLine) {
     EXPECT_TRUE(is_participant_code(code)) << code;
   }
   EXPECT_TRUE(is_participant_code(std::string(64, 'a')));
-  for (const std::string code :
+  for (const std::string& code :
        {std::string(), std::string(65, 'a'), std::string("a\nb"), std::string("a\tb"),
         std::string("a\x7f"), std::string("a\0b", 3), std::string("a/b"), std::string("a\\b"),
         std::string(" a"), std::string("a "), std::string("\xC3"), std::string("\xC0\xAF"),
@@ -151,6 +151,14 @@ TEST(HostileText, InACodeIsTextToReplayAndExclude) {
     EXPECT_EQ(excluded.status, 0) << excluded.errors;
     EXPECT_EQ(value_of(folder, "SELECT reason FROM exclusion ORDER BY id DESC LIMIT 1"), text);
   }
+}
+
+TEST(HostileText, TheNameOfAViewIsNoSqlToTheMigration) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(source_folder() + "/tests/recordings/gap.sqlite", folder / "a.sqlite");
+  change(folder, "CREATE VIEW \"a\"\"; DROP TABLE trial; --\" AS SELECT 1 AS x");
+  const ProgramResult result = run_program(folder, {"replay", "a.sqlite", "--trial", "1"});
+  EXPECT_EQ(result.status, 0) << result.errors;
 }
 
 // ---------------------------------------------------------------- pages and screens
