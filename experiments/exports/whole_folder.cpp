@@ -40,7 +40,7 @@ void require_free(const fs::path& target, bool replace) {
 }
 
 fs::path without_last_slash(const fs::path& path) {
-  const fs::path whole = fs::weakly_canonical(path);
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path));
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
