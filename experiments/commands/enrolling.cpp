@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/store/resumption_rows.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {

@@ -11,11 +11,11 @@
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/session_warnings.hpp"
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {
@@ -51,6 +51,9 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.rounding_allowed = options.allow_rounding;
   facts.sync = sync;
   facts.sync_overridden = !sync.passed && options.override_sync_test;
+  facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
+  const Gaze* gaze = part.protocol.script.gaze ? laboratory.gaze() : nullptr;
+  facts.gaze_source = gaze != nullptr ? gaze->source() : "";
   facts.series = part.series;
   facts.series_place = part.series_place;
   return facts;

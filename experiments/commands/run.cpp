@@ -10,9 +10,9 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
+#include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
@@ -21,6 +21,7 @@
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {
@@ -81,6 +82,14 @@ Text part_done(std::size_t part, std::size_t parts) {
       {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
 }
 
+ScreenCorner photodiode_corner(const RunOptions& options) {
+  if (options.simulated() && !options.show) {
+    throw InputError(
+        "--photodiode: expected a window to draw in; with --observer, give --show too");
+  }
+  return patch_corner("--photodiode", options.photodiode);
+}
+
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
   RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
@@ -91,6 +100,9 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
+  if (!options.photodiode.empty()) {
+    part.lab.photodiode = photodiode_corner(options);
+  }
   const bool group = options.participants > 0;
   plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
            options.seed.value_or(1));
@@ -230,6 +242,9 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option(
+      "--photodiode", options->photodiode,
+      "A corner, such as \"bottom left\", for a square whose light tells each frame");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -54,7 +54,7 @@ ordered_json description(const CodebookHead& head, const std::string& names) {
 
 std::string readme(const CodebookHead& head, const std::string& names) {
   std::string text =
-      "Trials of an experiment on simulated collisions: " + names + ".\n\nExported by Impetus " +
+      "Trials of an experiment on simulated collisions: " + names + ".\n\nExported by " +
       head.build +
       ". Each participant's sittings are sessions. Times are seconds from\nthe first instant that "
       "a sitting recorded. Where gaze was followed, the JSON beside its samples says what\nstood "

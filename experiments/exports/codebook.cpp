@@ -85,8 +85,7 @@ CodebookColumn describe(const RowQuery& query, int index,
 }
 
 std::string about(const CodebookHead& head) {
-  return "Exported by Impetus " + head.build + " from a study made by Impetus " + head.study_build +
-         ".";
+  return "Exported by " + head.build + " from a study made by " + head.study_build + ".";
 }
 
 std::string anonymised_words() {

@@ -112,15 +112,19 @@ void insert_frames(SQLite::Database& database, std::int64_t id,
                    const std::vector<FrameRecord>& frames) {
   SQLite::Statement insert(database,
                            "INSERT INTO frame (attempt_id, frame, phase, shown_time_s, "
-                           "scheduled_ns, submitted_ns, flipped_ns, missed_slots, interval) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "scheduled_ns, submitted_ns, flipped_ns, missed_slots, interval, patch) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const FrameRecord& frame : frames) {
     SQLite::bind(insert, id, frame.frame,
                  frame.phase == FramePhase::kFixation ? "fixation" : "stimulus", frame.shown_time_s,
                  frame.flip.scheduled_ns, frame.flip.submitted_ns, frame.flip.flipped_ns,
                  frame.flip.missed_slots, frame.interval);
+    if (frame.patch) {
+      insert.bind(10, *frame.patch);
+    }
     insert.exec();
     insert.reset();
+    insert.clearBindings();
   }
 }
 

@@ -17,6 +17,7 @@
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/migration.hpp"
 #include "experiments/store/present_file.hpp"
+#include "experiments/store/read_only_file.hpp"
 
 namespace impetus {
 namespace {
@@ -175,8 +176,7 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
     throw InputError(study.name_ + ": expected an Impetus study, but there is no such file");
   }
   try {
-    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READONLY);
-    study.database_->setBusyTimeout(2000);
+    study.database_ = open_read_only(path);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }

@@ -59,9 +59,10 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
       "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
       "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
       "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
-      "series, series_place, resumed_at, resumed_after_s, first_slot) "
+      "series, series_place, resumed_at, resumed_after_s, first_slot, photodiode_patch, "
+      "gaze_source) "
       "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), nullif(?, ''))");
   SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,
                facts.simulated ? 1 : 0, facts.observer, facts.screen.width_m, facts.screen.height_m,
                facts.screen.width_px, facts.screen.height_px, facts.screen.viewing_distance_m,
@@ -73,6 +74,8 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
     insert.bind(23, facts.series_place);
   }
   bind_resumed(insert, 24, facts.resumed);
+  insert.bind(27, facts.photodiode_patch);
+  insert.bind(28, facts.gaze_source);
   insert.exec();
   session_id_ = database.getLastInsertRowid();
   if (facts.resumed) {

@@ -53,6 +53,8 @@ struct SessionFacts {
   bool sync_overridden{false};
   std::string series{};  ///< of protocols, which this one is part of; "": none
   std::int64_t series_place{1};
+  std::string photodiode_patch{};           ///< its corner; "": none
+  std::string gaze_source{};                ///< "mouse", ...; "": gaze is not followed
   std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
 };
 

@@ -13,9 +13,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, export, extremes, preview, replay, screen, mesh, "
-      "tree, "
-      "trade, got ";
+      "expected one of the commands run, check, exclude, export, extremes, merge, preview, replay, "
+      "screen, sessions, timing, verify, mesh, tree, trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");
@@ -174,6 +173,22 @@ TEST(Replay, WhatCannotBeReplayedIsRefused) {
   expect_refused(folder, {"replay", "a.sqlite"},
                  "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays "
                  "formats 1 to 2, use that one");
+  change(folder, "UPDATE session SET recording_format = 0, build = 'Impetus 0.0'");
+  expect_refused(folder, {"replay", "a.sqlite"},
+                 "a.sqlite: trial 1 was recorded in format 0 by Impetus 0.0; this build replays "
+                 "formats 1 to 2, use that one");
+}
+
+TEST(Replay, ADivergenceThatDigestsHideForAStepIsNamedByTheNext) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE step SET hash = hash + 1 WHERE attempt_id = 5 AND step = 100");
+  change(folder,
+         "UPDATE step SET hash = hash + 1, digests = zeroblob(length(digests)) "
+         "WHERE attempt_id = 5 AND step = 101");
+  EXPECT_EQ(lines_of(run_program(folder, {"replay", "a.sqlite"}).output).front(),
+            "trial 5 (S01, slot 5, attempt 1): diverges at step 100, body left, position, as step "
+            "101 tells");
 }
 
 TEST(Replay, ADamagedStudyIsRefusedByName) {
@@ -223,8 +238,7 @@ TEST(Preview, WithoutADisplayItSaysSo) {
                R"({"schema_version": 1, "width_cm": 37.6, "height_cm": 30.1,
                    "viewing_distance_cm": 57})");
   expect_refused(folder, {"preview", scene, "--screen", "screen.json"},
-                 "no display could be opened: neither X11 nor Wayland answered; run with "
-                 "--observer to go on without a window");
+                 "no display could be opened: neither X11 nor Wayland answered");
   expect_refused(folder, {"preview", scene, "--window", "320x200"},
                  "--window 320x200: expected WIDTHxHEIGHT of at least 640x480 pixels");
 #else

@@ -10,6 +10,7 @@ constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
 constexpr const char* kSchema1 = "tests/recordings/gap.sqlite";
 constexpr const char* kSchema2 = "tests/recordings/gaze-contingent.sqlite";
 constexpr const char* kSchema3 = "tests/recordings/every-option.sqlite";
+constexpr const char* kSchema4 = "tests/recordings/gap-thresholds.sqlite";
 
 std::filesystem::path old_study(const TemporaryFolder& folder, const char* recording = kSchema1) {
   std::filesystem::path path = folder / "old.sqlite";
@@ -39,7 +40,7 @@ TEST(Migration, ReadingAnOlderStudyLeavesTheFileAsItIs) {
 }
 
 TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
-  for (const char* recording : {kEarliest, kSchema1, kSchema2, kSchema3}) {
+  for (const char* recording : {kEarliest, kSchema1, kSchema2, kSchema3, kSchema4}) {
     const TemporaryFolder folder;
     StudyFile migrated = StudyFile::open_for_reading(old_study(folder, recording));
     StudyFile fresh = opened(folder / "new.sqlite");
@@ -66,6 +67,34 @@ TEST(Migration, CollisionsKeepTheirIdsValuesAndTruths) {
   EXPECT_EQ(value_of(path, "SELECT count(*) FROM collision_truth"),
             value_of(path, "SELECT count(*) FROM collision"));
   EXPECT_EQ(value_of(path, "SELECT count(*) FROM popped_step"), "0");
+}
+
+/// Every value of the columns that a table had in the schema of `original`, row by row.
+std::string rows_of(const std::filesystem::path& path, const std::filesystem::path& original,
+                    const std::string& table) {
+  const std::string columns = value_of(
+      original,
+      "SELECT group_concat('quote(' || name || ')', '||''|''||') FROM pragma_table_info('" + table +
+          "')");
+  return value_of(path, "SELECT group_concat(row, char(10)) FROM (SELECT " + columns +
+                            " AS row FROM " + table + " ORDER BY 1)");
+}
+
+TEST(Migration, FromSchema4EveryRowOfEveryTableStays) {
+  const TemporaryFolder folder;
+  const std::filesystem::path original = source_file(kSchema4);
+  ASSERT_EQ(value_of(original, "PRAGMA user_version"), "4");
+  const std::filesystem::path path = old_study(folder, kSchema4);
+  { opened(path); }
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "5");
+  for (const char* table : {"study", "protocol", "participant", "enrolment", "session", "trial",
+                            "attempt", "step", "collision", "response", "note"}) {
+    const std::string before = rows_of(original, original, table);
+    EXPECT_EQ(rows_of(path, original, table), before) << table;
+  }
+  EXPECT_FALSE(rows_of(original, original, "attempt").empty());
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM pragma_foreign_key_check"), "0");
+  EXPECT_EQ(value_of(path, "PRAGMA integrity_check"), "ok");
 }
 
 TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {

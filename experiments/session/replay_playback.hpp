@@ -4,9 +4,7 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "experiments/session/ports.hpp"
 #include "experiments/session/replay_view.hpp"
 
 namespace impetus {
@@ -23,32 +21,29 @@ class ReplayPlayback {
   void toggle();
   /// Stands still, exactly on the next step (+1) or the one before (−1).
   void step(int direction);
-  /// Slower (−1) or faster (+1): 1, 1/2, 1/4, 1/10.
+  /// Slower (−1) or faster (+1), by halves and doubles, from 1/16 to 4.
   void change_speed(int direction);
+  /// By this power of two.
+  void set_speed(int power) { speed_ = power; }
   /// Stands still at this time.
   void seek(double time_s);
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] bool playing() const { return playing_; }
-  [[nodiscard]] std::int64_t step_number() const;
+  [[nodiscard]] std::int64_t step_number() const { return step_at(replay_, time_s_); }
   [[nodiscard]] std::int64_t last_step() const;
-  [[nodiscard]] std::string speed() const;
+  [[nodiscard]] int speed() const { return speed_; }
+  /// "×1/4".
+  [[nodiscard]] std::string speed_words() const;
   /// From onset to the end of the stimulus or of the last mark, whichever is later.
   [[nodiscard]] double span_s() const { return span_s_; }
-
-  /// What the present step was told of the gaze.
-  [[nodiscard]] GazeInput gaze() const { return gaze_of_step(replay_, step_number()); }
-  /// The detail of each body's collisions at the present step; none where it is not known.
-  [[nodiscard]] std::vector<BodyDetail> details() const;
-  /// The bodies as they are now, poses between steps included.
-  [[nodiscard]] std::vector<PosedBody> bodies() const;
 
  private:
   const ReplayView& replay_;
   double span_s_{0.0};
   double time_s_{0.0};
   bool playing_{true};
-  std::size_t speed_{0};
+  int speed_{0};  ///< a power of two
 };
 
 }  // namespace impetus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 #include "experiments/protocol/solved_values.hpp"
 

@@ -1,0 +1,82 @@
+// Every shipped study has a golden recording, made by an earlier version, and each replays for
+// ever. (Those of the first studies have tests of their own in replay_test.cpp.)
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "engine/dynamics/far_turn.hpp"
+#include "tests/experiments/golden_study.hpp"
+
+namespace impetus {
+namespace {
+
+/// Trials recorded for each that was made after the first six.
+struct Recording {
+  const char* name;
+  std::size_t attempts;
+};
+
+constexpr Recording kRecordings[] = {
+    {"causality-thresholds", 20U},  // training, three or more of each delay
+    {"causality-thresholds-quest", 21U},
+    {"crowd", 7U},                   // trees of medial spheres, 50 and 100 creatures
+    {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
+    {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
+    {"scheduler-distribution", 7U},  // nobody takes part
+};
+
+TEST(GoldenStudies, EveryTrialReplaysBitForBit) {
+  for (const Recording& recording : kRecordings) {
+    SCOPED_TRACE(recording.name);
+    Golden golden(recording.name);
+    EXPECT_EQ(golden.attempts.size(), recording.attempts);
+    for (const StoredAttempt& attempt : golden.attempts) {
+      const ReplayResult result = replay(golden.stage(attempt), golden.steps(attempt));
+      EXPECT_GE(result.steps, 15);
+      EXPECT_EQ(words(attempt, result), "");
+    }
+  }
+}
+
+TEST(GoldenStudies, EveryShippedProtocolHasARecording) {
+  std::set<std::string> recorded;
+  for (const auto& entry : std::filesystem::directory_iterator(source_file("tests/recordings"))) {
+    if (entry.path().extension() == ".sqlite") {
+      SQLite::Database database(entry.path().string(), SQLite::OPEN_READONLY);
+      SQLite::Statement query(database, "SELECT name FROM protocol");
+      while (query.executeStep()) {
+        recorded.insert(query.getColumn(0).getString());
+      }
+    }
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(source_file("protocols"))) {
+    if (entry.path().extension() == ".json" && entry.path().stem() != "protocol.schema") {
+      EXPECT_TRUE(recorded.contains(entry.path().stem())) << entry.path();
+    }
+  }
+}
+
+/// What a step of the recording left without its full answer, or did out of the ordinary.
+std::int64_t steps_where(const char* name, const std::string& condition) {
+  Golden golden(name);
+  return golden.study.database()
+      .execAndGet("SELECT count(*) FROM step WHERE " + condition)
+      .getInt64();
+}
+
+// What would not be noticed by a comparison of builds, if no recording had it.
+TEST(GoldenStudies, SomeMoveAndTurnFarInAStep) {
+  EXPECT_GT(steps_where("far-and-fast", "stopped_short > 0"), 0);
+  Golden golden("far-and-fast");
+  const StagedScene scene = golden.stage(golden.attempts.front());
+  const BodyState& needle = scene.world.states().front();
+  EXPECT_TRUE(turns_far(scene.world.models().front(), needle, 1.0 / scene.step_hz));
+  EXPECT_GT(golden.study.database()
+                .execAndGet("SELECT count(*) FROM collision WHERE body_b LIKE 'wall%'")
+                .getInt(),
+            0);
+}
+
+}  // namespace
+}  // namespace impetus
