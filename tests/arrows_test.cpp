@@ -34,20 +34,24 @@ const std::vector<Room> kRooms = {
     {"engine/collision", {"engine/trees", "engine/scheduling"}, {}},
     {"engine/dynamics", {"engine/collision"}, {}},
     {"engine", {"engine/dynamics"}, {}},
+    {"experiments/tables", {}, {"zlib"}},
     {"experiments/models", {"engine"}, {"assimp", "JSON"}},
     {"experiments/session", {"engine"}, {}},
     {"experiments/extremes", {"engine"}, {}},
     {"experiments/scenes", {"experiments/models", "experiments/session"}, {"JSON"}},
-    {"experiments/trade", {"experiments/scenes"}, {"JSON"}},
+    {"experiments/timing", {"experiments/scenes"}, {"JSON"}},
+    {"experiments/trade", {"experiments/scenes", "experiments/tables"}, {"JSON"}},
     {"experiments/observers", {"experiments/session"}, {}},
     {"experiments/protocol",
-     {"experiments/session", "experiments/scenes", "experiments/observers"},
+     {"experiments/session", "experiments/scenes", "experiments/observers", "experiments/tables"},
      {"JSON", "valijson"}},
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
+    {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
+    {"experiments/exports", {"experiments/store", "experiments/tables"}, {"JSON", "SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
-     {"experiments/protocol", "experiments/store", "experiments/stage", "experiments/trade",
-      "experiments/extremes"},
+     {"experiments/study", "experiments/stage", "experiments/trade", "experiments/timing",
+      "experiments/extremes", "experiments/exports"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };
@@ -62,8 +66,8 @@ const std::vector<Library> kLibraries = {
     {"Eigen", "Eigen/"},       {"assimp", "assimp/"}, {"JSON", "nlohmann/"},
     {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
     {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
-    {"window", "imgui"},       {"CLI", "CLI/"},       {"PNG", "png.h"},
-    {"FCL", "fcl/"},  // tests alone
+    {"window", "imgui"},       {"CLI", "CLI/"},       {"zlib", "zlib.h"},
+    {"PNG", "png.h"},          {"FCL", "fcl/"},  // tests alone
 };
 
 /// The engine reads no clock, no file and no global random state, prints nothing, has no threads

@@ -17,6 +17,7 @@
 #include "engine/shapes/box_mesh.hpp"
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
+#include "experiments/session/playback.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/preview_view.hpp"
 #include "experiments/stage/replay_viewer.hpp"
@@ -274,39 +275,6 @@ Picture enclosed(const Window& window, double azimuth_deg, double half_edge_m) {
   return picture;
 }
 
-/// Two balls that meet after a second, hold for 100 ms and part.
-ReplayView made_up_replay(const Window& window) {
-  ReplayView replay;
-  replay.title = "P01 · trial 37 of 87 · main";
-  replay.facts = {"delay_ms 100",    "azimuth_deg 30",
-                  "restitution 0.8", "rated 2 of 5 (1 is best)",
-                  "attempt 1",       "answered by key, 812 ms"};
-  replay.viewer = viewer_at(lab_screen(window), 0.0);
-  replay.looks = {{"left", kRadiusM, {0.75F, 0.36F, 0.28F}},
-                  {"right", kRadiusM, {0.34F, 0.5F, 0.72F}}};
-  replay.duration_s = 2.0;
-  for (int step = 0; step <= 480; ++step) {
-    const double time_s = step / replay.step_hz;
-    const double apart_s = time_s < 1.0 ? 1.0 - time_s : std::max(0.0, time_s - 1.1);
-    std::vector<BodyState> bodies(2);
-    bodies[0].pose.position = Vector3(-kRadiusM - 0.08 * apart_s, 0.0, 0.0);
-    bodies[1].pose.position = Vector3(kRadiusM + 0.08 * apart_s, 0.0, 0.0);
-    replay.states.push_back(bodies);
-  }
-  using Kind = TimelineMark::Kind;
-  replay.marks = {{Kind::kContact, 1.0, 1.0, "contact 1000 ms"},
-                  {Kind::kHold, 1.0, 1.1, "hold 100 ms"},
-                  {Kind::kLateFrame, 0.35, 0.35, ""},
-                  {Kind::kLateFrame, 1.55, 1.55, ""},
-                  {Kind::kResponse, 2.8, 2.8, "rated 2"}};
-  return replay;
-}
-
-void show_replay(Window& window) {
-  const ReplayView replay = made_up_replay(window);
-  std::printf("left by %d\n", static_cast<int>(view_replay(window, replay)));
-}
-
 /// 27 tumbling L-blocks in a closed cube, at a size that fits the screen.
 StagedScene preview_scene(const Window& window) {
   constexpr double kHalfEdgeM = 0.11;
@@ -328,6 +296,51 @@ StagedScene preview_scene(const Window& window) {
   settings.enclosure = ClosedCube{kHalfEdgeM};
   return {World(std::vector<BodyModel>(states.size(), model), states, settings),
           viewer_at(lab_screen(window), 0.0), looks};
+}
+
+/// The tumbling blocks as two recorded trials, looked at in circles.
+class MadeUpTrials final : public ViewedStimuli {
+ public:
+  explicit MadeUpTrials(StagedScene scene) : scene_(std::move(scene)) {}
+
+  [[nodiscard]] std::size_t count() const override { return 2; }
+  [[nodiscard]] StimulusLine line(std::size_t index) override {
+    const std::string number = std::to_string(37 + index);
+    return {37 + static_cast<std::int64_t>(index), "P01 · trial " + number + " of 87 · main"};
+  }
+  [[nodiscard]] ViewedStimulus load(std::size_t index, const Progress& /*progress*/) override {
+    using Kind = TimelineMark::Kind;
+    Playback playback(scene_, 1);
+    std::vector<TimedGaze> samples;
+    for (int frame = 0; frame <= 120; ++frame) {
+      const double time_s = frame / 60.0;
+      const ScreenPoint place{0.04 * std::cos(3.0 * time_s), 0.03 * std::sin(3.0 * time_s)};
+      const bool blinks = frame >= 60 && frame < 72;
+      samples.push_back({time_s, blinks ? Fixation() : Fixation(place),
+                         blinks ? GazeLoss::kBlink : GazeLoss::kNone});
+      playback.look_at({place, frame + 1, 0, {}});
+      static_cast<void>(playback.poses_at(time_s));
+    }
+    return {line(index).words,
+            {"delay_ms 100", "azimuth_deg 30", "rated 2 of 5 (1 is best)"},
+            scene_,
+            playback.take_steps(),
+            {{Kind::kLateFrame, 0.35, 0.35, ""},
+             {Kind::kClick, 0.8, 0.8, ""},
+             {Kind::kGazeLost, 1.0, 1.2, ""},
+             {Kind::kResponse, 2.8, 2.8, "rated 2"}},
+            samples,
+            {"gallery", 37 + static_cast<std::int64_t>(index)}};
+  }
+
+ private:
+  StagedScene scene_;
+};
+
+void show_replay(Window& window) {
+  const SteadyClock clock;
+  MadeUpTrials trials(preview_scene(window));
+  view_replays(window, trials, clock);
 }
 
 void show_preview(Window& window) {

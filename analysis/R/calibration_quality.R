@@ -44,11 +44,11 @@ calibration_sentences <- function(table) {
     if (length(known) > 0) sprintf(
       "Accuracy of the gaze when last validated, after correction: mean %.2f°, worst participant %.2f°.",
       mean(known), max(known)),
-    if (length(never) > 0) sprintf("Never calibrated: %s.", and_words(never)),
+    if (length(never) > 0) sprintf("Never calibrated: %s.", and_words(as_typed(never))),
     if (sum(table$not_passed) > 0) sprintf("%s over the protocol's limit, of %s.",
       paste(count_of(sum(table$not_passed), "calibration, validation or drift check"),
         if (sum(table$not_passed) == 1) "was" else "were"),
-      and_words(table$participant[table$not_passed > 0]))
+      and_words(as_typed(table$participant[table$not_passed > 0])))
   )
 }
 
@@ -60,7 +60,7 @@ calibration_section <- function(table) {
       c("participant", "calibrations", "accuracy before correction (°)", "shift (mm)", "stretch (%)",
         "validation: accuracy (°)", "worst point (°)", "precision, RMS (°)", "drift checks",
         "largest drift (°)", "not passed"),
-      sprintf("%s | %d | %s | %s | %s | %s | %s | %s | %d | %s | %d", table$participant,
+      sprintf("%s | %d | %s | %s | %s | %s | %s | %s | %d | %s | %d", as_typed(table$participant),
         table$calibrations, number(table$accuracy_before_deg, "%.2f"),
         number(table$shift_mm, "%.1f"), number(100 * table$stretch, "%.1f"),
         number(table$validation_accuracy_deg, "%.2f"), number(table$validation_worst_deg, "%.2f"),

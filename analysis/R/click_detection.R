@@ -111,7 +111,7 @@ kernel_table <- function(fits) {
 detection_tests <- function(fits, records, gains, left_out, trials) {
   remarks <- if (length(left_out) > 0) sprintf(
     "The events that %s saw do not determine both gains: left out of the click regression.",
-    and_words(left_out))
+    and_words(as_typed(left_out)))
   dropped <- sum(gains$clicks_dropped[gains$scheduling == "all"])
   if (dropped > 0) remarks <- c(remarks, sprintf(paste("%s within 400 ms of the one before or",
     "after the end left out of the click regression."),

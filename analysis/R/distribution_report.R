@@ -102,8 +102,8 @@ distribution_exclusions <- function(study) {
   if (is.null(excluded)) return("Nobody and no trial is left out.")
   c(sprintf("Left out: %s.", count_of(study$left_out, "collision")), "",
     markdown_table(c("participant", "trial", "reason", "decided"), sprintf("%s | %s | %s | %s",
-      excluded$participant, ifelse(is.na(excluded$trial), "all", excluded$trial),
-      in_cell(excluded$reason), excluded$decided_utc)))
+      as_typed(excluded$participant), ifelse(is.na(excluded$trial), "all", excluded$trial),
+      as_typed(excluded$reason), excluded$decided_utc)))
 }
 
 shape_section <- function(shapes) {

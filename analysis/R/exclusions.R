@@ -3,6 +3,7 @@
 #   excluded ────────────> exclusions: rows leave the trials, and stand in the report's table
 #   rated_trial.catch ───> catch trials: outside the design, reported apart
 #   interrupted_attempt,
+#   set_aside_attempt,
 #   trial_response ──────> counts: showings that were cut short, answers that never came
 #
 # Invariant: nothing is left out that the report does not name, with its reason.
@@ -18,8 +19,11 @@ read_remarkable <- function(study, protocol, enrolments, mark) {
   exclusions <- exclusions[exclusions$participant %in% enrolments$participant, ]
   list(
     exclusions = mark(exclusions),
-    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM interrupted_attempt",
-      "WHERE protocol = ? AND phase = 'main'")),
+    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM (",
+      "SELECT protocol, participant, trial, interrupted_by FROM interrupted_attempt",
+      "WHERE phase = 'main' UNION ALL",
+      "SELECT protocol, participant, trial, 'set aside with its block' FROM set_aside_attempt)",
+      "WHERE protocol = ?")),
     timed_out = mark(ask("SELECT participant, trial FROM trial_response",
       "WHERE protocol = ? AND phase = 'main' AND timed_out = 1"))
   )
@@ -74,18 +78,27 @@ exclusion_lines <- function(study) {
   decided <- study$exclusions
   made_up <- study$excluded
   rows <- c(
-    sprintf("%s | %s | %d | %s | %s", decided$participant,
+    sprintf("%s | %s | %d | %s | %s", as_typed(decided$participant),
       ifelse(is.na(decided$trial), "all", decided$trial), decided$trials,
-      in_cell(decided$reason), decided$decided_utc),
-    sprintf("%s | all | %d | %s | –", made_up$participant, made_up$trials, made_up$reason)
+      as_typed(decided$reason), decided$decided_utc),
+    sprintf("%s | all | %d | %s | –", as_typed(made_up$participant), made_up$trials, made_up$reason)
   )
   if (length(rows) == 0) return("Nobody and no trial is left out.")
   c("Left out of every analysis:", "",
     markdown_table(c("participant", "trial", "main trials left out", "reason", "decided"), rows))
 }
 
-# Words that somebody typed, as they may stand in a cell of a Markdown table.
-in_cell <- function(words) gsub("|", "\\|", gsub("\\s+", " ", words), fixed = TRUE)
+# Words that somebody typed, as they may stand in a line or a table of Markdown: they stay words.
+as_typed <- function(words) {
+  words <- gsub("[[:space:][:cntrl:]]+", " ", enc2utf8(as.character(words)))
+  words <- gsub("&", "&amp;", words, fixed = TRUE)
+  words <- gsub("<", "&lt;", words, fixed = TRUE)
+  words <- gsub(">", "&gt;", words, fixed = TRUE)
+  gsub("([][\\\\`*_|#~])", "\\\\\\1", words)
+}
+
+# The same between backticks, where nothing is markup but what ends the cell or the code.
+as_code <- function(words) gsub("|", "\\|", gsub("[`[:space:]]+", " ", words), fixed = TRUE)
 
 remarkable_lines <- function(study) {
   trials <- study$trials
@@ -117,7 +130,7 @@ catch_lines <- function(study) {
   of <- if (is.null(catch$rating)) "positive" else "rating"
   cells <- split(catch, catch$condition)
   rows <- vapply(cells, function(cell) {
-    sprintf("`%s` | %d | %d | %.2f | %.0f to %.0f", cell$condition[1], nrow(cell), people_in(cell),
+    sprintf("`%s` | %d | %d | %.2f | %.0f to %.0f", as_code(cell$condition[1]), nrow(cell), people_in(cell),
       mean(cell[[of]]), min(cell[[of]]), max(cell[[of]]))
   }, "")
   c("Catch trials, never pooled with the others:", "",

@@ -97,7 +97,7 @@ gaze_quality_lines <- function(quality) {
     c("participant", "gaze source", "trials followed", "samples per second", "blink (%)",
       "off screen (%)", "lost (%)", "trials timed", "sample to flip, p95, median trial (ms)",
       "largest (ms)", "trials > 70 ms", "trials marked late"),
-    sprintf("%s | %s | %d of %d | %s | %s | %s | %s | %d | %s | %s | %d | %d", quality$participant,
+    sprintf("%s | %s | %d of %d | %s | %s | %s | %s | %d | %s | %s | %d | %d", as_typed(quality$participant),
       quality$gaze_source, quality$trials_followed, quality$trials,
       number(quality$samples_per_s, "%.0f"), percent(quality$blink_share),
       percent(quality$off_screen_share), percent(quality$lost_share),

@@ -118,7 +118,7 @@ design_sentence <- function(trials, kinds = kSchedulingKinds) {
     if (length(absent) > 0) sprintf("The design lacks scheduling %s.", and_words(absent)),
     if (!any(short)) sprintf("Every participant has all of the design: %s.", design) else
       sprintf("Of the design, %s, ratings are still missing from %s.", design,
-        and_words(names(short)[short]))
+        and_words(as_typed(names(short)[short])))
   )
 }
 

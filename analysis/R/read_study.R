@@ -11,7 +11,7 @@
 # SPDX-License-Identifier: MIT
 
 kViews <- c("rated_trial", "trial_level", "enrolment_summary", "excluded", "interrupted_attempt",
-  "trial_response")
+  "set_aside_attempt", "trial_response")
 kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_anchor", "high_anchor")
 
 # Returns list(protocol, trials, enrolments, factors, scale, hashes, files, catch, exclusions,

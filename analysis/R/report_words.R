@@ -16,7 +16,7 @@ results_paragraph <- function(trials, scale, tests, main, others) {
   paste(sentences, collapse = " ")
 }
 
-scale_words <- function(scale) sprintf("Ratings ran from %s.", describe_scale(scale))
+scale_words <- function(scale) sprintf("Ratings ran from %s.", as_typed(describe_scale(scale)))
 
 means_words <- function(trials, main) {
   rows <- means_with_intervals(trials, main)
@@ -44,7 +44,7 @@ odds_words <- function(tests, main, scale) {
   rows <- tests_of(tests, kOddsFamily)
   rows <- rows[startsWith(rows$effect, paste0(main, ": ")), ]
   if (nrow(rows) == 0) return(character())
-  sprintf("Odds ratios of a higher rating (towards \"%s\"): %s.", scale$high_anchor, paste(sprintf(
+  sprintf("Odds ratios of a higher rating (towards \"%s\"): %s.", as_typed(scale$high_anchor), paste(sprintf(
     "%s, %.2f, 95 %% CI [%.2f, %.2f]", sub("^.*: ", "", rows$effect), rows$effect_size,
     rows$interval_low, rows$interval_high
   ), collapse = "; "))

@@ -57,7 +57,7 @@ exclusions_sentence <- function(study) {
   )
   if (nrow(left_out) == 0) return(sprintf("No %s was excluded.", answer_noun(study)))
   sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
-    count_of(people_in(left_out), "participant"), paste(unique(left_out$reason), collapse = "; "))
+    count_of(people_in(left_out), "participant"), paste(as_typed(unique(left_out$reason)), collapse = "; "))
 }
 
 catch_sentence <- function(study) {

@@ -45,7 +45,7 @@ threshold_anova <- function(study, rows) {
 
 # Functions without a threshold, or with one outside the levels shown, by participant; bad fits.
 threshold_remarks <- function(study, rows) {
-  named <- function(rows) and_words(paste0(rows$participant,
+  named <- function(rows) and_words(paste0(as_typed(rows$participant),
     if (length(study$split) > 0) paste0(" (", rows$condition, ")")))
   without <- rows[is.na(rows$threshold), ]
   outside <- rows[!is.na(rows$threshold) & !rows$use, ]

@@ -4,7 +4,8 @@ execute_process(COMMAND git -C "${SOURCE}" describe --always --dirty --abbrev=12
 if(NOT commit)
   set(commit "unknown commit")
 endif()
-string(STRIP "${FLAGS}" flags)
+string(REGEX REPLACE " +" " " flags "${FLAGS}")
+string(STRIP "${flags}" flags)
 set(text "// Made by the build; do not edit.
 #pragma once
 

@@ -16,7 +16,8 @@ ScreenGeometry chosen_screen(const std::string& file) {
     return load_screen(default_screen_file());
   }
   ScreenGeometry screen = assumed_screen();
-  std::printf(
+  std::fprintf(
+      stderr,
       "No screen was entered: %.1f cm x %.1f cm seen from %.0f cm is assumed; `impetus screen` "
       "asks.\n",
       screen.width_m * 100.0, screen.height_m * 100.0, screen.viewing_distance_m * 100.0);

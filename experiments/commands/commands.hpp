@@ -21,12 +21,17 @@ using Command = std::function<int()>;
 void add_run(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
 void add_exclude(CLI::App& app, Command& chosen);
+void add_export(CLI::App& app, Command& chosen);
 void add_extremes(CLI::App& app, Command& chosen);
+void add_merge(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);
+void add_sessions(CLI::App& app, Command& chosen);
 void add_mesh(CLI::App& app, Command& chosen);
 void add_tree(CLI::App& app, Command& chosen);
+void add_timing(CLI::App& app, Command& chosen);
 void add_trade(CLI::App& app, Command& chosen);
+void add_verify(CLI::App& app, Command& chosen);
 
 }  // namespace impetus

@@ -6,6 +6,7 @@
 
 #include "experiments/commands/run_options.hpp"
 #include "experiments/store/enrolment.hpp"
+#include "experiments/store/study_writer.hpp"
 
 namespace impetus {
 
@@ -13,6 +14,13 @@ namespace impetus {
 /// another seed is asked for than its own.
 std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
                                         const RunOptions& options);
+
+/// How the session takes up the enrolment: as the protocol's rule says; its history becomes what is
+/// to be gone on from. None: there was no session yet. Warns on standard error when the clock was
+/// set back. Throws InputError when it was left too long ago.
+std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
+                                      const RunOptions& options, const Plan& plan,
+                                      Enrolment& enrolment);
 
 /// The plan of a new enrolment, with the part's solved values, and yoked where regions follow
 /// another's gaze. Throws InputError where it cannot be.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/laboratory.hpp"
 
+#include <stdexcept>
+
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/protocol/screen_file.hpp"
 
@@ -59,6 +61,9 @@ class WindowLaboratory final : public Laboratory {
   explicit WindowLaboratory(const LaboratoryOptions& options)
       : window_(window_options(options.window_size), clock_) {
     window_.set_geometry(lab_screen(options));
+    if (options.photodiode) {
+      window_.show_patch(*options.photodiode);
+    }
     if (options.observer) {
       observer_ = std::make_unique<ShownObserver>(*options.observer, options.seed,
                                                   options.participant, window_, clock_);
@@ -118,7 +123,11 @@ double refresh_hz_of(const LaboratoryOptions& options) {
   if (std::filesystem::exists(file) || !options.screen_file.empty()) {
     load_screen(file);
   }
-  return display_refresh_hz();
+  try {
+    return display_refresh_hz();
+  } catch (const std::runtime_error& error) {
+    throw InputError(std::string(error.what()) + "; run with --observer to go on without a window");
+  }
 #else
   throw InputError(kNoWindow);
 #endif

@@ -19,8 +19,9 @@ struct LaboratoryOptions {
   bool show{false};  ///< a simulated participant in a real window
   std::string participant;
   std::uint64_t seed{0};
-  std::filesystem::path screen_file;  ///< "" for the lab's default
-  std::string window_size;            ///< "1280x1024"; "" for fullscreen
+  std::filesystem::path screen_file;         ///< "" for the lab's default
+  std::string window_size;                   ///< "1280x1024"; "" for fullscreen
+  std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
 };
 
 class Laboratory {
@@ -38,8 +39,8 @@ class Laboratory {
 };
 
 /// Frames per second that the laboratory will have, found without opening it. Throws InputError
-/// when it could not be opened: no window in this build, an impossible window size or screen file;
-/// std::runtime_error when there is no display.
+/// when it could not be opened: no window in this build, an impossible window size or screen file,
+/// or no display.
 double refresh_hz_of(const LaboratoryOptions& options);
 
 /// The screen that the laboratory will have, as far as it is known without opening it: an assumed

@@ -27,13 +27,18 @@ int main(int argc, char** argv) {
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);
   impetus::add_exclude(app, chosen);
+  impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
+  impetus::add_merge(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_screen(app, chosen);
+  impetus::add_sessions(app, chosen);
+  impetus::add_timing(app, chosen);
   impetus::add_mesh(app, chosen);
   impetus::add_tree(app, chosen);
   impetus::add_trade(app, chosen);
+  impetus::add_verify(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -10,13 +10,12 @@
 #include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
-#include "experiments/commands/not_finite_warning.hpp"
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/commands/session_warnings.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {
@@ -52,31 +51,12 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.rounding_allowed = options.allow_rounding;
   facts.sync = sync;
   facts.sync_overridden = !sync.passed && options.override_sync_test;
+  facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
+  const Gaze* gaze = part.protocol.script.gaze ? laboratory.gaze() : nullptr;
+  facts.gaze_source = gaze != nullptr ? gaze->source() : "";
   facts.series = part.series;
   facts.series_place = part.series_place;
   return facts;
-}
-
-void tell_gaze_latency(const SessionResult& result) {
-  if (result.gaze.slow_trials > 0) {
-    std::fprintf(
-        stderr,
-        "warning: trials with more than %.0f ms from gaze sample to flip (95th percentile): "
-        "%lld; of them with more than %.0f ms, and marked: %lld\n",
-        kWarnedGazeLatency_ms, static_cast<long long>(result.gaze.slow_trials),
-        kMarkedGazeLatency_ms, static_cast<long long>(result.gaze.late_trials));
-  }
-}
-
-void tell_lost_gaze(const SessionResult& result) {
-  if (result.gaze.lost_trials + result.gaze.repeated_trials > 0) {
-    std::fprintf(
-        stderr,
-        "warning: trials marked because too much of the gaze was lost: %lld; shown again for "
-        "that: %lld\n",
-        static_cast<long long>(result.gaze.lost_trials),
-        static_cast<long long>(result.gaze.repeated_trials));
-  }
 }
 
 /// Says how the session ended.
@@ -114,6 +94,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   std::optional<Enrolment> resumed = find_to_resume(study, part, options_);
   plan_ =
       resumed ? planned(resumed->trials, part.protocol.design) : new_plan(study, part, options_);
+  if (resumed) {
+    resumed_ = take_up(study, part, options_, plan_, *resumed);
+  }
   gaze_paths_ = gaze_paths_of(plan_, study);
   if (!laboratory_) {
     LaboratoryOptions lab = part.lab;
@@ -130,7 +113,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
 
 SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const Protocol& protocol = part_.protocol;
-  StudyWriter writer(study_, enrolment_, facts_of(*laboratory_, part_, options_, sync_));
+  SessionFacts facts = facts_of(*laboratory_, part_, options_, sync_);
+  facts.resumed = resumed_;
+  StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
   if (!sync_.passed && !options_.override_sync_test) {
     writer.save(NoteRecord{"sync test failed", sync_.verdict});
@@ -145,9 +130,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
                     laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
-  tell_gaze_latency(result);
-  tell_lost_gaze(result);
-  tell_not_finite(writer);
+  tell_warnings(result, writer);
   conclude(result, writer);
   return result.ending;
 }

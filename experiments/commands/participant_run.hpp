@@ -10,6 +10,7 @@
 #include "experiments/session/plan.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/enrolment.hpp"
+#include "experiments/store/study_writer.hpp"
 
 namespace impetus {
 
@@ -38,6 +39,7 @@ class ParticipantRun {
   GazePaths gaze_paths_;  ///< that regions of the plan follow
   SyncTest sync_;
   Enrolment enrolment_;
+  std::optional<ResumedSession> resumed_;  ///< none: the enrolment's first session
 };
 
 }  // namespace impetus

@@ -10,6 +10,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replay_levels.hpp"
 #include "experiments/commands/replay_truth.hpp"
+#include "experiments/commands/replay_with.hpp"
 #include "experiments/commands/replayed_trial.hpp"
 #include "experiments/session/input_error.hpp"
 
@@ -27,6 +28,7 @@ struct ReplayOptions {
   bool view{false};
   bool truth{false};
   std::string window_size;
+  ReplayWithOptions what_if;
 };
 
 std::vector<StoredAttempt> chosen_attempts(StudyFile& study, const ReplayOptions& options) {
@@ -116,7 +118,20 @@ int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   return diverged == 0 ? kDone : kFound;
 }
 
+void require_one_purpose(const ReplayOptions& options) {
+  const bool asks = !options.what_if.with.empty();
+  if (asks && (options.view || options.truth)) {
+    throw InputError(std::string("--with: expected neither --view nor --truth beside it, got ") +
+                     (options.view ? "--view" : "--truth"));
+  }
+  if (!asks && !(options.what_if.csv_file.empty() && options.what_if.json_file.empty())) {
+    throw InputError(std::string(options.what_if.csv_file.empty() ? "--json" : "--out") +
+                     ": expected --with beside it, which is missing");
+  }
+}
+
 int replay_study(const ReplayOptions& options) {
+  require_one_purpose(options);
 #ifndef IMPETUS_WINDOW
   if (options.view) {
     throw InputError("--view: this build has no window");
@@ -131,6 +146,9 @@ int replay_study(const ReplayOptions& options) {
       return view_attempts(study, attempts, options.window_size);
     }
 #endif
+    if (!options.what_if.with.empty()) {
+      return replay_with(study, attempts, options.what_if);
+    }
     return options.truth ? fill_truth(study, attempts) : compare_all(study, attempts);
   } catch (const SQLite::Exception& error) {
     throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
@@ -150,6 +168,13 @@ void add_replay(CLI::App& app, Command& chosen) {
   command->add_flag("--view", options->view, "Play the trials in a window");
   command->add_flag("--truth", options->truth,
                     "Measure each collision's gap and hidden share and store them");
+  command->add_option("--with", options->what_if.with, words_of_setting_keys())
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--out", options->what_if.csv_file,
+                      "Of --with: write a CSV file, a row for each stimulus");
+  command->add_option("--json", options->what_if.json_file,
+                      "Of --with: write a JSON file, with every collision");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->callback([options, &chosen] { chosen = [options] { return replay_study(*options); }; });
 }

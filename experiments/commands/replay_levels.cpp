@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/session/adaptive_replay.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 
 namespace impetus {
@@ -34,29 +33,36 @@ RecordedLevel recorded(const StoredAdaptiveTrial& trial, const Design& design) {
 
 }  // namespace
 
-std::int64_t compare_levels(StudyFile& study, const std::vector<StoredAttempt>& attempts,
-                            ReplayLibrary& library) {
-  std::set<std::int64_t> asked;
-  for (const StoredAttempt& attempt : attempts) {
-    asked.insert(attempt.trial_id);
-  }
+std::vector<LevelDivergence> divergent_levels(StudyFile& study, ReplayLibrary& library) {
   std::map<std::int64_t, std::vector<StoredAdaptiveTrial>> by_enrolment;
   for (StoredAdaptiveTrial& trial : load_adaptive_trials(study)) {
     by_enrolment[trial.enrolment_id].push_back(std::move(trial));
   }
-  std::int64_t diverged = 0;
+  std::vector<LevelDivergence> divergences;
   for (const auto& [enrolment, trials] : by_enrolment) {
     const Design& design = library.protocol(trials.front().protocol_id).design;
     std::vector<RecordedLevel> levels;
     for (const StoredAdaptiveTrial& trial : trials) {
       levels.push_back(recorded(trial, design));
     }
-    for (const LevelDivergence& divergence : level_divergences(design, levels)) {
-      if (asked.contains(divergence.trial_id)) {
-        std::printf("trial %lld: %s\n", static_cast<long long>(divergence.trial_id),
-                    divergence.words.c_str());
-        ++diverged;
-      }
+    const auto found = level_divergences(design, levels);
+    divergences.insert(divergences.end(), found.begin(), found.end());
+  }
+  return divergences;
+}
+
+std::int64_t compare_levels(StudyFile& study, const std::vector<StoredAttempt>& attempts,
+                            ReplayLibrary& library) {
+  std::set<std::int64_t> asked;
+  for (const StoredAttempt& attempt : attempts) {
+    asked.insert(attempt.trial_id);
+  }
+  std::int64_t diverged = 0;
+  for (const LevelDivergence& divergence : divergent_levels(study, library)) {
+    if (asked.contains(divergence.trial_id)) {
+      std::printf("trial %lld: %s\n", static_cast<long long>(divergence.trial_id),
+                  divergence.words.c_str());
+      ++diverged;
     }
   }
   return diverged;

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "experiments/commands/replayed_trial.hpp"
+#include "experiments/session/adaptive_replay.hpp"
 
 namespace impetus {
+
+/// Where the adaptive levels of a study differ from what their tracks choose anew.
+std::vector<LevelDivergence> divergent_levels(StudyFile& study, ReplayLibrary& library);
 
 /// Compares the adaptive levels of these attempts' trials with what their tracks choose anew,
 /// prints each that differs, and returns how many there are.

@@ -14,20 +14,6 @@
 namespace impetus {
 namespace {
 
-/// The collision's truth from the states at its step.
-CollisionTruth truth_of(const StoredCollision& collision, const StagedScene& scene,
-                        const World& world) {
-  const auto a = static_cast<std::size_t>(collision.bodies.a);
-  const Viewer viewer = scene.viewer_at_time(static_cast<double>(collision.step) / scene.step_hz);
-  const Pose& pose_a = world.states()[a].pose;
-  if (is_wall(collision.bodies.b)) {
-    return measure_wall_truth(scene.looks[a], pose_a, *world.settings().enclosure,
-                              kEnclosure - collision.bodies.b, viewer);
-  }
-  const auto b = static_cast<std::size_t>(collision.bodies.b);
-  return measure_truth(scene.looks[a], pose_a, scene.looks[b], world.states()[b].pose, viewer);
-}
-
 /// The truth of an interval's collisions; tells and returns nothing when it diverges.
 std::optional<std::vector<MeasuredCollision>> measured(StudyFile& study, ReplayLibrary& library,
                                                        const StoredAttempt& attempt,
@@ -40,15 +26,15 @@ std::optional<std::vector<MeasuredCollision>> measured(StudyFile& study, ReplayL
   std::vector<MeasuredCollision> truths;
   const std::vector<StoredCollision> collisions =
       load_collisions(study, attempt.id, names, interval);
-  const ReplayResult result =
-      replay(scene, library.steps(attempt, interval),
-             [&](std::int64_t step, const World& world, const StepReport&) {
-               for (const StoredCollision& collision : collisions) {
-                 if (collision.step == step) {
-                   truths.push_back({collision.id, truth_of(collision, scene, world)});
-                 }
-               }
-             });
+  const ReplayResult result = replay(
+      scene, library.steps(attempt, interval),
+      [&](std::int64_t step, const World& world, const StepReport&) {
+        for (const StoredCollision& collision : collisions) {
+          if (collision.step == step) {
+            truths.push_back({collision.id, measure_truth(scene, world, collision.bodies, step)});
+          }
+        }
+      });
   if (result.divergence) {
     std::printf("trial %lld diverges at step %lld: its collisions are left without truth%s\n",
                 static_cast<long long>(attempt.trial_id),

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/protocol/deepest_level.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/protocol/trial_scene.hpp"
 #include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 
@@ -94,7 +97,8 @@ bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t in
   return interval != test_interval(protocol(attempt.protocol_id).script, trial);
 }
 
-StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
+ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
+                                                std::int64_t interval) {
   if (attempt.recording_format < kOldestRecordingFormat ||
       attempt.recording_format > kRecordingFormat) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
@@ -104,13 +108,47 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t inte
                      std::to_string(kRecordingFormat) + ", use that one");
   }
   const Protocol& source = protocol(attempt.protocol_id);
-  const ProtocolScenes scenes(source, attempt.rounding_allowed ? attempt.refresh_hz : 0.0, shapes_);
   require_screen(study_, attempt);
   PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
                        condition_of(study_, attempt, source), attempt.trial.seed};
   planned.solved = solved_of(study_, attempt, source, planned.condition);
-  const std::vector<PlannedTrial> shown = stimuli_of(source.script, planned);
-  return scenes.stage(shown[static_cast<std::size_t>(interval - 1)], attempt.screen);
+  return {&source, stimuli_of(source.script, planned)[static_cast<std::size_t>(interval - 1)],
+          attempt.rounding_allowed ? attempt.refresh_hz : 0.0};
+}
+
+StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
+  const Stimulus shown = stimulus(attempt, interval);
+  return ProtocolScenes(*shown.protocol, shown.round_hold_to_hz, shapes_)
+      .stage(shown.trial, attempt.screen);
+}
+
+const nlohmann::json& ReplayLibrary::changed(const StoredAttempt& attempt,
+                                             const Stimulus& stimulus) {
+  const std::string key = std::to_string(attempt.protocol_id) +
+                          to_json(stimulus.trial.condition).dump() + to_text(stimulus.trial.solved);
+  const auto known = changed_.find(key);
+  if (known != changed_.end()) {
+    return known->second;
+  }
+  return changed_
+      .emplace(key, changed_scene(scene_of(*stimulus.protocol, stimulus.trial), changes_))
+      .first->second;
+}
+
+StagedScene ReplayLibrary::stage_changed(const StoredAttempt& attempt, std::int64_t interval) {
+  const Stimulus shown = stimulus(attempt, interval);
+  const nlohmann::json& scene = changed(attempt, shown);
+  // As deep as the study's own, so that its own settings give its own trees.
+  const int deepest =
+      std::max(deepest_level_of(*shown.protocol), deepest_level_of(scene["engine"]));
+  return build_scene(scene, attempt.screen, shown.round_hold_to_hz, *shapes_, start_of(shown.trial),
+                     shown.trial.seed, deepest);
+}
+
+void ReplayLibrary::check_changed(const StoredAttempt& attempt) {
+  for (std::int64_t interval = 1; interval <= intervals(attempt); ++interval) {
+    static_cast<void>(changed(attempt, stimulus(attempt, interval)));
+  }
 }
 
 std::vector<StepRecord> ReplayLibrary::steps(const StoredAttempt& attempt, std::int64_t interval) {

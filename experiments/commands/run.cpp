@@ -10,22 +10,31 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
+#include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/simulated_group.hpp"
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
+#include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {
 
 /// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
 constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
+
+/// In quotes and on one line, whatever it holds; its beginning when it is long.
+std::string shown(const std::string& code) {
+  const std::string beginning = code.substr(0, kLongestParticipantCode);
+  return nlohmann::json(beginning).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
+         (beginning == code ? "" : " ...");
+}
 
 void require_sensible(const RunOptions& options) {
   const bool simulated = options.simulated();
@@ -43,6 +52,13 @@ void require_sensible(const RunOptions& options) {
   }
   if (options.participants == 0 && options.participant.empty()) {
     throw InputError("--participant: expected a code for the participant, such as P01");
+  }
+  if (!options.participant.empty() && !is_participant_code(options.participant)) {
+    throw InputError("--participant: expected a code of at most " +
+                     std::to_string(kLongestParticipantCode) +
+                     " bytes of text without control characters, unseen ones, / and \\, and "
+                     "without a space at its ends, got " +
+                     shown(options.participant));
   }
 }
 
@@ -66,6 +82,14 @@ Text part_done(std::size_t part, std::size_t parts) {
       {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
 }
 
+ScreenCorner photodiode_corner(const RunOptions& options) {
+  if (options.simulated() && !options.show) {
+    throw InputError(
+        "--photodiode: expected a window to draw in; with --observer, give --show too");
+  }
+  return patch_corner("--photodiode", options.photodiode);
+}
+
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
   RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
@@ -76,6 +100,9 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
+  if (!options.photodiode.empty()) {
+    part.lab.photodiode = photodiode_corner(options);
+  }
   const bool group = options.participants > 0;
   plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
            options.seed.value_or(1));
@@ -215,6 +242,9 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option(
+      "--photodiode", options->photodiode,
+      "A corner, such as \"bottom left\", for a square whose light tells each frame");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -28,6 +28,7 @@ struct RunOptions {
   bool override_sync_test{false};
   std::string screen_file;
   std::string window_size;
+  std::string photodiode;  ///< the corner of a patch for one; "": none
 
   [[nodiscard]] bool simulated() const { return !observers.empty(); }
 };

@@ -12,8 +12,8 @@
 
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/stored_plan.hpp"
 #include "experiments/store/enrolment.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {

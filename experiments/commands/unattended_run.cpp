@@ -8,13 +8,13 @@
 #include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
-#include "experiments/commands/not_finite_warning.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/stored_plan.hpp"
+#include "experiments/commands/session_warnings.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/unattended.hpp"
 #include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
 namespace {

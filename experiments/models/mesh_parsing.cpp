@@ -19,6 +19,8 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/models/confined_files.hpp"
+
 namespace impetus {
 namespace {
 
@@ -174,6 +176,7 @@ TriangleMesh parse_mesh(const std::filesystem::path& file) {
   refuse_endless_header(file);
   const ErrorLog errors;
   Assimp::Importer importer;
+  importer.SetIOHandler(new ConfinedFiles(file));  // the importer's from now on
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (scene == nullptr) {
     refuse(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());

@@ -100,7 +100,8 @@ std::string condition_words(const Condition& condition) {
   return text;
 }
 
-std::vector<std::string> design_lines(const Design& design) {
+std::vector<std::string> design_lines(const Design& design,
+                                      std::string (*text_of)(std::string_view)) {
   std::vector<std::string> lines{cells_line(design)};
   if (design.adaptive) {
     lines.push_back(adaptive_line(*design.adaptive));
@@ -113,7 +114,7 @@ std::vector<std::string> design_lines(const Design& design) {
   for (const CatchTrials& trials : design.catch_trials) {
     lines.push_back(count_of(trials.count, "catch trial", "catch trials") +
                     (design.blocks ? " in each block" : "") +
-                    ", outside the design: " + condition_words(trials.condition) + ".");
+                    ", outside the design: " + text_of(condition_words(trials.condition)) + ".");
   }
   if (!design.practice.empty()) {
     lines.push_back(practice_line(design));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/session/design.hpp"
@@ -15,7 +16,12 @@ std::string level_list(const Factor& factor);
 /// "delay_ms 300, speed_deg_s 10"
 std::string condition_words(const Condition& condition);
 
+/// The text as it is.
+inline std::string plain_text(std::string_view text) { return std::string(text); }
+
 /// Cells, repetitions, blocks, order, catch trials, adaptive levels, practice: a sentence each.
-std::vector<std::string> design_lines(const Design& design);
+/// `text_of` makes what the file's author wrote fit for where the lines will stand.
+std::vector<std::string> design_lines(const Design& design,
+                                      std::string (*text_of)(std::string_view) = plain_text);
 
 }  // namespace impetus

@@ -9,6 +9,7 @@
 #include "experiments/protocol/block_checks.hpp"
 #include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
+#include "experiments/protocol/resume_checks.hpp"
 #include "experiments/protocol/threshold_checks.hpp"
 #include "experiments/protocol/training_checks.hpp"
 #include "experiments/session/adaptive_levels.hpp"
@@ -162,6 +163,7 @@ void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
   check_thresholds(protocol);
   check_planned_size(protocol);
   check_training_criterion(protocol);
+  check_resume(protocol);
   check_scale(protocol);
   check_questions(protocol);
 }

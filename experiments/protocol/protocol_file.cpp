@@ -8,6 +8,7 @@
 #include "experiments/protocol/catch_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
+#include "experiments/protocol/named_file.hpp"
 #include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
@@ -138,13 +139,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
 Protocol load_protocol(const std::filesystem::path& path) {
   JsonDocument document = read_json(path);
   require_schema(document, protocol_schema());
-  const auto beside = path.parent_path() / document.value["scene"].get<std::string>();
-  const std::filesystem::path scene = beside.lexically_normal();
-  if (!std::filesystem::exists(scene)) {
-    refuse(document, "/scene",
-           "expected a file, seen from this one, got " + document.value["scene"].dump() +
-               ", but there is no " + scene.string());
-  }
+  const std::filesystem::path scene = named_file(document, path, "/scene", "a file");
   const std::vector<std::string> files = mesh_files_of_design(document.value);
   return make_protocol(std::move(document), read_scene(scene, files));
 }

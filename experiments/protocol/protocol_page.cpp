@@ -10,6 +10,7 @@
 #include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/session/response_kinds.hpp"
+#include "experiments/tables/plain_text.hpp"
 
 namespace impetus {
 namespace {
@@ -56,15 +57,16 @@ std::string factors(const Protocol& protocol) {
   std::string page = heading("What is varied");
   page += table_head({"factor", "levels", "meaning", "value of the scene"});
   for (const Factor& factor : protocol.design.factors) {
-    page += row({"`" + factor.name + "`", level_list(factor), protocol.labels.at(factor.name),
-                 "`" + protocol.pointers.at(factor.name) + "`"});
+    page += row({"`" + factor.name + "`", markdown_text(level_list(factor)),
+                 markdown_text(protocol.labels.at(factor.name)),
+                 markdown_code(protocol.pointers.at(factor.name))});
   }
   return page;
 }
 
 std::string order(const Protocol& protocol) {
   std::string page = heading("How trials are ordered");
-  for (const std::string& line : design_lines(protocol.design)) {
+  for (const std::string& line : design_lines(protocol.design, markdown_text)) {
     page += "- " + line + "\n";
   }
   return page +
@@ -76,20 +78,23 @@ std::string question_words(const Script& script) {
   std::string words;
   if (script.scale) {
     const RatingScale& scale = *script.scale;
-    words += row({"then", "“" + scale.question + "” " + std::to_string(scale.minimum) + " (" +
-                              scale.low_anchor + ") to " + std::to_string(scale.maximum) + " (" +
-                              scale.high_anchor + ")"});
+    words += row(
+        {"then", "“" + markdown_text(scale.question) + "” " + std::to_string(scale.minimum) + " (" +
+                     markdown_text(scale.low_anchor) + ") to " + std::to_string(scale.maximum) +
+                     " (" + markdown_text(scale.high_anchor) + ")"});
   }
   if (script.yes_no) {
-    words += row({"then", "“" + script.yes_no->question + "” " + script.yes_no->yes + " or " +
-                              script.yes_no->no});
+    words += row({"then", "“" + markdown_text(script.yes_no->question) + "” " +
+                              markdown_text(script.yes_no->yes) + " or " +
+                              markdown_text(script.yes_no->no)});
   }
   if (script.two_interval) {
-    words += row({"then", "“" + script.two_interval->question + "” " + script.two_interval->first +
-                              " or " + script.two_interval->second});
+    words += row({"then", "“" + markdown_text(script.two_interval->question) + "” " +
+                              markdown_text(script.two_interval->first) + " or " +
+                              markdown_text(script.two_interval->second)});
   }
   if (script.free_text) {
-    words += row({"then", "“" + script.free_text->question + "” in free words"});
+    words += row({"then", "“" + markdown_text(script.free_text->question) + "” in free words"});
   }
   return words;
 }
@@ -140,8 +145,10 @@ std::string gaze(const GazeTask& task) {
   page += "- Imposed latency: " + number(task.extra_latency_ms) + " ms, and what the scene adds.\n";
   if (task.yoked_to) {
     page +=
-        "- Recorded regions follow the gaze of another participant: " + task.yoked_to->participant +
-        (task.yoked_to->protocol.empty() ? "" : " in " + task.yoked_to->protocol) + ".\n";
+        "- Recorded regions follow the gaze of another participant: " +
+        markdown_text(task.yoked_to->participant) +
+        (task.yoked_to->protocol.empty() ? "" : " in " + markdown_text(task.yoked_to->protocol)) +
+        ".\n";
   }
   return page;
 }
@@ -156,11 +163,26 @@ std::string solved(const json& document) {
 }
 
 std::string quoted(const Text& text) {
-  std::string page = "**" + text.title + "**\n\n";
+  std::string page = "**" + markdown_text(text.title) + "**\n\n";
   for (const std::string& paragraph : text.paragraphs) {
-    page += "> " + paragraph + "\n>\n";
+    page += "> " + markdown_text(paragraph) + "\n>\n";
   }
   return text.paragraphs.empty() ? page : page.substr(0, page.size() - 2) + "\n";
+}
+
+std::string resuming(const Script& script) {
+  const bool block = script.resume.at == ResumeRule::At::kBlock;
+  std::string page = heading("When a session is left");
+  page += block ? "It goes on at the start of the block that was begun; the trials of that block "
+                  "which were done are kept, set aside, and shown again."
+                : "It goes on at the next trial.";
+  if (script.resume.refuse_after_h > 0.0) {
+    page += " More than " + number(script.resume.refuse_after_h) +
+            " hours after anything was last recorded it is refused.";
+  }
+  return page + " Instructions are shown again" +
+         (script.gaze && script.gaze->calibration ? ", and the gaze is calibrated anew" : "") +
+         ".\n";
 }
 
 std::string words_shown(const Script& script) {
@@ -176,7 +198,7 @@ std::string words_shown(const Script& script) {
     page += "Every " + std::to_string(script.break_every) + " trials: " + quoted(script.break_text);
   }
   for (const FreeQuestion& question : script.questions) {
-    page += "At the end: “" + question.text + "”\n\n";
+    page += "At the end: “" + markdown_text(question.text) + "”\n\n";
   }
   return page + quoted(script.thanks);
 }
@@ -184,9 +206,9 @@ std::string words_shown(const Script& script) {
 std::string scene(const Protocol& protocol) {
   const json& value = protocol.scene.value;
   std::string page = heading("The scene");
-  page += value["title"].get<std::string>();
+  page += markdown_text(value["title"].get<std::string>());
   if (value.contains("source")) {
-    page += " (" + value["source"].get<std::string>() + ")";
+    page += " (" + markdown_text(value["source"].get<std::string>()) + ")";
   }
   page += ".\n\nThe engine, where no factor changes it:\n\n```json\n";
   return page + value["engine"].dump(2) + "\n```\n";
@@ -228,16 +250,16 @@ std::string commands(const Protocol& protocol) {
 
 std::string protocol_page(const Protocol& protocol) {
   const Plan plan = plan_for(protocol, "P01", 1);
-  std::string page = "# " + protocol.title + "\n\n";
+  std::string page = "# " + markdown_text(protocol.title) + "\n\n";
   const json& document = protocol.document.value;
   if (document.contains("source")) {
-    page += document["source"].get<std::string>() + ".\n\n";
+    page += markdown_text(document["source"].get<std::string>()) + ".\n\n";
   }
   page += summary(protocol, plan) + factors(protocol) + order(protocol);
   if (has_participants(document)) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
-    page += words_shown(protocol.script);
+    page += resuming(protocol.script) + words_shown(protocol.script);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }

@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_scenes.hpp"
 
-#include "experiments/protocol/solved_values.hpp"
+#include "experiments/protocol/trial_scene.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus {
-namespace {
-
-/// What a random start goes by: never the participant or the order of trials.
-std::string start_of(const PlannedTrial& trial) {
-  const bool practice = trial.phase == TrialPhase::kPractice;
-  return (practice ? "practice/" : "main/") + std::to_string(trial.repetition);
-}
-
-}  // namespace
-
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  nlohmann::json scene = scene_under(*protocol_, trial.condition);
-  put_into_scene(trial.solved, scene);
-  return build_scene(scene, screen, round_hold_to_hz_, *shapes_, start_of(trial), trial.seed,
-                     deepest_level_);
+  return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
+                     start_of(trial), trial.seed, deepest_level_);
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,

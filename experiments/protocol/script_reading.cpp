@@ -93,6 +93,15 @@ GazeTask gaze_from(const json& object) {
   return task;
 }
 
+ResumeRule resume_rule_from(const json& object) {
+  ResumeRule rule;
+  if (object["at"].get<std::string>() == "block") {
+    rule.at = ResumeRule::At::kBlock;
+  }
+  rule.refuse_after_h = object.value("refuse_after_h", rule.refuse_after_h);
+  return rule;
+}
+
 }  // namespace
 
 Script script_from(const json& document) {
@@ -114,6 +123,9 @@ Script script_from(const json& document) {
   if (session.contains("breaks")) {
     script.break_text = text_from(session["breaks"]);
     script.break_every = session["breaks"]["every"].get<std::int64_t>();
+  }
+  if (session.contains("resume")) {
+    script.resume = resume_rule_from(session["resume"]);
   }
   for (const json& question : session.value("questions", json::array())) {
     script.questions.push_back(

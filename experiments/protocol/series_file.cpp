@@ -3,6 +3,7 @@
 
 #include "experiments/protocol/embedded_series_schema.hpp"
 #include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/named_file.hpp"
 #include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 
@@ -36,12 +37,8 @@ Series load_series(const std::filesystem::path& path) {
       document.value["series"].get<std::string>(), document.value["title"].get<std::string>(), {}};
   const json& files = document.value["protocols"];
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto file = (path.parent_path() / files[i].get<std::string>()).lexically_normal();
-    if (!std::filesystem::exists(file)) {
-      refuse(document, "/protocols/" + std::to_string(i),
-             "expected a protocol's file, seen from this one, got " + files[i].dump() +
-                 ", but there is no " + file.string());
-    }
+    const std::filesystem::path file =
+        named_file(document, path, "/protocols/" + std::to_string(i), "a protocol's file");
     check_people_take_part(document, i, file);
     series.protocols.push_back(file);
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "experiments/models/base64.hpp"
+#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
@@ -56,6 +57,11 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
   }
   if (leaves_the_folder(file)) {
     return "expected a path within the scene's folder, got " + json(file).dump();
+  }
+  const std::filesystem::path own = folder.empty() ? "." : folder;
+  if (std::filesystem::exists(own / file) && !is_really_within(own / file, own)) {
+    return "expected a file within the scene's folder, got " + json(file).dump() +
+           ", which is a link out of it";
   }
   try {
     const TriangleMesh mesh = load_mesh(folder / file);

@@ -229,4 +229,17 @@ CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const
   return truth_of(wall_gap(look, pose, walls, wall), {{look, pose}}, viewer);
 }
 
+CollisionTruth measure_truth(const StagedScene& scene, const World& world, BodyPair bodies,
+                             std::int64_t step) {
+  const auto a = static_cast<std::size_t>(bodies.a);
+  const Viewer viewer = scene.viewer_at_time(static_cast<double>(step) / scene.step_hz);
+  const Pose& pose_a = world.states()[a].pose;
+  if (is_wall(bodies.b)) {
+    return measure_wall_truth(scene.looks[a], pose_a, *world.settings().enclosure,
+                              kEnclosure - bodies.b, viewer);
+  }
+  const auto b = static_cast<std::size_t>(bodies.b);
+  return measure_truth(scene.looks[a], pose_a, scene.looks[b], world.states()[b].pose, viewer);
+}
+
 }  // namespace impetus

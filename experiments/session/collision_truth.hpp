@@ -26,6 +26,10 @@ struct CollisionTruth {
 CollisionTruth measure_truth(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
                              const Pose& pose_b, const Viewer& viewer);
 
+/// The truth of a collision of the scene's bodies, or of one and a wall, in the states at `step`.
+CollisionTruth measure_truth(const StagedScene& scene, const World& world, BodyPair bodies,
+                             std::int64_t step);
+
 /// No less than the gap_arcmin of measure_truth(), for a small share of its cost: what the gap can
 /// be at most between two corners that are near each other, seen from the nearer body.
 double most_gap_arcmin(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,

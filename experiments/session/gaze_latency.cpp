@@ -27,9 +27,9 @@ double nearest_rank(std::vector<double> values, double share) {
 
 }  // namespace
 
-std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
-                                          const std::vector<FrameRecord>& frames,
-                                          const std::vector<GazeSample>& samples) {
+std::vector<double> gaze_latencies_ms(const std::vector<StepRecord>& steps,
+                                      const std::vector<FrameRecord>& frames,
+                                      const std::vector<GazeSample>& samples) {
   std::vector<double> latencies_ms;
   for (const StepRecord& step : steps) {
     if (step.gaze.fixation && step.shown_frame >= 0 && !eye_was_lost(step.gaze, samples)) {
@@ -37,6 +37,13 @@ std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
       latencies_ms.push_back(static_cast<double>(flip.flipped_ns - step.gaze.taken_ns) / 1e6);
     }
   }
+  return latencies_ms;
+}
+
+std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
+                                          const std::vector<FrameRecord>& frames,
+                                          const std::vector<GazeSample>& samples) {
+  std::vector<double> latencies_ms = gaze_latencies_ms(steps, frames, samples);
   if (latencies_ms.empty()) {
     return std::nullopt;
   }

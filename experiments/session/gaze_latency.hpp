@@ -25,9 +25,14 @@ namespace impetus {
 inline constexpr double kWarnedGazeLatency_ms = 70.0;
 inline constexpr double kMarkedGazeLatency_ms = 80.0;
 
-/// The 95th percentile (nearest rank) over the steps that knew the gaze, were shown, and whose
-/// sample was not followed by a lost one taken before the step; none without such a step.
-/// `samples` in order of time; `frames` by their number.
+/// From sample to flip, over the steps that knew the gaze, were shown, and whose sample was not
+/// followed by a lost one taken before the step, in order. `samples` in order of time; `frames` by
+/// their number.
+std::vector<double> gaze_latencies_ms(const std::vector<StepRecord>& steps,
+                                      const std::vector<FrameRecord>& frames,
+                                      const std::vector<GazeSample>& samples);
+
+/// Their 95th percentile (nearest rank); none without such a step.
 std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
                                           const std::vector<FrameRecord>& frames,
                                           const std::vector<GazeSample>& samples);

@@ -21,6 +21,7 @@
 #include "experiments/session/frame_grid.hpp"
 #include "experiments/session/gaze.hpp"
 #include "experiments/session/page.hpp"
+#include "experiments/session/photodiode_patch.hpp"
 #include "experiments/session/plan.hpp"
 #include "experiments/session/record.hpp"
 #include "experiments/session/staged_scene.hpp"
@@ -49,6 +50,8 @@ struct Picture {
   Viewer viewer;
   SessionProgress progress;
   Fixation target{};  ///< of a calibration: where a point to look at is drawn
+  /// What a photodiode patch shows with it, where the display has one.
+  std::int64_t patch_code{kDarkPatch};
 };
 
 /// The picture of the scene at `time_s` with its bodies in these poses; without poses, nothing but
@@ -71,6 +74,9 @@ class Display {
   /// Draws the picture for the grid's next slot, waits for it and flips. Frames are never skipped:
   /// after a miss the grid moves on by whole slots, and the flip says how many.
   virtual Flip show(const Picture& picture) = 0;
+
+  /// Whether a photodiode patch is drawn on all that is shown.
+  [[nodiscard]] virtual bool has_patch() const { return false; }
 };
 
 /// What a participant may do at any moment instead of answering.

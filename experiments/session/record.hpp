@@ -74,6 +74,7 @@ struct FrameRecord {
   double shown_time_s{0.0};  ///< of the stimulus; 0 in the fixation phase
   Flip flip;
   std::int64_t interval{1};
+  std::optional<std::int64_t> patch{};  ///< code of the photodiode patch; none: there was no patch
 };
 
 /// One rating, with the scale it was given on: scales run in opposite directions, so never pool

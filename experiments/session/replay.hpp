@@ -35,6 +35,36 @@ struct ReplayResult {
   std::vector<TakenOut> taken_out{};  ///< by then
 };
 
+/// What is known of a divergence after this step: `known` by now (none: there was none), begun
+/// where the state is not the recorded one, and named as soon as a digest tells.
+std::optional<Divergence> divergence_of(const StepRecord& recorded, const StateHash& actual,
+                                        const World& world,
+                                        const std::optional<Divergence>& known = {});
+
+/// A replay that goes on step by step, for as long as its caller likes.
+class RunningReplay {
+ public:
+  /// `recorded` must outlive this. Nothing is done yet: the first next() is of the start.
+  RunningReplay(StagedScene scene, const std::vector<StepRecord>& recorded);
+
+  [[nodiscard]] bool done() const { return next_ == recorded_->size(); }
+  /// The number of the step that next() does. Precondition, for both: not done.
+  [[nodiscard]] std::int64_t next_step() const { return (*recorded_)[next_].step; }
+  /// What it returns is empty for step 0, and stays until the next step.
+  const StepReport& next();
+
+  [[nodiscard]] const StagedScene& scene() const { return scene_; }
+  /// By now. The divergence is the first.
+  [[nodiscard]] const ReplayResult& result() const { return result_; }
+
+ private:
+  StagedScene scene_;
+  const std::vector<StepRecord>* recorded_;
+  StepReport start_;
+  std::size_t next_{0};
+  ReplayResult result_;
+};
+
 /// Called after each step with its number, the world and its report; for step 0 the report is
 /// empty.
 using StepWatcher =

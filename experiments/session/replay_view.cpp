@@ -1,62 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/replay_view.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
 #include <utility>
 
-#include "experiments/session/preview_settings.hpp"
-#include "experiments/session/replay.hpp"
+#include "engine/dynamics/motion.hpp"
+#include "experiments/session/seen_apart.hpp"
 
 namespace impetus {
 namespace {
 
-using Kind = TimelineMark::Kind;
-
-void mark_what_was_imposed(const StagedScene& scene, std::vector<TimelineMark>& marks) {
-  if (scene.contact_s > 0.0) {
-    marks.push_back({Kind::kContact, scene.contact_s, scene.contact_s, "contact"});
-  }
-  if (scene.realised_hold_s > 0.0) {
-    marks.push_back(
-        {Kind::kHold, scene.contact_s, scene.contact_s + scene.realised_hold_s, "imposed hold"});
-  }
-}
-
-void mark_collisions(double time_s, const StepReport& report, std::vector<TimelineMark>& marks) {
-  for (const CollisionReport& collision : report.collisions) {
-    if (collision.began) {
-      const bool fine = collision.stop == StopReason::kFinest;
-      marks.push_back({fine ? Kind::kFineCollision : Kind::kCoarseCollision, time_s, time_s, ""});
-    }
-  }
-}
+/// A time that was set by step k may come back a hair below k.
+constexpr double kOfAStep = 1e-6;
 
 }  // namespace
-
-ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded) {
-  ReplayView view;
-  view.viewer = scene.viewer;
-  view.turn = scene.turn;
-  view.looks = scene.looks;
-  view.enclosure = scene.world.settings().enclosure;
-  view.step_hz = scene.step_hz;
-  view.duration_s = scene.duration_s;
-  view.finest_level = finest_level_of(scene.world);
-  LatestDetail latest(scene.looks.size(), scene.step_hz);
-  mark_what_was_imposed(scene, view.marks);
-  for (const StepRecord& step : recorded) {
-    view.gaze.push_back(step.gaze);
-  }
-  const ReplayResult result =
-      replay(std::move(scene), recorded,
-             [&](std::int64_t step, const World& world, const StepReport& report) {
-               view.states.push_back(world.states());
-               latest.take(step, report);
-               view.details.push_back(latest.at(step));
-               mark_collisions(static_cast<double>(step) / view.step_hz, report, view.marks);
-             });
-  view.agrees = !result.divergence;
-  return view;
-}
 
 void end_with_last_step(ReplayView& view) {
   const double shown_s = static_cast<double>(view.states.size() - 1) / view.step_hz;
@@ -69,6 +28,66 @@ void end_with_last_step(ReplayView& view) {
 GazeInput gaze_of_step(const ReplayView& view, std::int64_t step) {
   const bool known = step >= 0 && step < static_cast<std::int64_t>(view.gaze.size());
   return known ? view.gaze[static_cast<std::size_t>(step)] : GazeInput{};
+}
+
+std::int64_t step_at(const ReplayView& view, double time_s) {
+  const auto step = static_cast<std::int64_t>(std::floor(time_s * view.step_hz + kOfAStep));
+  return std::min(step, static_cast<std::int64_t>(view.states.size()) - 1);
+}
+
+std::vector<PosedBody> bodies_at(const ReplayView& view, double time_s) {
+  const auto before = static_cast<std::size_t>(step_at(view, time_s));
+  const std::size_t after = std::min(before + 1, view.states.size() - 1);
+  const double fraction = std::clamp(time_s * view.step_hz - static_cast<double>(before), 0.0, 1.0);
+  std::vector<PosedBody> bodies;
+  for (std::size_t body = 0; body < view.looks.size(); ++body) {
+    const BodyState& here = view.states[before][body];
+    const Pose pose =
+        after > before ? between(here, view.states[after][body], fraction) : here.pose;
+    bodies.push_back({pose, view.looks[body]});
+  }
+  return bodies;
+}
+
+std::vector<BodyDetail> details_at(const ReplayView& view, std::int64_t step) {
+  const bool known = step >= 0 && step < static_cast<std::int64_t>(view.details.size());
+  return known ? view.details[static_cast<std::size_t>(step)]
+               : std::vector<BodyDetail>(view.looks.size());
+}
+
+std::vector<FadingContact> contacts_at(const ReplayView& view, std::int64_t step) {
+  std::vector<FadingContact> contacts;
+  std::set<std::pair<std::int32_t, std::int32_t>> told;
+  const std::int64_t span = std::llround(kDetailInView_s * view.step_hz);
+  const std::int64_t last = std::min(step, static_cast<std::int64_t>(view.contacts.size()) - 1);
+  for (std::int64_t then = last; then >= 0 && step - then < span; --then) {
+    const auto& of_step = view.contacts[static_cast<std::size_t>(then)];
+    const double freshness = 1.0 - static_cast<double>(step - then) / static_cast<double>(span);
+    for (const StepContact& contact : of_step) {
+      if (!told.contains({contact.bodies.a, contact.bodies.b})) {
+        contacts.push_back({contact.touch, freshness});
+      }
+    }
+    for (const StepContact& contact : of_step) {
+      told.insert({contact.bodies.a, contact.bodies.b});
+    }
+  }
+  return contacts;
+}
+
+std::optional<std::int64_t> parting_step(const ReplayView& recorded, const ReplayView& finest) {
+  const std::size_t steps = std::min(recorded.states.size(), finest.states.size());
+  for (std::size_t step = 0; step < steps; ++step) {
+    const double time_s = static_cast<double>(step) / recorded.step_hz;
+    const Viewer viewer = turned_viewer(recorded.viewer, recorded.turn, time_s);
+    for (std::size_t body = 0; body < recorded.looks.size(); ++body) {
+      if (seen_apart(recorded.states[step][body].pose, finest.states[step][body].pose,
+                     recorded.looks[body].mesh != nullptr, viewer)) {
+        return static_cast<std::int64_t>(step);
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace impetus

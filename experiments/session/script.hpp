@@ -124,6 +124,13 @@ struct FreeQuestion {
   std::string text;
 };
 
+/// Where a session that was left goes on, and until when it may.
+struct ResumeRule {
+  enum class At { kTrial, kBlock };
+  At at{At::kTrial};           ///< the next trial, or the start of its block
+  double refuse_after_h{0.0};  ///< since anything was last recorded; 0: never
+};
+
 struct Script {
   std::string title;
   Text welcome;
@@ -146,6 +153,7 @@ struct Script {
   std::optional<YesNoQuestion> yes_no{};
   std::optional<TwoIntervalQuestion> two_interval{};
   std::optional<FreeTextQuestion> free_text{};
+  ResumeRule resume{};
 };
 
 }  // namespace impetus

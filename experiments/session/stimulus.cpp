@@ -85,8 +85,9 @@ bool Stimulus::show_scene() {
   for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
     const double time_s = static_cast<double>(frame) / ports_.display.refresh_hz();
     playback_.look_at(follower_.look());
-    if (!show_timed(with_pointer(playback_.poses_at(time_s), time_s), FramePhase::kStimulus,
-                    time_s)) {
+    Picture picture = with_pointer(playback_.poses_at(time_s), time_s);
+    picture.patch_code = patch_code(frame);
+    if (!show_timed(picture, FramePhase::kStimulus, time_s)) {
       take_simulation(frame);
       return false;
     }
@@ -107,6 +108,9 @@ bool Stimulus::show_timed(const Picture& frame, FramePhase phase, double time_s)
   if (interruption_ != Interruption::kDisplayClosed) {  // else there was no flip
     const auto number = static_cast<std::int64_t>(record_.frames.size());
     record_.frames.push_back({number, phase, time_s, flip, interval_});
+    if (ports_.display.has_patch()) {
+      record_.frames.back().patch = frame.patch_code;
+    }
     if (ports_.gaze != nullptr) {
       ports_.gaze->shown(frame, flip);
     }

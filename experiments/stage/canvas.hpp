@@ -7,6 +7,7 @@
 #include "experiments/stage/gl_window.hpp"
 #include "experiments/stage/gui.hpp"
 #include "experiments/stage/mouse_input.hpp"
+#include "experiments/stage/patch_painter.hpp"
 #include "experiments/stage/scene_painter.hpp"
 
 namespace impetus {
@@ -23,6 +24,7 @@ struct Canvas {
   Gui gui;
   ScenePainter painter;
   MouseInput mouse;
+  PatchPainter patch;
 };
 
 }  // namespace impetus

@@ -13,4 +13,8 @@ namespace impetus {
 void draw_colour_legend(const Gui& gui, const PixelArea& area,
                         const std::vector<ColourMeaning>& meanings, const std::string& note = "");
 
+/// The same in as few lines as it can along the area's lower edge, so that it covers little.
+void draw_colour_line(const Gui& gui, const PixelArea& area,
+                      const std::vector<ColourMeaning>& meanings);
+
 }  // namespace impetus

@@ -18,6 +18,9 @@ void EventPump::pump() {
     const std::int64_t now_ns = clock_.now_ns();
     notice(event);
     events_.push_back({event, now_ns, now_ns - looked_ns_});
+    if (heard_) {
+      heard_(events_.back());
+    }
   }
   looked_ns_ = looking_ns;
 }

@@ -10,6 +10,8 @@
 #include <SDL.h>
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "experiments/session/ports.hpp"
@@ -36,6 +38,9 @@ class EventPump {
   /// Forgets what was pumped; a request to pause or close stays.
   void discard() { events_.clear(); }
 
+  /// From now on `heard` is told of every event as it is pumped; {}: nobody is.
+  void listen(std::function<void(const StampedEvent&)> heard) { heard_ = std::move(heard); }
+
   /// Whether Esc was pressed since the last call.
   bool take_pause_request();
 
@@ -51,6 +56,7 @@ class EventPump {
   const Clock& clock_;
   std::int64_t looked_ns_;
   std::vector<StampedEvent> events_;
+  std::function<void(const StampedEvent&)> heard_;
   bool pause_requested_{false};
   bool closed_{false};
 };

@@ -9,14 +9,20 @@
 #pragma once
 
 #include "engine/scheduling/priority_lists.hpp"
+#include "experiments/session/gaze_trail.hpp"
 #include "experiments/stage/picture_map.hpp"
 
 namespace impetus {
 
-/// Both draw into the current ImGui window, within the picture.
-void draw_gaze(const PictureMap& map, const ScreenPoint& fixation);
+/// All draw into the current ImGui window, within the picture. `own` is the viewer whose gaze it
+/// is: it lies on that viewer's glass, wherever the picture is seen from.
+void draw_gaze(const PictureMap& map, const Viewer& own, const ScreenPoint& fixation);
 
 /// Nothing for a region that holds all the view.
-void draw_region(const PictureMap& map, const GazeRegion& region);
+void draw_region(const PictureMap& map, const Viewer& own, const GazeRegion& region);
+
+/// The samples of the last moments, paler the older; a gap where they were lost, and in words why
+/// the newest is.
+void draw_trail(const PictureMap& map, const Viewer& own, const GazeTrail& trail);
 
 }  // namespace impetus

@@ -128,6 +128,7 @@ std::optional<std::size_t> PageTurn::draw_and_flip() {
   }
   const auto clicked = view_.draw();
   canvas_.gui.end();
+  canvas_.patch.paint(canvas_.painter, kDarkPatch);
   const Flip flip = canvas_.pacer.flip();
   last_flip_ns_ = flip.flipped_ns;
   answer_.late_frames += flip.late() ? 1 : 0;

@@ -26,5 +26,7 @@ inline constexpr ImU32 kCoarseCollision = IM_COL32(204, 92, 20, 255);
 inline constexpr ImU32 kClick = IM_COL32(28, 28, 30, 255);
 inline constexpr ImU32 kResponse = IM_COL32(30, 110, 62, 255);
 inline constexpr ImU32 kLateFrame = IM_COL32(106, 62, 136, 255);
+inline constexpr ImU32 kGazeLost = IM_COL32(120, 120, 124, 255);
+inline constexpr ImU32 kParting = IM_COL32(200, 30, 120, 255);
 
 }  // namespace impetus::palette

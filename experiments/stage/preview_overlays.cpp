@@ -114,10 +114,10 @@ void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const
     }
   }
   if (overlays.gaze && run.gaze()) {
-    draw_gaze(map, *run.gaze());
+    draw_gaze(map, map.viewer(), *run.gaze());
   }
   if (overlays.gaze && run.region()) {
-    draw_region(map, *run.region());
+    draw_region(map, map.viewer(), *run.region());
   }
 }
 

@@ -17,20 +17,23 @@ struct MarkLook {
   ImU32 colour;
   const char* name;
 };
-constexpr std::array<MarkLook, 7> kLooks{
+constexpr std::array<MarkLook, 9> kLooks{
     {{TimelineMark::Kind::kContact, palette::kContact, "contact"},
      {TimelineMark::Kind::kHold, palette::kHold, "hold"},
      {TimelineMark::Kind::kFineCollision, palette::kFineCollision, "collision, finest level"},
      {TimelineMark::Kind::kCoarseCollision, palette::kCoarseCollision, "collision, coarser"},
      {TimelineMark::Kind::kClick, palette::kClick, "click"},
      {TimelineMark::Kind::kResponse, palette::kResponse, "response"},
-     {TimelineMark::Kind::kLateFrame, palette::kLateFrame, "late frame"}}};
+     {TimelineMark::Kind::kLateFrame, palette::kLateFrame, "late frame"},
+     {TimelineMark::Kind::kGazeLost, palette::kGazeLost, "gaze lost"},
+     {TimelineMark::Kind::kParting, palette::kParting, "parts from the finest"}}};
 
 /// Vertical places, from the bar's top, in small-text sizes.
 constexpr float kTrackTop = 1.5F;
 constexpr float kTrackBottom = 2.9F;
 constexpr float kClickTop = 1.15F;
 constexpr float kClickBottom = 2.0F;
+constexpr float kLostBottom = 1.75F;
 constexpr float kCollisionTop = 2.2F;
 constexpr float kKeyTop = 3.9F;
 constexpr float kWholeHeight = 5.2F;
@@ -75,6 +78,14 @@ class TimelineDrawing {
       case TimelineMark::Kind::kClick:
         from.y = y(kClickTop);
         to.y = y(kClickBottom);
+        break;
+      case TimelineMark::Kind::kGazeLost:
+        from = ImVec2(left, y(kTrackTop) + 1.0F);
+        to = ImVec2(std::max(left + 1.0F, x(mark.end_s)), y(kLostBottom));
+        break;
+      case TimelineMark::Kind::kParting:
+        from = ImVec2(left - 1.5F, y(kClickTop));
+        to.y = y(kTrackBottom + 0.6F);
         break;
       case TimelineMark::Kind::kLateFrame:
         from = ImVec2(left - 1.0F, y(kTrackBottom) + 2.0F);
@@ -154,9 +165,12 @@ std::optional<double> draw_timeline(const Gui& gui, const std::vector<TimelineMa
     return std::tie(one.begin_s, one.kind) < std::tie(other.begin_s, other.kind);
   });
   drawing.track();
+  const auto is_band = [](const TimelineMark& mark) {
+    return mark.kind == TimelineMark::Kind::kHold || mark.kind == TimelineMark::Kind::kGazeLost;
+  };
   for (const bool bands : {true, false}) {  // first, so that a line on a band stays visible
     for (const TimelineMark& mark : ordered) {
-      if ((mark.kind == TimelineMark::Kind::kHold) == bands) {
+      if (is_band(mark) == bands) {
         drawing.mark(mark);
       }
     }

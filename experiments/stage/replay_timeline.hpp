@@ -1,9 +1,10 @@
-// The bar under a replay: contacts, holds, collisions, clicks, response and late frames over time,
-// to be scrubbed.
+// The bar under a replay: contacts, holds, collisions, clicks, answers, late frames and lost gaze
+// over time, to be scrubbed.
 //
 //    contact      response                       labels
 //         ╷  ╷  ╷   ╷                            clicks: from above, to the middle of the track
-//   ────┃█████──────┃──────────────┃────         track, with the hold as a band
+//   ────┃█████──────┃───▀▀▀────────┃────         track, with the hold as a band, lost gaze as one
+//                                                along its upper edge
 //         ╵╵  ╵ ╵                                collisions: along the track's lower edge
 //            ' '                                 late frames
 //

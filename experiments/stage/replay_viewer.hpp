@@ -1,16 +1,21 @@
-// Plays one recorded trial: forwards, backwards, step by step, slowly, and by the timeline.
+// Plays recorded stimuli, one after the other: forwards, backwards, step by step, slowly, by the
+// timeline; from anywhere, with what collision handling did, beside the same at the finest level.
+//
+//   title, facts
+//   +--------------------+ +--------------------+
+//   | as recorded        | | at the finest level|     the second where it is asked for
+//   +--------------------+ +--------------------+
+//   state, buttons, timeline
+//
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/replay_view.hpp"
+#include "experiments/session/viewed_stimuli.hpp"
 #include "experiments/stage/window.hpp"
 
 namespace impetus {
 
-/// Why the viewer was left.
-enum class ViewerExit { kClosed, kPreviousTrial, kNextTrial };
-
-/// Shows the trial until it is left. `replay` needs at least one state.
-ViewerExit view_replay(Window& window, const ReplayView& replay);
+/// Shows them, from the first on, until the window is closed. `clock` is the window's.
+void view_replays(Window& window, ViewedStimuli& stimuli, const Clock& clock);
 
 }  // namespace impetus

@@ -33,8 +33,7 @@ void open_unseen_video() {
 }
 
 void refuse_display(const std::string& why) {
-  throw std::runtime_error("no display could be opened: " + why +
-                           "; run with --observer to go on without a window");
+  throw std::runtime_error("no display could be opened: " + why);
 }
 
 }  // namespace impetus

@@ -31,18 +31,29 @@ const std::vector<RoundedBox>& VolumeLevels::at(const std::shared_ptr<const Volu
 
 std::vector<ColouredVolume> VolumeLevels::of(const PreviewRun& run, const PreviewOverlays& overlays,
                                              const std::vector<PosedBody>& bodies) {
-  std::vector<ColouredVolume> volumes;
   if (!overlays.shown || !overlays.volumes) {
-    return volumes;
+    return {};
   }
+  std::vector<std::shared_ptr<const VolumeTree>> trees;
+  std::vector<int> levels;
   const std::vector<BodyDetail> details = run.details();
   for (std::size_t body = 0; body < bodies.size(); ++body) {
+    trees.push_back(run.scene().world.models()[body].tree);
     const bool chosen = overlays.volume_level >= 0;
-    const int level = chosen ? overlays.volume_level : details[body].level;
-    if (level < 0) {
+    levels.push_back(chosen ? overlays.volume_level : details[body].level);
+  }
+  return of(trees, levels, bodies);
+}
+
+std::vector<ColouredVolume> VolumeLevels::of(
+    const std::vector<std::shared_ptr<const VolumeTree>>& trees, const std::vector<int>& levels,
+    const std::vector<PosedBody>& bodies) {
+  std::vector<ColouredVolume> volumes;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    if (levels[body] < 0) {
       continue;
     }
-    for (const RoundedBox& volume : at(run.scene().world.models()[body].tree, level)) {
+    for (const RoundedBox& volume : at(trees[body], levels[body])) {
       volumes.push_back({posed(volume, bodies[body].pose), kVolumeColour});
     }
   }

@@ -23,6 +23,11 @@ class VolumeLevels {
                                                const PreviewOverlays& overlays,
                                                const std::vector<PosedBody>& bodies);
 
+  /// The same of trees at these levels, one of each for a body; none for a level below 0.
+  [[nodiscard]] std::vector<ColouredVolume> of(
+      const std::vector<std::shared_ptr<const VolumeTree>>& trees, const std::vector<int>& levels,
+      const std::vector<PosedBody>& bodies);
+
  private:
   /// Kept with its tree, so that no other can have its address.
   struct Known {

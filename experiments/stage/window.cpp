@@ -41,6 +41,11 @@ const ScreenGeometry& Window::geometry() const { return geometry_; }
 int Window::width_px() const { return canvas_->window.width_px(); }
 int Window::height_px() const { return canvas_->window.height_px(); }
 void Window::restart_grid() { canvas_->pacer.restart(); }
+bool Window::has_patch() const { return canvas_->patch.area().has_value(); }
+
+void Window::show_patch(ScreenCorner corner) {
+  canvas_->patch.lie_in(patch_area(corner, geometry_, width_px(), height_px()));
+}
 
 void Window::set_geometry(const ScreenGeometry& geometry) {
   geometry_ = geometry;
@@ -95,6 +100,7 @@ Flip Window::show(const Picture& picture) {
     }
     draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
     canvas_->gui.end();
+    canvas_->patch.paint(canvas_->painter, picture.patch_code);
     flip = canvas_->pacer.flip();
     canvas_->mouse.take(canvas_->events.take());
   });

@@ -43,6 +43,7 @@ class Window final : public Display, public Input {
   void restart_grid() override;
   /// All zero when the display is lost: nothing was flipped.
   Flip show(const Picture& picture) override;
+  [[nodiscard]] bool has_patch() const override;
 
   Answer ask(const Page& page) override;
   Interruption interruption() override;
@@ -53,6 +54,10 @@ class Window final : public Display, public Input {
 
   /// The lab's measures in metres. Pixels are the window's own when they are 0.
   void set_geometry(const ScreenGeometry& geometry);
+  /// From now on a photodiode patch is drawn over all that is shown, dark where nothing is timed.
+  /// Call it after set_geometry(), which says how large the screen is.
+  void show_patch(ScreenCorner corner);
+
   [[nodiscard]] int width_px() const;
   [[nodiscard]] int height_px() const;
 

@@ -46,19 +46,17 @@ const char* name_of(StopReason reason) {
 
 std::int64_t insert_attempt_row(SQLite::Database& database, const AttemptOwner& owner,
                                 const AttemptRecord& attempt) {
-  const auto late = std::count_if(attempt.frames.begin(), attempt.frames.end(),
-                                  [](const FrameRecord& frame) { return frame.flip.late(); });
   SQLite::Statement insert(
       database,
       "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns, intended_hold_ms, "
       "realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames, sync_overridden, "
       "gaze_source, gaze_late, interrupted_by, gaze_latency_p95_ms, region_covered_share, "
-      "gaze_lost_share, imposed_gaze_latency_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?)");
+      "gaze_lost_share, imposed_gaze_latency_ms, saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?, nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))");
   SQLite::bind(insert, owner.trial_id, owner.session_id, attempt.number,
                attempt.outcome == AttemptOutcome::kCompleted ? "completed" : "interrupted",
                attempt.onset_ns, attempt.intended_hold_s * 1e3, attempt.realised_hold_s * 1e3,
-               static_cast<std::int64_t>(attempt.frames.size()), static_cast<std::int64_t>(late),
+               static_cast<std::int64_t>(attempt.frames.size()), late_frames(attempt),
                attempt.late_untimed_frames, owner.sync_overridden ? 1 : 0, attempt.gaze_source,
                attempt.gaze_latency_p95_ms.value_or(0.0) > kMarkedGazeLatency_ms ? 1 : 0,
                attempt.interrupted_by);
@@ -114,15 +112,19 @@ void insert_frames(SQLite::Database& database, std::int64_t id,
                    const std::vector<FrameRecord>& frames) {
   SQLite::Statement insert(database,
                            "INSERT INTO frame (attempt_id, frame, phase, shown_time_s, "
-                           "scheduled_ns, submitted_ns, flipped_ns, missed_slots, interval) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+                           "scheduled_ns, submitted_ns, flipped_ns, missed_slots, interval, patch) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const FrameRecord& frame : frames) {
     SQLite::bind(insert, id, frame.frame,
                  frame.phase == FramePhase::kFixation ? "fixation" : "stimulus", frame.shown_time_s,
                  frame.flip.scheduled_ns, frame.flip.submitted_ns, frame.flip.flipped_ns,
                  frame.flip.missed_slots, frame.interval);
+    if (frame.patch) {
+      insert.bind(10, *frame.patch);
+    }
     insert.exec();
     insert.reset();
+    insert.clearBindings();
   }
 }
 
@@ -162,6 +164,11 @@ void insert_gaze(SQLite::Database& database, std::int64_t id,
 }
 
 }  // namespace
+
+std::int64_t late_frames(const AttemptRecord& attempt) {
+  return std::count_if(attempt.frames.begin(), attempt.frames.end(),
+                       [](const FrameRecord& frame) { return frame.flip.late(); });
+}
 
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt) {

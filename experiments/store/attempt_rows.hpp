@@ -18,6 +18,9 @@ struct AttemptOwner {
   bool sync_overridden{false};
 };
 
+/// How many of its timed frames were late.
+std::int64_t late_frames(const AttemptRecord& attempt);
+
 /// Inserts the attempt with its steps, collisions, frames, gaze, clicks and answers. Throws
 /// SQLite::Exception.
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,

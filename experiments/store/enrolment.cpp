@@ -54,27 +54,6 @@ std::optional<std::int64_t> number_or_none(SQLite::Statement& query, int column)
   return value.isNull() ? std::nullopt : std::optional(value.getInt64());
 }
 
-std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment) {
-  SQLite::Statement query(
-      database,
-      "SELECT id, slot, phase, repetition, condition, seed, block, catch, track, "
-      "coalesce(adaptive_state, ''), coalesce(solved, ''), yoked_trial_id "
-      "FROM trial WHERE enrolment_id = ? ORDER BY slot");
-  query.bind(1, enrolment);
-  std::vector<StoredTrial> trials;
-  while (query.executeStep()) {
-    const bool practice = query.getColumn(2).getString() == "practice";
-    trials.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
-                      practice ? TrialPhase::kPractice : TrialPhase::kMain,
-                      query.getColumn(3).getInt64(), query.getColumn(4).getString(),
-                      static_cast<std::uint64_t>(query.getColumn(5).getInt64()),
-                      query.getColumn(6).getInt64(), query.getColumn(7).getInt() != 0,
-                      number_or_none(query, 8), query.getColumn(9).getString(),
-                      query.getColumn(10).getString(), number_or_none(query, 11)});
-  }
-  return trials;
-}
-
 void take_yokes(SQLite::Database& database, std::int64_t enrolment,
                 std::vector<StoredTrial>& trials) {
   const Yokes yokes = load_yokes(database, enrolment);
@@ -176,6 +155,27 @@ std::int64_t insert_trial(SQLite::Database& database, std::int64_t enrolment,
 }
 
 }  // namespace
+
+std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment_id) {
+  SQLite::Statement query(
+      database,
+      "SELECT id, slot, phase, repetition, condition, seed, block, catch, track, "
+      "coalesce(adaptive_state, ''), coalesce(solved, ''), yoked_trial_id "
+      "FROM trial WHERE enrolment_id = ? ORDER BY slot");
+  query.bind(1, enrolment_id);
+  std::vector<StoredTrial> trials;
+  while (query.executeStep()) {
+    const bool practice = query.getColumn(2).getString() == "practice";
+    trials.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
+                      practice ? TrialPhase::kPractice : TrialPhase::kMain,
+                      query.getColumn(3).getInt64(), query.getColumn(4).getString(),
+                      static_cast<std::uint64_t>(query.getColumn(5).getInt64()),
+                      query.getColumn(6).getInt64(), query.getColumn(7).getInt() != 0,
+                      number_or_none(query, 8), query.getColumn(9).getString(),
+                      query.getColumn(10).getString(), number_or_none(query, 11)});
+  }
+  return trials;
+}
 
 std::optional<Enrolment> find_enrolment(StudyFile& study, const std::string& pseudonym,
                                         bool simulated, const ProtocolTexts& protocol) {

@@ -11,6 +11,8 @@ CREATE TABLE merged_file (
   merged_utc TEXT NOT NULL
 ) STRICT;
 
+ALTER TABLE study ADD COLUMN anonymised_by TEXT;
+
 ALTER TABLE participant ADD COLUMN merged_file_id INTEGER REFERENCES merged_file (id);
 
 ALTER TABLE session ADD COLUMN resumed_at TEXT CHECK (resumed_at IN ('trial', 'block'));

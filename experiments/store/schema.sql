@@ -12,8 +12,9 @@
 
 CREATE TABLE study (
   id INTEGER PRIMARY KEY CHECK (id = 1),
-  created_utc TEXT NOT NULL,
-  build TEXT NOT NULL
+  created_utc TEXT NOT NULL,          -- when the file was made
+  build TEXT NOT NULL,                -- of the program that made it
+  anonymised_by TEXT                  -- build that took out who took part; NULL: nothing was
 ) STRICT;
 
 -- Files of other stations of the study whose participants were taken in by `impetus merge`.
@@ -23,21 +24,22 @@ CREATE TABLE merged_file (
   hash TEXT NOT NULL UNIQUE,          -- of the file's bytes
   created_utc TEXT NOT NULL,          -- of the study that it was
   build TEXT NOT NULL,                -- that made it
-  merged_utc TEXT NOT NULL
+  merged_utc TEXT NOT NULL            -- when that was done
 ) STRICT;
 
 CREATE TABLE protocol (
   id INTEGER PRIMARY KEY,
-  name TEXT NOT NULL,
+  name TEXT NOT NULL,                 -- the protocol's own
   hash TEXT NOT NULL UNIQUE,          -- of protocol_json and scene_json
-  protocol_json TEXT NOT NULL,
-  scene_json TEXT NOT NULL
+  protocol_json TEXT NOT NULL,        -- the file as it was read
+  scene_json TEXT NOT NULL            -- its scene, with what its meshes hold
 ) STRICT;
 
 CREATE TABLE participant (
   id INTEGER PRIMARY KEY,
   pseudonym TEXT NOT NULL UNIQUE CHECK (length(pseudonym) > 0),
-  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),
+                                      -- the code that was given at enrolment
+  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),  -- 1: no person took part
   merged_file_id INTEGER REFERENCES merged_file (id)  -- NULL: recorded in this file
 ) STRICT;
 
@@ -45,8 +47,8 @@ CREATE TABLE enrolment (
   id INTEGER PRIMARY KEY,
   participant_id INTEGER NOT NULL REFERENCES participant (id),
   protocol_id INTEGER NOT NULL REFERENCES protocol (id),
-  seed INTEGER NOT NULL,
-  planned_utc TEXT NOT NULL,
+  seed INTEGER NOT NULL,              -- of the order, and of all that is drawn
+  planned_utc TEXT NOT NULL,          -- when the plan was stored
   finished_utc TEXT,                  -- NULL until the last page was answered
   UNIQUE (participant_id, protocol_id)
 ) STRICT;
@@ -54,29 +56,30 @@ CREATE TABLE enrolment (
 CREATE TABLE session (
   id INTEGER PRIMARY KEY,
   enrolment_id INTEGER NOT NULL REFERENCES enrolment (id),
-  started_utc TEXT NOT NULL,
+  started_utc TEXT NOT NULL,          -- by the wall clock
   ended_utc TEXT,                     -- NULL when the process was killed
   ending TEXT CHECK (ending IN ('finished', 'quit', 'display closed', 'failed')),
-  recording_format INTEGER NOT NULL,
+                                      -- NULL: the process was killed
+  recording_format INTEGER NOT NULL,  -- which builds can replay it
   build TEXT NOT NULL,                -- version, commit, compiler, flags
-  machine TEXT NOT NULL,
+  machine TEXT NOT NULL,              -- system, its release, processor
   display TEXT NOT NULL,              -- driver, renderer, what a flip's stamp is anchored to
-  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),
+  simulated INTEGER NOT NULL CHECK (simulated IN (0, 1)),  -- 1: no person took part
   observer TEXT,                      -- JSON parameters of the simulated participant
-  screen_width_m REAL NOT NULL CHECK (screen_width_m > 0),
-  screen_height_m REAL NOT NULL CHECK (screen_height_m > 0),
-  screen_width_px INTEGER NOT NULL CHECK (screen_width_px > 0),
-  screen_height_px INTEGER NOT NULL CHECK (screen_height_px > 0),
-  viewing_distance_m REAL NOT NULL CHECK (viewing_distance_m > 0),
+  screen_width_m REAL NOT NULL CHECK (screen_width_m > 0),  -- of the visible area
+  screen_height_m REAL NOT NULL CHECK (screen_height_m > 0),  -- of the visible area
+  screen_width_px INTEGER NOT NULL CHECK (screen_width_px > 0),  -- as driven
+  screen_height_px INTEGER NOT NULL CHECK (screen_height_px > 0),  -- as driven
+  viewing_distance_m REAL NOT NULL CHECK (viewing_distance_m > 0),  -- from the eye to the screen
   screen_measured INTEGER NOT NULL CHECK (screen_measured IN (0, 1)),  -- 0: assumed, not entered
   refresh_hz REAL NOT NULL CHECK (refresh_hz > 0),                     -- nominal: the frame grid
-  rounding_allowed INTEGER NOT NULL CHECK (rounding_allowed IN (0, 1)),
-  sync_tries INTEGER NOT NULL,
-  sync_valid_flips INTEGER NOT NULL,
-  sync_mean_interval_ns REAL,
-  sync_sd_interval_ns REAL,
-  sync_passed INTEGER NOT NULL CHECK (sync_passed IN (0, 1)),
-  sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),
+  rounding_allowed INTEGER NOT NULL CHECK (rounding_allowed IN (0, 1)),  -- 1: to whole frames
+  sync_tries INTEGER NOT NULL,        -- of the sync test; 0: not run
+  sync_valid_flips INTEGER NOT NULL,  -- that its last try measured
+  sync_mean_interval_ns REAL,         -- between flips; NULL: not measured
+  sync_sd_interval_ns REAL,           -- standard deviation; NULL: not measured
+  sync_passed INTEGER NOT NULL CHECK (sync_passed IN (0, 1)),  -- 1: yes
+  sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),  -- 1: went on without
   series TEXT,                        -- name of the series of protocols it was part of; NULL: none
   series_place INTEGER CHECK (series_place >= 1), -- of this protocol in the series
   -- NULL, here and below: the enrolment's first session, or recorded before schema 5.
@@ -91,11 +94,11 @@ CREATE TABLE session (
 CREATE TABLE trial (
   id INTEGER PRIMARY KEY,
   enrolment_id INTEGER NOT NULL REFERENCES enrolment (id),
-  slot INTEGER NOT NULL CHECK (slot >= 1),
-  phase TEXT NOT NULL CHECK (phase IN ('practice', 'main')),
-  repetition INTEGER NOT NULL CHECK (repetition >= 1),
+  slot INTEGER NOT NULL CHECK (slot >= 1),  -- place in the plan
+  phase TEXT NOT NULL CHECK (phase IN ('practice', 'main')),  -- practice is never pooled
+  repetition INTEGER NOT NULL CHECK (repetition >= 1),  -- of its condition
   condition TEXT NOT NULL CHECK (json_valid(condition)),  -- {"factor": level, ...}
-  seed INTEGER NOT NULL,
+  seed INTEGER NOT NULL,              -- of the trial's own draws
   block INTEGER NOT NULL DEFAULT 1 CHECK (block >= 1),    -- in the order shown
   catch INTEGER NOT NULL DEFAULT 0 CHECK (catch IN (0, 1)),  -- a catch trial, outside the design
   track INTEGER,                      -- adaptive: which track decides the level; NULL: fixed
@@ -112,16 +115,17 @@ CREATE TABLE attempt (
   id INTEGER PRIMARY KEY,
   trial_id INTEGER NOT NULL REFERENCES trial (id),
   session_id INTEGER NOT NULL REFERENCES session (id),
-  number INTEGER NOT NULL CHECK (number >= 1),
+  number INTEGER NOT NULL CHECK (number >= 1),  -- of the showing
   -- Set aside: was completed, but a resumed session began its block anew.
   outcome TEXT NOT NULL CHECK (outcome IN ('completed', 'interrupted', 'set aside')),
   onset_ns INTEGER NOT NULL,          -- flip of the first frame of the stimulus; 0: never shown
   intended_hold_ms REAL NOT NULL,
   realised_hold_ms REAL NOT NULL,     -- differs only when rounding was allowed
-  timed_frames INTEGER NOT NULL,
-  late_timed_frames INTEGER NOT NULL,
-  late_untimed_frames INTEGER NOT NULL,
+  timed_frames INTEGER NOT NULL,      -- frames of the stimulus
+  late_timed_frames INTEGER NOT NULL, -- of these, shown late
+  late_untimed_frames INTEGER NOT NULL,  -- late, on the question and in the interval
   sync_overridden INTEGER NOT NULL CHECK (sync_overridden IN (0, 1)),
+                                      -- 1: the session's sync test failed
   gaze_source TEXT,                   -- 'mouse', 'simulated eye', ...; NULL: gaze not followed
   gaze_latency_p95_ms REAL,           -- sample to flip, 95th percentile over the steps
   gaze_late INTEGER NOT NULL DEFAULT 0 CHECK (gaze_late IN (0, 1)),  -- that exceeded 80 ms
@@ -136,13 +140,13 @@ CREATE TABLE attempt (
 ) STRICT;
 CREATE UNIQUE INDEX one_completed_attempt ON attempt (trial_id) WHERE outcome = 'completed';
 
--- `interval`, here and below: of a two-interval trial, its first or second stimulus; otherwise 1.
 CREATE TABLE step (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
   work_granted INTEGER NOT NULL,            -- units of work; a test of a pair of nodes is one
-  work_spent INTEGER NOT NULL,
+  work_spent INTEGER NOT NULL,        -- at most what was granted, or the floor
   degradations INTEGER NOT NULL,            -- bits, see engine/step.hpp
   hash INTEGER NOT NULL,                    -- of the bodies' state, 64 bits
   digests BLOB NOT NULL,                    -- 16 bits per body and field, little endian
@@ -163,16 +167,17 @@ CREATE TABLE step (
 CREATE TABLE collision (
   id INTEGER PRIMARY KEY,
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
-  step INTEGER NOT NULL,
-  body_a TEXT NOT NULL,
-  body_b TEXT NOT NULL,
-  level INTEGER NOT NULL,
+  step INTEGER NOT NULL,              -- in which the pair began to touch
+  body_a TEXT NOT NULL,               -- its name in the scene
+  body_b TEXT NOT NULL,               -- its name, or that of a wall
+  level INTEGER NOT NULL,             -- of the volume tree that was used, 0 the coarsest
   stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget', 'greatest level', 'capped')),
+                                      -- why there
   point_x_m REAL NOT NULL, point_y_m REAL NOT NULL, point_z_m REAL NOT NULL,
   normal_x REAL NOT NULL, normal_y REAL NOT NULL, normal_z REAL NOT NULL,  -- from b to a
-  depth_m REAL NOT NULL,
-  approach_m_s REAL NOT NULL,
-  impulse_Ns REAL NOT NULL,
+  depth_m REAL NOT NULL,              -- how deep the volumes overlap
+  approach_m_s REAL NOT NULL,         -- speed along the normal before the response
+  impulse_Ns REAL NOT NULL,           -- along the normals, sum over contacts
   imposed_hold_ms REAL NOT NULL,      -- imposed manipulation: the freeze this contact started
   imposed_no_spin INTEGER NOT NULL CHECK (imposed_no_spin IN (0, 1)),  -- imposed: no rotation
   eccentricity_deg REAL NOT NULL,     -- of the contact from the screen's centre
@@ -183,6 +188,7 @@ CREATE TABLE collision (
   region_eccentricity_deg REAL,       -- from the centre of the region; NULL: none
   contacts INTEGER NOT NULL DEFAULT 1 CHECK (contacts >= 1),  -- point and normal are the deepest's
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
   -- As the viewer sees it when it begins; NULL: recorded before schema 4.
   distance_m REAL,                    -- of the contact from the eye
   speed_deg_s REAL,                   -- mean projected speed of both bodies (a wall's is 0)
@@ -205,14 +211,15 @@ CREATE TABLE collision_truth (
 
 CREATE TABLE frame (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
-  frame INTEGER NOT NULL,
-  phase TEXT NOT NULL CHECK (phase IN ('fixation', 'stimulus')),
+  frame INTEGER NOT NULL,             -- of the attempt, in the order shown
+  phase TEXT NOT NULL CHECK (phase IN ('fixation', 'stimulus')),  -- what was shown
   shown_time_s REAL NOT NULL,         -- the stimulus's own time that the frame shows
-  scheduled_ns INTEGER NOT NULL,
-  submitted_ns INTEGER NOT NULL,
-  flipped_ns INTEGER NOT NULL,
+  scheduled_ns INTEGER NOT NULL,      -- when the flip was due
+  submitted_ns INTEGER NOT NULL,      -- when drawing was handed over
+  flipped_ns INTEGER NOT NULL,        -- when it was on the screen, as far as known
   missed_slots INTEGER NOT NULL,      -- > 0: the frame was late by so many refreshes
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
   patch INTEGER,                      -- code that the photodiode patch showed; NULL: no patch
   PRIMARY KEY (attempt_id, frame)
 ) STRICT, WITHOUT ROWID;
@@ -222,11 +229,12 @@ CREATE TABLE frame (
 CREATE TABLE gaze (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   sample INTEGER NOT NULL,            -- from 1
-  taken_ns INTEGER NOT NULL,
+  taken_ns INTEGER NOT NULL,          -- when the sample was taken
   x_m REAL,                           -- right of the screen's centre; NULL: lost
   y_m REAL,
   loss TEXT CHECK (loss IN ('blink', 'off screen', 'lost')),  -- why there is no place
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
   PRIMARY KEY (attempt_id, sample),
   CHECK ((x_m IS NULL) = (y_m IS NULL) AND (x_m IS NULL) = (loss IS NOT NULL))
 ) STRICT, WITHOUT ROWID;
@@ -234,26 +242,29 @@ CREATE TABLE gaze (
 -- Clicks during the stimulus, all of them.
 CREATE TABLE click (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
-  number INTEGER NOT NULL CHECK (number >= 1),
+  number INTEGER NOT NULL CHECK (number >= 1),  -- in the order made
   device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated')),
-  arrived_ns INTEGER NOT NULL,
-  arrival_uncertainty_ns INTEGER NOT NULL,
+                                      -- simulated: no person clicked
+  arrived_ns INTEGER NOT NULL,        -- when the program got it
+  arrival_uncertainty_ns INTEGER NOT NULL,  -- may be this much earlier
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
   PRIMARY KEY (attempt_id, number)
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE rating (
   attempt_id INTEGER PRIMARY KEY REFERENCES attempt (id),
-  rating INTEGER NOT NULL,
-  minimum INTEGER NOT NULL,
-  maximum INTEGER NOT NULL,
+  rating INTEGER NOT NULL,            -- as given
+  minimum INTEGER NOT NULL,           -- of the scale
+  maximum INTEGER NOT NULL,           -- of the scale
   best INTEGER NOT NULL,              -- which end is good: never pool scales without it
-  low_anchor TEXT NOT NULL,
-  high_anchor TEXT NOT NULL,
+  low_anchor TEXT NOT NULL,           -- words at the scale's minimum
+  high_anchor TEXT NOT NULL,          -- words at the scale's maximum
   device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated')),
-  question_shown_ns INTEGER NOT NULL,
-  arrived_ns INTEGER NOT NULL,
-  arrival_uncertainty_ns INTEGER NOT NULL,
+                                      -- simulated: no person rated
+  question_shown_ns INTEGER NOT NULL, -- flip that showed the question
+  arrived_ns INTEGER NOT NULL,        -- when the program got the answer
+  arrival_uncertainty_ns INTEGER NOT NULL,  -- may be this much earlier
   CHECK (minimum < maximum AND rating BETWEEN minimum AND maximum),
   CHECK (best IN (minimum, maximum))
 ) STRICT;
@@ -261,7 +272,7 @@ CREATE TABLE rating (
 -- Answers to a trial's questions other than ratings, in the order asked.
 CREATE TABLE response (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
-  number INTEGER NOT NULL CHECK (number >= 1),
+  number INTEGER NOT NULL CHECK (number >= 1),  -- in the order asked
   kind TEXT NOT NULL,                 -- 'yes_no', 'two_interval', 'free_text', ...
   question TEXT NOT NULL,             -- the words that were asked
   answer TEXT,                        -- 'yes', 'first', free words; NULL: timed out or left empty
@@ -269,10 +280,10 @@ CREATE TABLE response (
   correct INTEGER CHECK (correct IN (0, 1)),    -- NULL: there is no right answer
   detail TEXT NOT NULL CHECK (json_valid(detail)),  -- what else the kind records, {"name": value}
   device TEXT NOT NULL CHECK (device IN ('key', 'mouse', 'simulated', 'none')),  -- none: timed out
-  question_shown_ns INTEGER NOT NULL,
-  arrived_ns INTEGER NOT NULL,
-  arrival_uncertainty_ns INTEGER NOT NULL,
-  timed_out INTEGER NOT NULL DEFAULT 0 CHECK (timed_out IN (0, 1)),
+  question_shown_ns INTEGER NOT NULL, -- flip that showed the question
+  arrived_ns INTEGER NOT NULL,        -- when the program got the answer
+  arrival_uncertainty_ns INTEGER NOT NULL,  -- may be this much earlier
+  timed_out INTEGER NOT NULL DEFAULT 0 CHECK (timed_out IN (0, 1)),  -- 1: no answer in time
   PRIMARY KEY (attempt_id, number)
 ) STRICT, WITHOUT ROWID;
 
@@ -281,9 +292,10 @@ CREATE TABLE calibration (
   id INTEGER PRIMARY KEY,
   session_id INTEGER NOT NULL REFERENCES session (id),
   kind TEXT NOT NULL CHECK (kind IN ('calibration', 'validation', 'drift check')),
+                                      -- a drift check corrects nothing
   number INTEGER NOT NULL CHECK (number >= 1),     -- try, from 1, of its kind and occasion
   before_slot INTEGER NOT NULL,                    -- the planned trial that comes next
-  gaze_source TEXT NOT NULL,
+  gaze_source TEXT NOT NULL,          -- 'mouse', 'simulated eye', ...
   accuracy_deg REAL,                  -- mean distance of gaze from the points; NULL: nothing valid
   worst_accuracy_deg REAL,            -- of the worst point
   precision_rms_deg REAL,             -- RMS of distances from sample to sample
@@ -291,8 +303,8 @@ CREATE TABLE calibration (
   lost_share REAL NOT NULL,           -- of the samples
   sampling_hz REAL,                   -- as measured
   accuracy_limit_deg REAL NOT NULL,   -- the protocol's
-  passed INTEGER NOT NULL CHECK (passed IN (0, 1)),
-  began_ns INTEGER NOT NULL,
+  passed INTEGER NOT NULL CHECK (passed IN (0, 1)),  -- 1: within the limit
+  began_ns INTEGER NOT NULL,          -- when its first point was shown
   -- Of a calibration: what was done from then on to raw samples, so that a step used
   -- (x0 + xx·x + xy·y, y0 + yx·x + yy·y); NULL: nothing new.
   correction_x0_m REAL, correction_xx REAL, correction_xy REAL,
@@ -301,13 +313,14 @@ CREATE TABLE calibration (
 
 CREATE TABLE calibration_point (
   calibration_id INTEGER NOT NULL REFERENCES calibration (id),
-  point INTEGER NOT NULL CHECK (point >= 1),
+  point INTEGER NOT NULL CHECK (point >= 1),  -- in the order shown
   x_m REAL NOT NULL, y_m REAL NOT NULL,            -- shown, right of and above the centre
   -- Mean of the valid samples, raw in a calibration, corrected in the others; NULL: none.
   gaze_x_m REAL, gaze_y_m REAL,
   accuracy_deg REAL, precision_rms_deg REAL, precision_sd_deg REAL,
-  samples INTEGER NOT NULL,
-  lost INTEGER NOT NULL,
+                                      -- of this point; NULL: nothing valid
+  samples INTEGER NOT NULL,           -- while it was shown
+  lost INTEGER NOT NULL,              -- of these, without a place
   PRIMARY KEY (calibration_id, point)
 ) STRICT, WITHOUT ROWID;
 
@@ -315,6 +328,7 @@ CREATE TABLE answer (
   id INTEGER PRIMARY KEY,
   session_id INTEGER NOT NULL REFERENCES session (id),
   kind TEXT NOT NULL CHECK (kind IN ('consent', 'demographic', 'question')),
+                                      -- by the page that asked
   question TEXT NOT NULL,             -- its id in the protocol
   words TEXT NOT NULL,                -- as they were asked
   answer TEXT                         -- NULL: left empty
@@ -323,9 +337,9 @@ CREATE TABLE answer (
 CREATE TABLE note (
   id INTEGER PRIMARY KEY,
   session_id INTEGER NOT NULL REFERENCES session (id),
-  written_utc TEXT NOT NULL,
-  kind TEXT NOT NULL,
-  text TEXT NOT NULL
+  written_utc TEXT NOT NULL,          -- by the wall clock
+  kind TEXT NOT NULL,                 -- what it is about
+  text TEXT NOT NULL                  -- for the reader of the study
 ) STRICT;
 
 -- Who or what the analysis leaves out, and why. Never deleted: taken back by a later row.
@@ -334,6 +348,6 @@ CREATE TABLE exclusion (
   participant_id INTEGER NOT NULL REFERENCES participant (id),
   trial_id INTEGER REFERENCES trial (id),          -- NULL: all of the participant's trials
   excluded INTEGER NOT NULL CHECK (excluded IN (0, 1)),  -- 0: taken back; the last row counts
-  reason TEXT NOT NULL CHECK (length(reason) > 0),
-  decided_utc TEXT NOT NULL
+  reason TEXT NOT NULL CHECK (length(reason) > 0),  -- in the words of who decided
+  decided_utc TEXT NOT NULL           -- by the wall clock
 ) STRICT;

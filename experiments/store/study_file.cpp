@@ -16,9 +16,15 @@
 
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/migration.hpp"
+#include "experiments/store/present_file.hpp"
+#include "experiments/store/read_only_file.hpp"
 
 namespace impetus {
 namespace {
+
+/// How long another program, such as a viewer of databases or a backup, may hold the file while a
+/// session runs, before the session ends for that.
+constexpr int kPatience_ms = 20000;
 
 constexpr int kApplicationId = 0x494d5054;  // "IMPT"
 
@@ -40,6 +46,15 @@ bool is_empty(SQLite::Database& database, const std::string& name) {
   }
 }
 
+/// ", which BUILD made", where a study of whatever version tells it.
+std::string made_by(SQLite::Database& database) {
+  try {
+    return ", which " + database.execAndGet("SELECT build FROM study").getString() + " made";
+  } catch (const SQLite::Exception&) {
+    return "";
+  }
+}
+
 /// Refuses what is not a study of a version that is known; returns that version.
 std::int64_t require_study(SQLite::Database& database, const std::string& name) {
   if (is_empty(database, name)) {
@@ -52,7 +67,8 @@ std::int64_t require_study(SQLite::Database& database, const std::string& name) 
   if (version < kOldestSchemaVersion || version > kSchemaVersion) {
     throw InputError(name + ": expected a study of schema version " +
                      std::to_string(kOldestSchemaVersion) + " to " +
-                     std::to_string(kSchemaVersion) + ", got version " + std::to_string(version));
+                     std::to_string(kSchemaVersion) + ", got version " + std::to_string(version) +
+                     made_by(database));
   }
   return version;
 }
@@ -90,7 +106,8 @@ void create_schema(SQLite::Database& database, const std::string& build) {
   SQLite::Transaction transaction(database);
   create_tables_and_views(database);
   SQLite::Statement study(database,
-                          "INSERT INTO study VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
+                          "INSERT INTO study (id, created_utc, build) "
+                          "VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
   study.bind(1, build);
   study.exec();
   database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
@@ -145,6 +162,7 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
       keep_original(*study.database_, path, version);
       migrate(*study.database_, version);
     }
+    study.database_->setBusyTimeout(kPatience_ms);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected a study that can be written: " + error.what());
   }
@@ -158,8 +176,7 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
     throw InputError(study.name_ + ": expected an Impetus study, but there is no such file");
   }
   try {
-    study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READONLY);
-    study.database_->setBusyTimeout(2000);
+    study.database_ = open_read_only(path);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }
@@ -168,6 +185,27 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
     study.database_ = migrated_copy(*study.database_, version);
   }
   return study;
+}
+
+void StudyFile::require_present() {
+  if (is_present(name_, lock_)) {
+    return;
+  }
+  const std::string gone = name_ + ": removed or replaced while it was written to; ";
+  try {
+    throw StoreError(gone + "all that was saved is in " + rescue(*database_, name_).string());
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(gone + "what was saved could not be written beside it: " + error.what());
+  }
+}
+
+StudyFile StudyFile::copy_in_memory(StudyFile& study) {
+  StudyFile copy;
+  copy.name_ = study.name();
+  copy.database_ =
+      std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  SQLite::Backup(*copy.database_, *study.database_).executeStep();
+  return copy;
 }
 
 StudyFile::StudyFile(StudyFile&& other) noexcept

@@ -31,12 +31,20 @@ class StudyFile {
   /// Opens a study that exists, read-only; of an older schema, a copy in memory. Throws InputError.
   static StudyFile open_for_reading(const std::filesystem::path& path);
 
+  /// A copy in memory, which may be changed: no file is. Throws SQLite::Exception.
+  static StudyFile copy_in_memory(StudyFile& study);
+
   StudyFile(StudyFile&&) noexcept;
   StudyFile& operator=(StudyFile&&) = delete;
   ~StudyFile();
 
   [[nodiscard]] SQLite::Database& database() { return *database_; }
   [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// After a commit: that what was written can be found. Throws StoreError when the file was
+  /// removed or replaced since it was opened for writing; then all of it is written beside it
+  /// first.
+  void require_present();
 
   /// To be held for each transaction and query while several sessions share the file.
   [[nodiscard]] std::mutex& transactions() { return *transactions_; }

@@ -71,13 +71,15 @@ ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
 }
 
 std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {
-  SQLite::Statement query(study.database(),
-                          "SELECT taken_ns, x_m, y_m, loss FROM gaze WHERE attempt_id = ? "
-                          "ORDER BY sample");
+  SQLite::Statement query(
+      study.database(),
+      "SELECT taken_ns, x_m, y_m, loss, interval FROM gaze WHERE attempt_id = ? "
+      "ORDER BY sample");
   query.bind(1, attempt_id);
   std::vector<GazeSample> samples;
   while (query.executeStep()) {
-    GazeSample sample{query.getColumn(0).getInt64(), {}, GazeLoss::kNone};
+    GazeSample sample{
+        query.getColumn(0).getInt64(), {}, GazeLoss::kNone, query.getColumn(4).getInt64()};
     if (query.getColumn(3).isNull()) {
       sample.at = ScreenPoint{query.getColumn(1).getDouble(), query.getColumn(2).getDouble()};
     } else {
@@ -89,6 +91,21 @@ std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {
     samples.push_back(sample);
   }
   return samples;
+}
+
+GazeCorrection load_gaze_correction(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(
+      study.database(),
+      "SELECT correction_x0_m, correction_xx, correction_xy, correction_y0_m, correction_yx, "
+      "correction_yy FROM calibration JOIN attempt ON attempt.session_id = calibration.session_id "
+      "WHERE attempt.id = ? AND correction_x0_m IS NOT NULL AND began_ns < onset_ns "
+      "ORDER BY calibration.id DESC LIMIT 1");
+  query.bind(1, attempt_id);
+  if (!query.executeStep()) {
+    return {};
+  }
+  const auto number = [&query](int column) { return query.getColumn(column).getDouble(); };
+  return {number(0), number(1), number(2), number(3), number(4), number(5)};
 }
 
 std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,

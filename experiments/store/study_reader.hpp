@@ -9,6 +9,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/session/gaze.hpp"
+#include "experiments/session/gaze_correction.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 
@@ -41,6 +42,10 @@ ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id);
 
 /// The gaze of an attempt, in order.
 std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id);
+
+/// What its session's last calibration before the attempt does to raw samples; nothing where there
+/// was none.
+GazeCorrection load_gaze_correction(StudyFile& study, std::int64_t attempt_id);
 
 /// When each click of an attempt's interval arrived (nanoseconds), in order.
 std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,

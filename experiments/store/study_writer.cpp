@@ -11,8 +11,24 @@
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/calibration_rows.hpp"
 #include "experiments/store/not_finite_notes.hpp"
+#include "experiments/store/resumption_rows.hpp"
 
 namespace impetus {
+namespace {
+
+void bind_resumed(SQLite::Statement& insert, int first,
+                  const std::optional<ResumedSession>& resumed) {
+  if (!resumed) {
+    return;
+  }
+  insert.bind(first, resumed->at == ResumeRule::At::kBlock ? "block" : "trial");
+  insert.bind(first + 1, resumed->after_s);
+  if (resumed->resumption.first_slot) {
+    insert.bind(first + 2, *resumed->resumption.first_slot);
+  }
+}
+
+}  // namespace
 
 StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
     : study_(study),
@@ -43,9 +59,10 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
       "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
       "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
       "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
-      "series, series_place) "
+      "series, series_place, resumed_at, resumed_after_s, first_slot, photodiode_patch, "
+      "gaze_source) "
       "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), nullif(?, ''))");
   SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,
                facts.simulated ? 1 : 0, facts.observer, facts.screen.width_m, facts.screen.height_m,
                facts.screen.width_px, facts.screen.height_px, facts.screen.viewing_distance_m,
@@ -56,11 +73,21 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
     insert.bind(22, facts.series);
     insert.bind(23, facts.series_place);
   }
+  bind_resumed(insert, 24, facts.resumed);
+  insert.bind(27, facts.photodiode_patch);
+  insert.bind(28, facts.gaze_source);
   insert.exec();
   session_id_ = database.getLastInsertRowid();
+  if (facts.resumed) {
+    set_aside(database, enrolment_id_, session_id_, facts.resumed->resumption.set_aside);
+  }
 }
 
 void StudyWriter::save(AttemptRecord attempt) {
+  const std::int64_t late = late_frames(attempt);
+  frames_.timed += static_cast<std::int64_t>(attempt.frames.size());
+  frames_.late += late;
+  frames_.late_attempts += late > 0 ? 1 : 0;
   not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);
@@ -167,6 +194,10 @@ void StudyWriter::perform(const Task& task) {
     SQLite::Transaction transaction(study_.database());
     task(study_.database());
     transaction.commit();
+    study_.require_present();
+  } catch (const StoreError&) {
+    const std::lock_guard lock(mutex_);
+    failure_ = std::current_exception();
   } catch (const std::exception& error) {
     const std::lock_guard lock(mutex_);
     failure_ = std::make_exception_ptr(

@@ -17,10 +17,26 @@
 #include <utility>
 
 #include "experiments/session/ports.hpp"
+#include "experiments/session/resumption.hpp"
 #include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"
 
 namespace impetus {
+
+/// How a session goes on with what an earlier one left.
+struct ResumedSession {
+  ResumeRule::At at{ResumeRule::At::kTrial};
+  double after_s{
+      0.0};  ///< by the wall clock, since anything was last recorded; < 0: it was set back
+  Resumption resumption{};
+};
+
+/// Timed frames of the attempts that were given to save.
+struct FrameCount {
+  std::int64_t timed{0};
+  std::int64_t late{0};
+  std::int64_t late_attempts{0};  ///< with any that was late
+};
 
 /// What a session says of itself before it begins.
 struct SessionFacts {
@@ -37,6 +53,9 @@ struct SessionFacts {
   bool sync_overridden{false};
   std::string series{};  ///< of protocols, which this one is part of; "": none
   std::int64_t series_place{1};
+  std::string photodiode_patch{};           ///< its corner; "": none
+  std::string gaze_source{};                ///< "mouse", ...; "": gaze is not followed
+  std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
 };
 
 class StudyWriter final : public Recorder {
@@ -66,6 +85,8 @@ class StudyWriter final : public Recorder {
   /// Of those that were given to save: how many had a body taken out (not_finite_notes.hpp).
   [[nodiscard]] std::int64_t not_finite_attempts() const { return not_finite_attempts_; }
 
+  [[nodiscard]] const FrameCount& frames() const { return frames_; }
+
   /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
   void end(const std::string& ending);
 
@@ -84,6 +105,7 @@ class StudyWriter final : public Recorder {
   std::int64_t session_id_{0};
   std::function<void()> saved_;
   std::int64_t not_finite_attempts_{0};
+  FrameCount frames_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -141,6 +141,21 @@ JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 WHERE attempt.outcome = 'interrupted';
 
+-- One row per attempt that was completed and then set aside: a resumed session began its block anew.
+CREATE VIEW set_aside_attempt AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       trial.id AS trial,
+       attempt.number AS attempt,
+       attempt.session_id AS session,
+       attempt.set_aside_in AS set_aside_in
+FROM attempt
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE attempt.outcome = 'set aside';
+
 -- One row per collision of a completed attempt, with its truth where `replay --truth` filled it.
 CREATE VIEW seen_collision AS
 SELECT participant.pseudonym AS participant,
@@ -296,6 +311,32 @@ JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id
 WHERE step.pops > 0 OR step.stopped_short > 0;
 
+-- One row per frame of a completed attempt that showed a photodiode patch, to match a recorded trace.
+CREATE VIEW patch_frame AS
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       session.id AS session,
+       session.photodiode_patch AS corner,
+       trial.id AS trial,
+       trial.slot AS slot,
+       trial.phase AS trial_phase,
+       frame.frame AS frame,
+       frame.interval AS interval,
+       frame.phase AS phase,
+       frame.shown_time_s AS shown_time_s,
+       frame.scheduled_ns / 1e9 AS scheduled_s,
+       frame.flipped_ns / 1e9 AS flipped_s,
+       frame.missed_slots AS missed_slots,
+       frame.patch AS code
+FROM frame
+JOIN attempt ON attempt.id = frame.attempt_id AND attempt.outcome = 'completed'
+JOIN session ON session.id = attempt.session_id
+JOIN trial ON trial.id = attempt.trial_id
+JOIN enrolment ON enrolment.id = trial.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+WHERE frame.patch IS NOT NULL;
+
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS
 SELECT trial.id AS trial, json_each.key AS factor, json_each.value AS level
@@ -325,6 +366,52 @@ SELECT participant.pseudonym AS participant,
 FROM enrolment
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
+
+-- One row per session: what recorded it, on what, before which screen, who took part, and how sure
+-- the display's timing was.
+CREATE VIEW session_provenance AS
+SELECT participant.pseudonym AS participant,
+       participant.simulated AS simulated,
+       protocol.name AS protocol,
+       protocol.hash AS protocol_hash,
+       session.id AS session,
+       session.started_utc AS started_utc,
+       session.ended_utc AS ended_utc,
+       session.ending AS ending,
+       session.build AS build,
+       session.recording_format AS recording_format,
+       session.machine AS machine,
+       session.display AS display,
+       session.screen_width_m AS screen_width_m,
+       session.screen_height_m AS screen_height_m,
+       session.screen_width_px AS screen_width_px,
+       session.screen_height_px AS screen_height_px,
+       session.viewing_distance_m AS viewing_distance_m,
+       session.screen_measured AS screen_measured,
+       session.refresh_hz AS refresh_hz,
+       session.rounding_allowed AS rounding_allowed,
+       session.sync_tries AS sync_tries,
+       session.sync_valid_flips AS sync_valid_flips,
+       session.sync_mean_interval_ns / 1e6 AS sync_mean_interval_ms,
+       session.sync_sd_interval_ns / 1e6 AS sync_sd_interval_ms,
+       session.sync_passed AS sync_passed,
+       session.sync_overridden AS sync_overridden,
+       session.gaze_source AS gaze_source,
+       session.photodiode_patch AS photodiode_patch,
+       session.observer AS observer,
+       session.series AS series,
+       session.series_place AS series_place,
+       session.resumed_at AS resumed_at,
+       session.resumed_after_s AS resumed_after_s,
+       session.first_slot AS first_slot,
+       merged_file.name AS merged_from,
+       merged_file.hash AS merged_hash,
+       merged_file.merged_utc AS merged_utc
+FROM session
+JOIN enrolment ON enrolment.id = session.enrolment_id
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = enrolment.protocol_id
+LEFT JOIN merged_file ON merged_file.id = participant.merged_file_id;
 
 -- One row per question outside trials.
 CREATE VIEW questionnaire AS

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/session/region_source.hpp"
 #include "experiments/trade/work_beyond_floor.hpp"
 
@@ -62,22 +61,6 @@ std::vector<Poses> reference_of(const StagedScene& scene, double longest_s) {
   return course;
 }
 
-/// The angle between two orientations.
-double turn_deg(const Quaternion& x, const Quaternion& y) {
-  const Quaternion between = x.conjugate() * y;
-  return degrees(2.0 * atan2_rad(between.vec().norm(), std::abs(between.w())));
-}
-
-/// Whether the eye could tell; what is not a number is told from everything.
-bool are_apart(const Pose& x, const Pose& y, bool turns_show, const Viewer& viewer,
-               const PartingThresholds& thresholds) {
-  const bool same_place =
-      visual_angle_deg(viewer, x.position, y.position) < thresholds.position_deg;
-  const bool same_turn =
-      !turns_show || turn_deg(x.orientation, y.orientation) < thresholds.turn_deg;
-  return !same_place || !same_turn;
-}
-
 PartedTrial parted(const StagedScene& scene, const std::vector<Poses>& reference, Trial trial,
                    const PartingThresholds& thresholds) {
   const std::size_t bodies = scene.world.models().size();
@@ -88,8 +71,8 @@ PartedTrial parted(const StagedScene& scene, const std::vector<Poses>& reference
     const std::vector<BodyState>& states = trial.step();
     for (std::size_t body = 0; body < bodies; ++body) {
       if (!has_parted[body] &&
-          are_apart(reference[step][body], states[body].pose, scene.looks[body].mesh != nullptr,
-                    trial.viewer(), thresholds)) {
+          seen_apart(reference[step][body], states[body].pose, scene.looks[body].mesh != nullptr,
+                     trial.viewer(), thresholds)) {
         has_parted[body] = true;
         ++count;
       }

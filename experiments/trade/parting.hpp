@@ -20,15 +20,10 @@
 #include <vector>
 
 #include "engine/trees/tree_settings.hpp"
+#include "experiments/session/seen_apart.hpp"
 #include "experiments/trade/tried_order.hpp"
 
 namespace impetus {
-
-/// As far apart as this, a body is seen to be elsewhere, or turned. Spheres are not seen to turn.
-struct PartingThresholds {
-  double position_deg{0.5};  ///< of visual angle, for the scene's viewer
-  double turn_deg{10.0};
-};
 
 /// One way to simulate a trial.
 struct PartingSetting {

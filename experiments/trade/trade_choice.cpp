@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "experiments/trade/csv_line.hpp"
+#include "experiments/tables/csv_line.hpp"
 #include "experiments/trade/trade_words.hpp"
 
 namespace impetus {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "experiments/trade/csv_line.hpp"
+#include "experiments/tables/csv_line.hpp"
 
 namespace impetus {
 namespace {

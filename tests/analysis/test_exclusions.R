@@ -16,11 +16,26 @@ test_that("an excluded participant and an excluded trial are out, and the table 
   expect_equal(as.vector(table(study$trials$participant)), c(26, 27))
   expect_false(5 %in% study$trials$trial)
   expect_equal(exclusions_sentence(study), paste("Left out: 28 ratings of 2 participants (a phone",
-    "rang | loudly; fell asleep)."))
+    "rang \\| loudly; fell asleep)."))
   expect_equal(exclusion_lines(study)[-(1:4)], c(
     "| P01 | 5 | 1 | a phone rang \\| loudly | 2026-02-01T09:00:00Z |",
     "| P02 | all | 27 | fell asleep | 2026-02-01T09:00:00Z |"))
   expect_match(participants_sentence(study), "^2 participants, 53 ratings")
+})
+
+test_that("what somebody typed stays text in a report", {
+  typed <- c("<script>alert(1)</script>", "[x](y) `z` | *b*", "Robert'); DROP TABLE trial;--",
+    "%s%n", "two\nlines \u202e")
+  expect_equal(as_typed(typed), c("&lt;script&gt;alert(1)&lt;/script&gt;",
+    "\\[x\\](y) \\`z\\` \\| \\*b\\*", "Robert'); DROP TABLE trial;--", "%s%n",
+    "two lines \u202e"))
+  trials <- causality_trials(seed = 204, participants = 2, repetitions = 1)
+  trials$participant <- ifelse(trials$participant == "P01", typed[1], typed[3])
+  path <- study_file(trials)
+  add_exclusion(path, typed[1], NA, typed[2])
+  lines <- exclusion_lines(read_it(path))
+  expect_match(lines, "| &lt;script&gt;alert(1)&lt;/script&gt; | all | 27 |", fixed = TRUE, all = FALSE)
+  expect_false(any(grepl("<script>", lines, fixed = TRUE)))
 })
 
 test_that("an exclusion taken back is none, and one in another protocol's trial is not listed", {
@@ -79,6 +94,10 @@ test_that("what else happened is counted: late frames, late gaze, interruptions,
     intended_hold_ms, realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames,
     sync_overridden, interrupted_by) SELECT trial_id, session_id, 2, 'interrupted', 0, 0, 0, 0, 0,
     0, 0, 'gaze lost' FROM attempt WHERE trial_id IN (1, 2, 40)")
+  DBI::dbExecute(study, "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns,
+    intended_hold_ms, realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames,
+    sync_overridden, set_aside_in) SELECT trial_id, session_id, 3, 'set aside', 0, 0, 0, 0, 0,
+    0, 0, session_id FROM attempt WHERE trial_id = 5")
   DBI::dbExecute(study, "INSERT INTO response (attempt_id, number, kind, question, detail, device,
     question_shown_ns, arrived_ns, arrival_uncertainty_ns, timed_out)
     VALUES (9, 1, 'yes_no', 'Seen?', '{}', 'none', 0, 0, 0, 1)")
@@ -88,6 +107,7 @@ test_that("what else happened is counted: late frames, late gaze, interruptions,
     "| with late timed frames | 2 | 1 | in the analysis |",
     "| with gaze shown too late | 1 | 1 | in the analysis |",
     "| showings interrupted (gaze lost) | 3 | 2 | not data; shown again |",
+    "| showings interrupted (set aside with its block) | 1 | 1 | not data; shown again |",
     "| without an answer in time | 1 | 1 | no answer to analyse |",
     "| catch trials | 0 | 0 | apart, below |"))
 })

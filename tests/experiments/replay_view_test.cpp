@@ -1,6 +1,6 @@
 // What the viewer of replays shows of a trial, without its window.
 // SPDX-License-Identifier: MIT
-#include "experiments/session/replay_view.hpp"
+#include "experiments/session/replay_simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,6 +19,7 @@
 #include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
@@ -94,20 +95,6 @@ inline std::filesystem::path plain_database(const std::filesystem::path& path,
 inline std::string value_of(const std::filesystem::path& path, const std::string& sql) {
   SQLite::Database database(path.string(), SQLite::OPEN_READONLY);
   return database.execAndGet(sql).getString();
-}
-
-inline ProtocolTexts texts_of(const Protocol& protocol) {
-  return {protocol.name, protocol.hash, protocol.document.text, protocol.scene.text};
-}
-
-inline std::vector<StoredTrial> stored(const Plan& plan) {
-  std::vector<StoredTrial> trials;
-  for (const PlannedTrial& trial : plan) {
-    trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
-                      trial.seed, trial.block, trial.catch_trial, trial.track});
-    trials.back().yoked_trial_id = trial.yoked_trial_id;
-  }
-  return trials;
 }
 
 inline SessionFacts facts() {

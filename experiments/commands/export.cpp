@@ -1,0 +1,117 @@
+// `impetus export`: a study in files that other programs read, or as another study without people.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "build_info.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/exports/anonymise.hpp"
+#include "experiments/exports/bids_export.hpp"
+#include "experiments/exports/csv_export.hpp"
+#include "experiments/exports/study_copy.hpp"
+#include "experiments/exports/whole_folder.hpp"
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+struct ExportOptions {
+  std::string database;
+  std::string format{"csv"};
+  std::string out;
+  bool anonymise{false};
+  bool force{false};
+};
+
+void warn(const ExportReport& report) {
+  if (report.formula_like_texts > 0) {
+    std::fprintf(stderr,
+                 "note: %lld texts begin with = + - or @; import text as text where a spreadsheet "
+                 "would take it for a formula\n",
+                 static_cast<long long>(report.formula_like_texts));
+  }
+  if (report.mended_texts > 0) {
+    std::fprintf(stderr, "note: %lld texts were no UTF-8; bytes that are none became U+FFFD\n",
+                 static_cast<long long>(report.mended_texts));
+  }
+}
+
+std::string hash_of(const std::string& protocol, const std::string& scene) {
+  return make_protocol(parse_json("protocol", protocol), parse_json("scene", scene)).hash;
+}
+
+/// Without the people, where that was asked for; the study itself otherwise.
+StudyFile& chosen_study(StudyFile& study, std::optional<StudyFile>& copy,
+                        const ExportOptions& options) {
+  if (!options.anonymise) {
+    return study;
+  }
+  copy.emplace(StudyFile::copy_in_memory(study));
+  anonymise(copy->database(), kBuild, hash_of);
+  return *copy;
+}
+
+CodebookHead head_of(SQLite::Database& study) {
+  return {kBuild, study.execAndGet("SELECT build FROM study").getString(),
+          study.execAndGet("SELECT anonymised_by IS NOT NULL FROM study").getInt() != 0};
+}
+
+int export_file(StudyFile& original, const ExportOptions& options) {
+  require_free_file(original, options.out, options.force);
+  std::optional<StudyFile> copy;
+  write_study_copy(chosen_study(original, copy, options), options.out);
+  std::printf("%s: the study%s\n", options.out.c_str(),
+              options.anonymise ? " without who took part" : "");
+  return kDone;
+}
+
+int export_folder(StudyFile& original, const ExportOptions& options) {
+  WholeFolder folder(options.out, options.force);
+  original.database().exec("BEGIN");  // one state of the study, whoever writes to it meanwhile
+  std::optional<StudyFile> copy;
+  StudyFile& study = chosen_study(original, copy, options);
+  const CodebookHead head = head_of(study.database());
+  const bool bids = options.format == "bids";
+  const ExportReport report =
+      bids ? export_bids(study, head, folder.path()) : export_csv(study, head, folder.path());
+  folder.put_in_place();
+  warn(report);
+  std::printf("%s: %lld files, %lld rows; %s says what each column means\n", options.out.c_str(),
+              static_cast<long long>(report.files), static_cast<long long>(report.rows),
+              bids ? "the .json beside each table" : "codebook.md");
+  return kDone;
+}
+
+int run_export(const ExportOptions& options) {
+  StudyFile study = StudyFile::open_for_reading(options.database);
+  try {
+    return options.format == "study" ? export_file(study, options) : export_folder(study, options);
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write a study as files that other programs read");
+  command->add_option("study", options->database, "Study file")->required();
+  command
+      ->add_option("--format", options->format,
+                   "csv: tables and a codebook; bids: a BIDS 1.11 dataset; study: a study file")
+      ->check(CLI::IsMember({"csv", "bids", "study"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "The folder to write to; of a study, the file")
+      ->required();
+  command->add_flag("--anonymise", options->anonymise,
+                    "New codes; leave out what people typed, names of machines and dates");
+  command->add_flag("--force", options->force, "Overwrite an earlier export");
+  command->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
+}
+
+}  // namespace impetus

@@ -1,0 +1,43 @@
+// `impetus merge`: files of several stations of one study, joined into one.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "build_info.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/store/study_merge.hpp"
+
+namespace impetus {
+namespace {
+
+struct MergeOptions {
+  std::vector<std::string> sources;
+  std::string into;
+};
+
+int merge(const MergeOptions& options) {
+  const std::vector<std::filesystem::path> sources(options.sources.begin(), options.sources.end());
+  const MergeResult result = merge_studies(sources, options.into, kBuild);
+  std::printf(
+      "%s: %lld participants added; it holds %lld, with %lld completed trials. The merged "
+      "files are as they were.\n",
+      options.into.c_str(), static_cast<long long>(result.participants_added),
+      static_cast<long long>(result.participants), static_cast<long long>(result.completed_trials));
+  return kDone;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App* command =
+      app.add_subcommand("merge", "Join the study files of several stations into one");
+  command->add_option("studies", options->sources, "Study files; they are not changed")->required();
+  command->add_option("--into", options->into, "Study file; made when it does not exist")
+      ->required();
+  command->callback([options, &chosen] { chosen = [options] { return merge(*options); }; });
+}
+
+}  // namespace impetus

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/patch_corner.hpp"
+
+#include "experiments/session/input_error.hpp"
+
+namespace impetus {
+
+ScreenCorner patch_corner(const std::string& option, const std::string& name) {
+  const auto corner = corner_named(name);
+  if (!corner) {
+    throw InputError(option + ": expected top left, top right, bottom left or bottom right, got " +
+                     name);
+  }
+  return *corner;
+}
+
+}  // namespace impetus

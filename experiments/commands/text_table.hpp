@@ -1,0 +1,19 @@
+// Rows of words for a terminal, in aligned columns.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+/// What stands in a study is anybody's text: on a terminal its control characters are shown as
+/// \x1b and do nothing, so that one value stays in its place in one line.
+std::string printable(const std::string& text);
+
+/// The rows as lines, each column as wide as its longest cell (in characters; bytes of UTF-8 that
+/// go on with one are not counted), two spaces between. Cells are made printable. The last column
+/// is not filled up.
+std::string text_table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace impetus

@@ -1,0 +1,173 @@
+// `impetus timing`: what this machine's display, input and gaze do in time, for the methods
+// section. SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "build_info.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/session/input_error.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/chosen_screen.hpp"
+#include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/patch_corner.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/window_lab.hpp"
+#include "experiments/commands/window_size.hpp"
+#include "experiments/models/atomic_file.hpp"
+#include "experiments/stage/display_query.hpp"
+#include "experiments/timing/timing_json.hpp"
+#include "experiments/timing/timing_page.hpp"
+#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/timing_verdicts.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+struct TimingOptions {
+  std::string out{"timing"};
+  double seconds{10.0};
+  std::string window_size;
+  std::string screen_file;
+  std::string patch{"bottom left"};
+  bool json{false};
+  bool force{false};
+};
+
+#ifdef IMPETUS_WINDOW
+
+void require(bool right, const std::string& sentence) {
+  if (!right) {
+    throw InputError(sentence);
+  }
+}
+
+/// Before anything is opened.
+void require_writable(const std::filesystem::path& folder, bool force) {
+  require(!std::filesystem::exists(folder) || std::filesystem::is_directory(folder),
+          "--out: expected a folder, but " + folder.string() + " is a file");
+  for (const char* name : {"timing.html", "timing.json"}) {
+    require(force || !std::filesystem::exists(folder / name),
+            (folder / name).string() + ": exists already and is not overwritten without --force");
+  }
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  require(!error, "--out: expected a folder to write to, could not make " + folder.string());
+}
+
+/// What takes long, before the window opens.
+void build_bodies(const TimingScenes& scenes, const ScreenGeometry& screen, ShapeLibrary& shapes) {
+  ProgressLine line("building the bodies");
+  shapes.tell([&line](double share) { line.tell(share); });
+  for (const int bodies : {1, 15, 250}) {
+    static_cast<void>(scenes.stage(timing_trial(bodies), screen));
+  }
+  shapes.tell({});
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+TimingFacts facts_before(WindowLab& lab, double seconds) {
+  TimingFacts facts;
+  facts.build = kBuild;
+  facts.machine = machine_name();
+  facts.started_utc = utc_now();
+  facts.compositor = compositor_of(lab.window());
+  facts.width_px = lab.window().width_px();
+  facts.height_px = lab.window().height_px();
+  facts.nominal_hz = lab.window().refresh_hz();
+  facts.seconds = seconds;
+  return facts;
+}
+
+/// Throws InputError when it was stopped.
+TimingReport measured(const TimingOptions& options, const ScreenCorner corner,
+                      const ScreenGeometry& screen, const TimingScenes& scenes) {
+  WindowLab lab(window_options(options.window_size), screen);
+  TimingFacts facts = facts_before(lab, options.seconds);
+  const TellPart tell = [](const SessionProgress& progress) {
+    std::fprintf(stderr, "%s\n", progress.label.c_str());
+  };
+  auto report = run_timing(lab, scenes, {options.seconds, corner}, tell);
+  require(report.has_value(), "stopped before all was measured; nothing was written");
+  facts.display = lab.window().description();
+  report->facts = std::move(facts);
+  return std::move(*report);
+}
+
+void print_verdicts(const std::vector<TimingVerdict>& verdicts) {
+  for (const TimingVerdict& verdict : verdicts) {
+    std::printf("%s: %s\n  %s\n", verdict.subject.c_str(), words_of(verdict.grade),
+                verdict.measured.c_str());
+  }
+}
+
+int report_timing(const TimingOptions& options) {
+  const ScreenCorner corner = patch_corner("--patch", options.patch);
+  static_cast<void>(window_options(options.window_size));
+  const std::filesystem::path folder = options.out;
+  require_writable(folder, options.force);
+  static_cast<void>(display_refresh_hz());
+  const ScreenGeometry screen = chosen_screen(options.screen_file);
+  ShapeLibrary shapes;
+  const TimingScenes scenes(options.seconds, shapes);
+  build_bodies(scenes, screen, shapes);
+  const TimingReport report = measured(options, corner, screen, scenes);
+  const std::vector<TimingVerdict> verdicts = timing_verdicts(report);
+  const std::string json = timing_json(report).dump(2) + "\n";
+  make_folder(folder);
+  write_whole_file(folder / "timing.html", timing_page(report));
+  write_whole_file(folder / "timing.json", json);
+  if (options.json) {
+    std::fputs(json.c_str(), stdout);
+  } else {
+    print_verdicts(verdicts);
+    std::printf("Written to %s and timing.json beside it\n",
+                (folder / "timing.html").string().c_str());
+  }
+  return worst_of(verdicts) == TimingGrade::kNotForTiming ? kFound : kDone;
+}
+
+#else
+
+int report_timing(const TimingOptions& /*options*/) {
+  throw InputError("this build has no window, and without one there is no timing to report");
+}
+
+#endif
+
+}  // namespace
+
+void add_timing(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<TimingOptions>();
+  CLI::App* command = app.add_subcommand(
+      "timing", "Measure this machine's flips, input and gaze in time: a page for the methods");
+  command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
+  command->add_option("--seconds", options->seconds, "That each of the six parts takes")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option("--screen", options->screen_file,
+                      "The lab's screen file (default: what `impetus screen` saved)");
+  command->add_option("--patch", options->patch, "The corner of the coded patch")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print the report as JSON, too");
+  command->add_flag("--force", options->force, "Overwrite an earlier report");
+  command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });
+}
+
+}  // namespace impetus

@@ -1,0 +1,44 @@
+// What every column of an export means, as data and as a page, from the words of the schema.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/exports/row_query.hpp"
+
+namespace impetus {
+
+struct CodebookColumn {
+  std::string name;
+  std::string type;     ///< integer, number, text, bits or bytes; "" where rows differ
+  std::string unit;     ///< "": none
+  std::string meaning;  ///< in words
+};
+
+struct CodebookFile {
+  std::string name;
+  std::string rows;  ///< what one row is
+  std::vector<CodebookColumn> columns;
+};
+
+/// What an export's texts are about, besides its columns.
+struct CodebookHead {
+  std::string build;        ///< of the program that exports
+  std::string study_build;  ///< of the program that made the study
+  bool anonymised{false};
+};
+
+/// The columns of a query. `factors` are the labels of the columns
+/// "factor_NAME" by name.
+std::vector<CodebookColumn> describe_columns(const RowQuery& query,
+                                             const std::map<std::string, std::string>& factors);
+
+/// How cells are to be read, a sentence each.
+const std::vector<std::string>& reading_rules();
+
+std::string codebook_json(const CodebookHead& head, const std::vector<CodebookFile>& files);
+std::string codebook_page(const CodebookHead& head, const std::vector<CodebookFile>& files);
+
+}  // namespace impetus

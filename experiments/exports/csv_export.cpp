@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/exports/csv_export.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "experiments/exports/export_table.hpp"
+#include "experiments/exports/factor_labels.hpp"
+#include "experiments/exports/output_file.hpp"
+#include "experiments/exports/protocol_files.hpp"
+#include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/plain_text.hpp"
+
+namespace impetus {
+namespace {
+
+/// Writes the rows of queries, and counts.
+class CsvWriter {
+ public:
+  explicit CsvWriter(const std::filesystem::path& folder) : folder_(folder) {}
+
+  void write(RowQuery& query, const std::vector<CodebookColumn>& columns, const std::string& name) {
+    OutputFile file(folder_ / name);
+    std::vector<std::string> names;
+    for (const CodebookColumn& column : columns) {
+      names.push_back(column.name);
+    }
+    file.write(csv_line(names));
+    while (query.step()) {
+      file.write(row(query, columns));
+      ++report_.rows;
+    }
+    file.close();
+    ++report_.files;
+  }
+
+  [[nodiscard]] ExportReport& report() { return report_; }
+
+ private:
+  std::string row(const RowQuery& query, const std::vector<CodebookColumn>& columns) {
+    std::string line;
+    for (int i = 0; i < query.columns(); ++i) {
+      line += i == 0 ? "" : ",";
+      line += cell(query, i, columns[static_cast<std::size_t>(i)].type == "bits");
+    }
+    return line + "\n";
+  }
+
+  std::string cell(const RowQuery& query, int column, bool bits) {
+    switch (query.type(column)) {
+      case SQLITE_INTEGER:
+        return bits ? bits_text(query.integer(column)) : std::to_string(query.integer(column));
+      case SQLITE_FLOAT:
+        return exact_number(query.number(column));
+      case SQLITE_TEXT:
+        return text_cell(query.bytes(column));
+      case SQLITE_BLOB:
+        return bytes_text(query.bytes(column));
+      default:
+        return "";
+    }
+  }
+
+  std::string text_cell(std::string_view text) {
+    const std::string plain = as_utf8(text);
+    report_.mended_texts += plain == text ? 0 : 1;
+    report_.formula_like_texts += looks_like_formula(plain) ? 1 : 0;
+    return csv_text(plain);
+  }
+
+  std::filesystem::path folder_;
+  ExportReport report_;
+};
+
+std::vector<std::string> names_of(const FactorLabels& factors) {
+  std::vector<std::string> names;
+  for (const auto& [name, label] : factors) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+CodebookFile write_table(SQLite::Database& database, const ExportTable& table,
+                         const FactorLabels& all_factors, CsvWriter& writer) {
+  const FactorLabels factors = table.base == "trial" ? all_factors : FactorLabels();
+  const std::vector<std::string> names = names_of(factors);
+  RowQuery query(database, export_query(table, names), names);
+  CodebookFile file{table.file + ".csv", table.rows, describe_columns(query, factors)};
+  writer.write(query, file.columns, file.name);
+  return file;
+}
+
+}  // namespace
+
+ExportReport export_csv(StudyFile& study, const CodebookHead& head,
+                        const std::filesystem::path& folder) {
+  SQLite::Database& database = study.database();
+  const FactorLabels factors = factor_labels(database);
+  CsvWriter writer(folder);
+  std::vector<CodebookFile> files;
+  for (const ExportTable& table : export_tables()) {
+    files.push_back(write_table(database, table, factors, writer));
+  }
+  writer.report().files += write_protocol_files(database, folder);
+  write_output_file(folder / "codebook.json", codebook_json(head, files));
+  write_output_file(folder / "codebook.md", codebook_page(head, files));
+  writer.report().files += 2;
+  return writer.report();
+}
+
+}  // namespace impetus

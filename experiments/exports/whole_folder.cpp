@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/exports/whole_folder.hpp"
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "experiments/session/input_error.hpp"
+#include "experiments/store/study_file.hpp"
+
+namespace impetus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file at the top of every export.
+bool is_export(const fs::path& folder) {
+  return fs::exists(folder / "codebook.json") || fs::exists(folder / "dataset_description.json");
+}
+
+void require_free(const fs::path& target, bool replace) {
+  const std::string name = target.string();
+  if (!fs::exists(target)) {
+    return;
+  }
+  if (!fs::is_directory(target)) {
+    throw InputError("--out: expected a folder, but " + name + " is a file");
+  }
+  if (fs::is_empty(target)) {
+    return;
+  }
+  if (!replace) {
+    throw InputError(name + ": holds files already and is not overwritten without --force");
+  }
+  if (!is_export(target)) {
+    throw InputError(name +
+                     ": expected an earlier export to overwrite, got a folder of other "
+                     "files, which --force leaves alone");
+  }
+}
+
+fs::path without_last_slash(const fs::path& path) {
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path));
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+}  // namespace
+
+WholeFolder::WholeFolder(const fs::path& target, bool replace)
+    : target_(without_last_slash(target)) {
+  require_free(target_, replace);
+  std::error_code error;
+  fs::create_directories(target_.parent_path(), error);
+  std::string pattern = target_.string() + ".partial-XXXXXX";
+  if (error || mkdtemp(pattern.data()) == nullptr) {
+    throw InputError("--out: expected a folder to write to, could not make " + target_.string());
+  }
+  partial_ = pattern;
+  fs::permissions(partial_, fs::perms(0755), error);
+}
+
+WholeFolder::~WholeFolder() {
+  std::error_code ignored;
+  if (!partial_.empty()) {
+    fs::remove_all(partial_, ignored);
+  }
+}
+
+void WholeFolder::put_in_place() {
+  std::error_code error;
+  const fs::path old = partial_.string() + ".old";
+  const bool replaces = fs::exists(target_) && !fs::is_empty(target_);
+  if (replaces) {
+    fs::rename(target_, old, error);
+  }
+  if (!error) {
+    fs::rename(partial_, target_, error);
+  }
+  if (error) {
+    std::error_code ignored;
+    if (replaces && !fs::exists(target_)) {
+      fs::rename(old, target_, ignored);
+    }
+    throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
+  }
+  partial_.clear();
+  if (replaces) {
+    fs::remove_all(old, error);
+  }
+}
+
+}  // namespace impetus

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/setting_changes.hpp"
+
+#include "experiments/protocol/validation.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_region.hpp"
+#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/session/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+bool is_text(const json& value, const std::string& text) {
+  return value.is_string() && value.get_ref<const std::string&>() == text;
+}
+
+void put_budget(json& engine, const json& value) {
+  json budget = engine.value("budget", json::object());
+  budget.erase("ms_per_step");
+  budget.erase("tests_per_step");
+  if (!is_text(value, "unlimited")) {
+    budget["tests_per_step"] = value;
+  }
+  engine["budget"] = budget;
+}
+
+json list_at(int level) {
+  return json::object({{"least_level", level}, {"greatest_level", level}});
+}
+
+/// Thresholds are in the unit of their metric, and a region has two lists: of another scheduler
+/// neither says anything, but shares of the pairs do.
+void put_scheduler(json& engine, const json& value) {
+  json schedule = engine.value("schedule", json::object());
+  if (schedule.contains("scheduler") && schedule["scheduler"] == value) {
+    return;
+  }
+  const int deepest = engine.value("tree_depth", 0);
+  const bool keeps_lists = schedule.contains("pair_shares") && !is_text(value, kRegionScheduler);
+  for (const char* key : {"thresholds", "terms", "point_deg"}) {
+    schedule.erase(key);
+  }
+  if (is_text(value, kRegionScheduler)) {
+    schedule.erase("pair_shares");
+    schedule["lists"] = json::array({list_at(deepest), list_at(0)});
+  } else if (!keeps_lists) {
+    schedule["lists"] = json::array({json::object()});
+    engine.erase("region");
+  }
+  engine.erase("level");
+  schedule["scheduler"] = value;
+  engine["schedule"] = schedule;
+}
+
+void put_tree(json& engine, const json& value) {
+  json tree = engine.value("tree", json::object());
+  if (!tree.contains("kind") || tree["kind"] != value) {
+    tree.erase("branching");  // each kind has its own
+  }
+  tree["kind"] = value;
+  engine["tree"] = tree;
+}
+
+void put_level(json& engine, const json& value) {
+  if (!engine.contains("schedule")) {
+    engine["level"] = value;
+    return;
+  }
+  for (json& list : engine["schedule"]["lists"]) {
+    list["least_level"] = value;
+    list["greatest_level"] = value;
+  }
+}
+
+/// What a JSON Pointer and those below it start with.
+bool holds(const std::string& pointer, const std::string& place) {
+  return place == pointer || place.starts_with(pointer + "/");
+}
+
+std::string listed_keys() {
+  std::string text;
+  for (const SettingKey& key : setting_keys()) {
+    text += (text.empty() ? "" : ", ") + std::string(key.name);
+  }
+  return text;
+}
+
+[[noreturn]] void refuse_change(const std::string& given, const std::string& message) {
+  throw InputError("--with " + given + ": " + message);
+}
+
+json value_of(const std::string& text) {
+  json value = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  return value.is_discarded() ? json(text) : value;
+}
+
+void put(const SettingChange& change, json& scene) {
+  try {
+    if (change.put != nullptr) {
+      change.put(scene["engine"], change.value);
+    } else {
+      scene[json::json_pointer(change.pointer)] = change.value;
+    }
+  } catch (const json::exception&) {
+    refuse_change(change.given, "expected a place of the scene, got " + change.pointer);
+  }
+}
+
+/// The change that a problem at `pointer` is owed to: of those that touch the place the most
+/// particular, of several the last; or else the last of all.
+const SettingChange& blamed(const std::vector<SettingChange>& changes, const std::string& pointer) {
+  const SettingChange* found = nullptr;
+  for (const SettingChange& change : changes) {
+    const bool touches = holds(change.pointer, pointer) || holds(pointer, change.pointer);
+    if (touches && (found == nullptr || change.pointer.size() >= found->pointer.size())) {
+      found = &change;
+    }
+  }
+  return found == nullptr ? changes.back() : *found;
+}
+
+[[noreturn]] void refuse_at(const std::vector<SettingChange>& changes, const std::string& pointer,
+                            const std::string& message) {
+  const SettingChange& change = blamed(changes, pointer);
+  const bool elsewhere = !holds(change.pointer, pointer);
+  refuse_change(change.given, (elsewhere ? "at " + pointer + " of the scene: " : "") + message);
+}
+
+/// Null where the budget does not go by the clock.
+json ms_per_step(const json& engine) {
+  return engine.value("budget", json::object()).value("ms_per_step", json());
+}
+
+bool follows_another(const json& engine) {
+  return region_of(engine, 1.0).kind == RegionKind::kRecorded;
+}
+
+}  // namespace
+
+const std::vector<SettingKey>& setting_keys() {
+  static const std::vector<SettingKey> keys{
+      {"branching", "/engine/tree/branching", "children of a node, at most", nullptr},
+      {"budget", "/engine/budget", "units of work a step, or unlimited", put_budget},
+      {"contacts", "/engine/contacts/most_per_pair", "contacts of a pair, at most", nullptr},
+      {"counts", "/engine/budget/counts", "what is work: tests, all-phases", nullptr},
+      {"depth", "/engine/tree_depth", "levels of the trees beyond their root", nullptr},
+      {"level", "/engine", "the one level at which all collisions are handled", put_level},
+      {"passes", "/engine/response_passes", "of the response, at most", nullptr},
+      {"persistence-ms", "/engine/schedule/persistence_ms", "how long a pair keeps its priority",
+       nullptr},
+      {"radius-deg", "/engine/region/radius_deg", "of the region", nullptr},
+      {"reduction", "/engine/contacts/reduction", "of contacts: average, groups, ...", nullptr},
+      {"region", "/engine/region/kind", "all-good, all-bad, tracked, random", nullptr},
+      {"response", "/engine/response", "in-turn, together", nullptr},
+      {"restitution", "/engine/restitution", "of all contacts but those of materials", nullptr},
+      {"rotation", "/engine/rotation", "midpoint, energy-kept", nullptr},
+      {"scheduler", "/engine/schedule",
+       "distance, eccentricity, ..., region, with lists of its own:\n"
+       "    one, from the coarsest level to the finest, or those by\n"
+       "    shares of the pairs; of region the finest inside, the\n"
+       "    coarsest outside",
+       put_scheduler},
+      {"traversal", "/engine/schedule/traversal", "depth-first, breadth-first, best-first, ...",
+       nullptr},
+      {"tree", "/engine/tree", "kind of the volume trees: octree, medial, ...", put_tree},
+      {"tunnelling", "/engine/tunnelling", "ignored, capped, stop-at-entry", nullptr}};
+  return keys;
+}
+
+SettingChange setting_change(const std::string& given) {
+  const std::size_t equals = given.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == given.size()) {
+    refuse_change(given, "expected KEY=VALUE, such as scheduler=distance");
+  }
+  const std::string key = given.substr(0, equals);
+  const json value = value_of(given.substr(equals + 1));
+  if (holds("/engine/step_hz", key)) {
+    refuse_change(given, "expected a setting that keeps the recorded steps as they are");
+  }
+  if (holds("/engine", key)) {
+    return {given, key, value};
+  }
+  for (const SettingKey& known : setting_keys()) {
+    if (key == known.name) {
+      return {given, known.pointer, value, known.put};
+    }
+  }
+  refuse_change(given, "expected one of the keys " + listed_keys() +
+                           ", or a JSON Pointer below /engine, got " + key);
+}
+
+json changed_scene(const json& scene, const std::vector<SettingChange>& changes) {
+  json changed = scene;
+  for (const SettingChange& change : changes) {
+    put(change, changed);
+  }
+  if (const auto problem = find_schema_problem(scene_schema(), changed)) {
+    refuse_at(changes, problem->pointer, problem->message);
+  }
+  const json& engine = changed["engine"];
+  if (engine["step_hz"] != scene["engine"]["step_hz"]) {
+    refuse_at(changes, "/engine/step_hz", "expected the recorded steps to stay as they are");
+  }
+  for (const SceneProblem& problem : scene_problems(changed)) {
+    refuse_at(changes, problem.pointer, problem.message);
+  }
+  if (!ms_per_step(engine).is_null() && ms_per_step(engine) != ms_per_step(scene["engine"])) {
+    refuse_at(changes, "/engine/budget/ms_per_step",
+              "expected units of work, which are the same each time, got milliseconds");
+  }
+  if (follows_another(engine) && !follows_another(scene["engine"])) {
+    refuse_at(changes, "/engine/region/kind",
+              "expected a region that needs no other participant's gaze, got \"recorded\"");
+  }
+  return changed;
+}
+
+}  // namespace impetus

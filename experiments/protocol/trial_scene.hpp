@@ -1,0 +1,18 @@
+// The scene of a planned trial, as JSON, and what decides its random start.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/session/plan.hpp"
+
+namespace impetus {
+
+/// With the trial's levels and what was solved for it put in.
+nlohmann::json scene_of(const Protocol& protocol, const PlannedTrial& trial);
+
+/// What a random start goes by: never the participant or the order of trials.
+std::string start_of(const PlannedTrial& trial);
+
+}  // namespace impetus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/store/read_only_file.hpp"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <string>
+#include <utility>
+
+namespace impetus {
+namespace {
+
+/// What the path is in a URI of SQLite, which takes '?', '#' and '%' for its own.
+std::string uri_of(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char letter : path.string()) {
+    uri += letter == '?'   ? "%3f"
+           : letter == '#' ? "%23"
+           : letter == '%' ? "%25"
+                           : std::string(1, letter);
+  }
+  return uri + "?immutable=1";
+}
+
+/// SQLite opens a file when it first reads.
+void read_something(SQLite::Database& database) {
+  database.execAndGet("SELECT count(*) FROM sqlite_master");
+}
+
+}  // namespace
+
+std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& path) {
+  constexpr int kPatience_ms = 2000;
+  auto database = std::make_unique<SQLite::Database>(path.string(), SQLite::OPEN_READONLY);
+  database->setBusyTimeout(kPatience_ms);
+  try {
+    read_something(*database);
+  } catch (const SQLite::Exception& error) {
+    const bool no_place_for_a_log =
+        error.getErrorCode() == SQLITE_CANTOPEN || error.getErrorCode() == SQLITE_READONLY;
+    if (no_place_for_a_log && !has_log(path)) {
+      return std::make_unique<SQLite::Database>(uri_of(path),
+                                                SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    }
+  }
+  return database;
+}
+
+std::filesystem::path log_beside(const std::filesystem::path& path) {
+  return path.string() + "-wal";
+}
+
+bool has_log(const std::filesystem::path& path) {
+  std::error_code missing;
+  const std::uintmax_t size = std::filesystem::file_size(log_beside(path), missing);
+  return !missing && size > 0;
+}
+
+ReadingLock::ReadingLock(const std::filesystem::path& path)
+    : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  held_ = file_ >= 0 && ::flock(file_, LOCK_SH | LOCK_NB) == 0;
+}
+
+ReadingLock::~ReadingLock() {
+  if (file_ >= 0) {
+    ::close(file_);
+  }
+}
+
+ReadingLock::ReadingLock(ReadingLock&& other) noexcept
+    : file_(std::exchange(other.file_, -1)), held_(std::exchange(other.held_, false)) {}
+
+}  // namespace impetus

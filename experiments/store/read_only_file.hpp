@@ -1,0 +1,40 @@
+// Study files that are only read: beside a running session, on a disk that cannot be written.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace impetus {
+
+/// Opens the database for reading. A copy that was left in write-ahead mode without its log, in a
+/// folder that cannot be written, is read as what it is: a file that nobody changes. Throws
+/// SQLite::Exception.
+std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& path);
+
+/// The log of commits that are not in the file yet: "study.sqlite-wal". It belongs to the study.
+std::filesystem::path log_beside(const std::filesystem::path& path);
+
+/// Whether such a log stands beside the file and holds anything.
+bool has_log(const std::filesystem::path& path);
+
+/// Keeps every session away from a study while it is read, for as long as this lives: it must
+/// outlive the database that is open on the file, whose own locks it would take along.
+class ReadingLock {
+ public:
+  explicit ReadingLock(const std::filesystem::path& path);
+  ~ReadingLock();
+  ReadingLock(ReadingLock&& other) noexcept;
+  ReadingLock& operator=(ReadingLock&&) = delete;
+
+  /// False: another process writes to the study.
+  [[nodiscard]] bool held() const { return held_; }
+
+ private:
+  int file_{-1};
+  bool held_{false};
+};
+
+}  // namespace impetus

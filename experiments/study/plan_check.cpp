@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/study/plan_check.hpp"
+
+#include <SQLiteCpp/Statement.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/yoke_checks.hpp"
+#include "experiments/store/enrolment.hpp"
+#include "experiments/study/stored_plan.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+struct StoredEnrolment {
+  std::int64_t id{0};
+  std::int64_t protocol_id{0};
+  std::string participant;
+  std::uint64_t seed{0};
+};
+
+std::vector<StoredEnrolment> load_enrolments(SQLite::Database& database) {
+  SQLite::Statement query(database,
+                          "SELECT enrolment.id, protocol_id, pseudonym, seed FROM enrolment "
+                          "JOIN participant ON participant.id = participant_id "
+                          "ORDER BY enrolment.id");
+  std::vector<StoredEnrolment> enrolments;
+  while (query.executeStep()) {
+    enrolments.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
+                          query.getColumn(2).getString(),
+                          static_cast<std::uint64_t>(query.getColumn(3).getInt64())});
+  }
+  return enrolments;
+}
+
+/// The condition as it was planned: an adaptive level came later.
+std::string planned_condition(const StoredTrial& trial, const Design& design) {
+  json condition = json::parse(trial.condition);
+  if (trial.track && design.adaptive) {
+    condition.erase(design.adaptive->factor);
+  }
+  return condition.dump();
+}
+
+std::string words(const StoredTrial& trial, const std::string& condition) {
+  return std::string(trial.phase == TrialPhase::kPractice ? "practice" : "main") + " trial under " +
+         condition + ", repetition " + std::to_string(trial.repetition) + ", block " +
+         std::to_string(trial.block) +
+         (trial.track ? ", track " + std::to_string(*trial.track) : "") +
+         (trial.catch_trial ? ", catch" : "") + ", seed " + std::to_string(trial.seed);
+}
+
+/// Whether the trial follows a recorded gaze where it must, and only there.
+std::optional<std::string> yoke_problem(const StoredTrial& trial, const PlannedTrial& planned,
+                                        const Protocol& protocol) {
+  const bool follows = followed_condition(protocol, planned.condition).has_value();
+  if (follows == trial.yoked_trial_id.has_value()) {
+    return std::nullopt;
+  }
+  return std::string(follows ? "follows nobody's gaze, though its condition asks for one"
+                             : "follows another's gaze, though its condition asks for none");
+}
+
+std::optional<std::string> first_difference(const std::vector<StoredTrial>& kept, const Plan& plan,
+                                            const Protocol& protocol) {
+  const std::vector<StoredTrial> anew = stored(plan);
+  for (std::size_t i = 0; i < std::min(kept.size(), anew.size()); ++i) {
+    const std::string slot = "slot " + std::to_string(anew[i].slot);
+    if (kept[i].slot != anew[i].slot) {
+      return slot + " is missing from the plan";
+    }
+    const std::string was = words(kept[i], planned_condition(kept[i], protocol.design));
+    const std::string is = words(anew[i], json::parse(anew[i].condition).dump());
+    if (was != is) {
+      return slot + ": the plan has a " + was + "; planned anew it is a " + is;
+    }
+    if (const auto problem = yoke_problem(kept[i], plan[i], protocol)) {
+      return slot + ": " + *problem;
+    }
+  }
+  if (kept.size() != anew.size()) {
+    return "the plan has " + std::to_string(kept.size()) + " trials; planned anew it has " +
+           std::to_string(anew.size());
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> plan_problem(SQLite::Database& database,
+                                        const StoredEnrolment& enrolment,
+                                        const Protocol& protocol) {
+  try {
+    return first_difference(load_trials(database, enrolment.id),
+                            plan_for(protocol, enrolment.participant, enrolment.seed), protocol);
+  } catch (const SQLite::Exception&) {
+    throw;
+  } catch (const std::exception& error) {
+    return std::string("cannot be planned anew: ") + error.what();
+  }
+}
+
+}  // namespace
+
+Failures changed_plans(StudyFile& study, const ProtocolShelf& shelf) {
+  Failures failures;
+  for (const StoredEnrolment& enrolment : load_enrolments(study.database())) {
+    const Protocol* protocol = shelf.find(enrolment.protocol_id);
+    if (protocol == nullptr) {
+      continue;
+    }
+    if (const auto problem = plan_problem(study.database(), enrolment, *protocol)) {
+      failures.push_back(enrolment.participant + ", " + protocol->name + ": " + *problem);
+    }
+  }
+  return failures;
+}
+
+}  // namespace impetus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/study/stored_plan.hpp"
+
+#include "experiments/protocol/solved_values.hpp"
+
+namespace impetus {
+
+std::vector<StoredTrial> stored(const Plan& plan) {
+  std::vector<StoredTrial> trials;
+  for (const PlannedTrial& trial : plan) {
+    trials.push_back({0, trial.slot, trial.phase, trial.repetition, to_json(trial.condition).dump(),
+                      trial.seed, trial.block, trial.catch_trial, trial.track});
+    trials.back().solved = to_text(trial.solved);
+    trials.back().yoked_trial_id = trial.yoked_trial_id;
+  }
+  return trials;
+}
+
+Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
+  Plan plan;
+  for (const StoredTrial& trial : trials) {
+    const auto condition = nlohmann::json::parse(trial.condition);
+    plan.push_back({trial.slot, trial.phase, trial.repetition,
+                    condition_from_json(condition, design), trial.seed, trial.block,
+                    trial.catch_trial, trial.track});
+    plan.back().solved = solved_values_from(trial.solved);
+    plan.back().yoked_trial_id = trial.yoked_trial_id;
+  }
+  return plan;
+}
+
+ProtocolTexts texts_of(const Protocol& protocol) {
+  return {protocol.name, protocol.hash, protocol.document.text, protocol.scene.text};
+}
+
+}  // namespace impetus

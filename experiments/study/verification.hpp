@@ -1,0 +1,35 @@
+// What was found of a study that is to be published: checks that all must pass, and remarks.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace impetus {
+
+/// One sentence for each thing that is wrong; none when all is right.
+using Failures = std::vector<std::string>;
+
+struct VerificationCheck {
+  std::string name;   ///< one word: "file", "plans", ...
+  std::string found;  ///< what was looked at, and how much of it
+  Failures failures;
+};
+
+struct Verification {
+  std::vector<VerificationCheck> checks;  ///< in the order made; the first failure is the reason
+  std::vector<std::string> remarks;       ///< what a reader should know, and forbids nothing
+  std::int64_t participants{0};
+  std::int64_t completed_trials{0};  ///< practice included
+  std::int64_t sessions{0};
+
+  /// Whether every check passed.
+  [[nodiscard]] bool passed() const {
+    return std::all_of(checks.begin(), checks.end(),
+                       [](const VerificationCheck& check) { return check.failures.empty(); });
+  }
+};
+
+}  // namespace impetus

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/tables/csv_line.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace impetus {
+namespace {
+
+constexpr const char* kHexadecimals = "0123456789abcdef";
+
+std::string quoted_where_needed(const std::string& cell) {
+  return cell.find_first_of(",\"\r\n") == std::string::npos ? cell : csv_text(cell);
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    line += (i == 0 ? "" : ",") + quoted_where_needed(cells[i]);
+  }
+  return line + "\n";
+}
+
+std::string csv_number(double value) {
+  if (!std::isfinite(value)) {
+    return "";
+  }
+  constexpr int kDigits = 9;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
+}
+
+std::string csv_text(std::string_view text) {
+  std::string cell = "\"";
+  for (const char letter : text) {
+    cell += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return cell + "\"";
+}
+
+std::string exact_number(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+std::string bits_text(std::int64_t value) {
+  std::string text = "x";
+  for (int shift = 60; shift >= 0; shift -= 4) {
+    text += kHexadecimals[(static_cast<std::uint64_t>(value) >> shift) & 15U];
+  }
+  return text;
+}
+
+std::string bytes_text(std::string_view bytes) {
+  std::string text = "x";
+  for (const char byte : bytes) {
+    const auto value = static_cast<unsigned char>(byte);
+    text += kHexadecimals[value >> 4];
+    text += kHexadecimals[value & 15U];
+  }
+  return text;
+}
+
+}  // namespace impetus

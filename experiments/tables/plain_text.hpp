@@ -1,0 +1,26 @@
+// Text of unknown origin, made fit for a file: it is shown as it is and does nothing.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace impetus {
+
+/// The text as UTF-8: each byte that is none, and each NUL, becomes U+FFFD.
+std::string as_utf8(std::string_view text);
+
+/// Whether a spreadsheet may take the text for a formula: it begins with = + - @, a tab or a
+/// carriage return.
+bool looks_like_formula(std::string_view text);
+
+/// The text for a page or a table of Markdown, on one line: whatever would be markup is escaped.
+std::string markdown_text(std::string_view text);
+
+/// The text as code within a line of Markdown, in a table too.
+std::string markdown_code(std::string_view text);
+
+/// For a file's name: ASCII letters and digits stay, all else becomes '-'; at most `longest` bytes.
+std::string file_name_text(std::string_view text, std::size_t longest = 64);
+
+}  // namespace impetus

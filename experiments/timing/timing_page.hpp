@@ -1,0 +1,16 @@
+// The report for people: one page of HTML that needs nothing but itself.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiments/timing/timing_report.hpp"
+
+namespace impetus {
+
+/// Text as it has to stand in HTML, quotes included.
+std::string html_text(const std::string& text);
+
+std::string timing_page(const TimingReport& report);
+
+}  // namespace impetus

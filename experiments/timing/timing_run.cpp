@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/timing/timing_run.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "experiments/session/gaze_latency.hpp"
+#include "experiments/session/playback.hpp"
+#include "experiments/session/trial.hpp"
+#include "experiments/session/whole_frames.hpp"
+#include "experiments/timing/timing_scenes.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr int kParts = 6;
+constexpr int kGazeBodies = 15;
+
+/// Keeps nothing: what is measured is in the attempt.
+class NoRecorder final : public Recorder {
+ public:
+  void save(AttemptRecord /*attempt*/) override {}
+  void save(QuestionRecord /*answer*/) override {}
+  void save(NoteRecord /*note*/) override {}
+  void save(ChosenLevel /*chosen*/) override {}
+  void save(CalibrationRecord /*calibration*/) override {}
+  void mark_finished() override {}
+  void await_saved() override {}
+};
+
+/// After every flip, looks what the window system holds where the patch is.
+class WatchedPatch final : public Display {
+ public:
+  explicit WatchedPatch(TimingLab& lab) : lab_(lab) {}
+
+  [[nodiscard]] double refresh_hz() const override { return lab_.display().refresh_hz(); }
+  [[nodiscard]] const ScreenGeometry& geometry() const override {
+    return lab_.display().geometry();
+  }
+  [[nodiscard]] bool has_patch() const override { return true; }
+  void restart_grid() override { lab_.display().restart_grid(); }
+  Flip show(const Picture& picture) override {
+    const Flip flip = lab_.display().show(picture);
+    sightings.push_back({picture.patch_code, lab_.read_patch()});
+    return flip;
+  }
+
+  std::vector<PatchSighting> sightings;
+
+ private:
+  TimingLab& lab_;
+};
+
+std::vector<Flip> flips_of(const std::vector<FrameRecord>& frames) {
+  std::vector<Flip> flips;
+  for (const FrameRecord& frame : frames) {
+    flips.push_back(frame.flip);
+  }
+  return flips;
+}
+
+FlipSeries flip_series(int bodies, const std::vector<Flip>& flips, double nominal_hz) {
+  FlipSeries run{bodies, flip_statistics(flips, nominal_hz), intervals_ms(flips), {}};
+  for (const Flip& flip : flips) {
+    run.missed_slots.push_back(flip.missed_slots);
+  }
+  return run;
+}
+
+Script timed_script() {
+  Script script;
+  script.timing = {500.0, 0.0};
+  script.gaze.emplace();
+  return script;
+}
+
+/// Every part returns whether it came to its end.
+class TimingRun {
+ public:
+  TimingRun(TimingLab& lab, const Scenes& scenes, const TimingTask& task, const TellPart& tell)
+      : lab_(lab), scenes_(scenes), task_(task), tell_(tell) {}
+
+  std::optional<TimingReport> run() {
+    report_.sync = lab_.sync_test();
+    const bool whole = measure_blank() && measure_bodies(1) && measure_bodies(kGazeBodies) &&
+                       measure_bodies(250) && measure_input() && check_patch();
+    return whole ? std::optional(std::move(report_)) : std::nullopt;
+  }
+
+ private:
+  void begin(const std::string& part) {
+    const double left_s = (kParts - done_) * task_.seconds;
+    char text[120];
+    std::snprintf(text, sizeof text, "Part %d of %d: %s; %.0f s to go. Esc stops.", done_ + 1,
+                  kParts, part.c_str(), std::ceil(left_s));
+    progress_ = {done_++, kParts, text};
+    tell_(progress_);
+  }
+
+  [[nodiscard]] std::int64_t frames() const { return whole_frames(task_.seconds, nominal_hz()); }
+  [[nodiscard]] double nominal_hz() const { return lab_.display().refresh_hz(); }
+
+  bool measure_blank() {
+    begin("a blank picture");
+    Picture blank;
+    blank.progress = progress_;
+    blank.viewer = viewer_at(lab_.display().geometry(), 0.0);
+    std::vector<Flip> flips;
+    lab_.display().restart_grid();
+    for (std::int64_t frame = 0; frame < frames(); ++frame) {
+      flips.push_back(lab_.display().show(blank));
+      if (lab_.input().interruption() != Interruption::kNone) {
+        return false;
+      }
+    }
+    report_.runs.push_back(flip_series(0, flips, nominal_hz()));
+    return true;
+  }
+
+  /// One trial of the session's own; its record, unless it was interrupted.
+  std::optional<AttemptRecord> shown(int bodies, Display& display) {
+    NoRecorder nobody;
+    const Ports ports{display,      lab_.input(),  scenes_,      nobody,
+                      &lab_.gaze(), &lab_.clock(), &lab_.clock()};
+    AttemptResult result = run_attempt(timing_trial(bodies), 1, timed_script(), progress_, ports);
+    if (result.interruption != Interruption::kNone) {
+      return std::nullopt;
+    }
+    return std::move(result.record);
+  }
+
+  bool measure_bodies(int bodies) {
+    begin(std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"));
+    const auto record = shown(bodies, lab_.display());
+    if (record) {
+      report_.runs.push_back(flip_series(bodies, flips_of(record->frames), nominal_hz()));
+    }
+    if (record && bodies == kGazeBodies) {
+      report_.gaze = {record->gaze_source,
+                      gaze_latencies_ms(record->steps, record->frames, record->gaze),
+                      record->gaze_lost_share.value_or(0.0)};
+    }
+    return record.has_value();
+  }
+
+  bool measure_input() {
+    begin("keys and mouse, which are better left alone");
+    Playback playback(scenes_.stage(timing_trial(kGazeBodies), lab_.display().geometry()), 1,
+                      &lab_.clock());
+    std::int64_t frame = 0;
+    bool interrupted = false;
+    lab_.display().restart_grid();
+    const InputTrace trace = lab_.try_input([&] {
+      const double time_s = static_cast<double>(frame) / nominal_hz();
+      static_cast<void>(lab_.display().show(
+          picture_of(playback.scene(), playback.poses_at(time_s), time_s, progress_)));
+      interrupted = lab_.input().interruption() != Interruption::kNone;
+      return ++frame < frames() && !interrupted;
+    });
+    for (const InputRoute route : {InputRoute::kQueue, InputRoute::kWindowSystem}) {
+      for (const InputDevice device : {InputDevice::kKey, InputDevice::kMouse}) {
+        report_.inputs.push_back(input_delay(trace, device, route));
+      }
+    }
+    return !interrupted;
+  }
+
+  bool check_patch() {
+    begin("the coded patch");
+    report_.content.corner = name_of(task_.corner);
+    report_.content.readable = lab_.can_read_patch();
+    lab_.show_patch(task_.corner);
+    WatchedPatch display(lab_);
+    const bool whole = shown(kGazeBodies, display).has_value();
+    report_.content.check = check_content(display.sightings);
+    return whole;
+  }
+
+  TimingLab& lab_;
+  const Scenes& scenes_;
+  const TimingTask& task_;
+  const TellPart& tell_;
+  int done_{0};
+  SessionProgress progress_;
+  TimingReport report_;
+};
+
+}  // namespace
+
+std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, const TimingTask& task,
+                                       const TellPart& tell) {
+  return TimingRun(lab, scenes, task, tell).run();
+}
+
+}  // namespace impetus

@@ -1,0 +1,54 @@
+// Measures what a timing report tells, part by part, by the path that a session's trials take.
+//
+//   sync test ─> blank flips ─> 1, 15, 250 bodies as trials ─> input sent to itself ─> coded patch
+//                                    └ gaze sample to flip (15)
+//
+// Knows the lab by interfaces, so that it runs without a window, too.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "experiments/session/photodiode_patch.hpp"
+#include "experiments/session/ports.hpp"
+#include "experiments/session/sent_input.hpp"
+#include "experiments/timing/timing_report.hpp"
+
+namespace impetus {
+
+class TimingLab {
+ public:
+  virtual ~TimingLab() = default;
+  virtual Display& display() = 0;
+  virtual Input& input() = 0;
+  virtual Gaze& gaze() = 0;
+  /// Of flips, gaze samples and input.
+  [[nodiscard]] virtual const Clock& clock() const = 0;
+  virtual SyncTest sync_test() = 0;
+
+  /// Shows pictures until `show` returns false, and sends input to the program meanwhile.
+  virtual InputTrace try_input(const std::function<bool()>& show) = 0;
+
+  /// From now on a photodiode patch is drawn.
+  virtual void show_patch(ScreenCorner corner) = 0;
+  /// Whether the window system can be asked for what it shows.
+  [[nodiscard]] virtual bool can_read_patch() = 0;
+  /// The code that the window system holds where the patch is; none: it is no code.
+  virtual std::optional<std::int64_t> read_patch() = 0;
+};
+
+struct TimingTask {
+  double seconds{10.0};  ///< of each part
+  ScreenCorner corner{ScreenCorner::kBottomLeft};
+};
+
+/// What is measured next, and how long all of it still takes.
+using TellPart = std::function<void(const SessionProgress& progress)>;
+
+/// `scenes` are TimingScenes of the task's length. Fills in all but the report's facts. None: it
+/// was stopped by Esc or by closing the window.
+std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, const TimingTask& task,
+                                       const TellPart& tell);
+
+}  // namespace impetus

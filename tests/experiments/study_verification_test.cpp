@@ -1,0 +1,295 @@
+// `impetus verify`: what is whole passes, and whatever was changed, lost or damaged is named.
+// SPDX-License-Identifier: MIT
+#include "experiments/study/study_verification.hpp"
+
+#include "experiments/store/exclusion.hpp"
+#include "tests/experiments/command_lines.hpp"
+#include "tests/experiments/small_study.hpp"
+
+namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+Failures failures_of(const Verification& verification) {
+  Failures all;
+  for (const VerificationCheck& check : verification.checks) {
+    for (const std::string& failure : check.failures) {
+      all.push_back(check.name + ": " + failure);
+    }
+  }
+  return all;
+}
+
+std::string first_failure(const std::filesystem::path& path) {
+  const Failures failures = failures_of(verify_study(path));
+  return failures.empty() ? "none" : failures.front();
+}
+
+bool remarked(const std::filesystem::path& path, const std::string& remark) {
+  const std::vector<std::string> remarks = verify_study(path).remarks;
+  return std::count(remarks.begin(), remarks.end(), remark) == 1;
+}
+
+/// A study that passes, to be copied and changed.
+class VerifiedStudy {
+ public:
+  VerifiedStudy() : whole_(small_study(folder_ / "whole.sqlite", {"P01", "P02"})) {}
+
+  /// A fresh copy.
+  [[nodiscard]] std::filesystem::path copy() const {
+    const std::filesystem::path path = folder_ / "a.sqlite";
+    std::filesystem::copy_file(whole_, path, std::filesystem::copy_options::overwrite_existing);
+    return path;
+  }
+
+  [[nodiscard]] std::filesystem::path tampered(const std::string& sql) const {
+    const std::filesystem::path path = copy();
+    tamper(path, sql);
+    return path;
+  }
+
+  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path whole_;
+};
+
+std::string last_line(const ProgramResult& result) {
+  const std::vector<std::string> lines = lines_of(result.output);
+  return lines.empty() ? result.errors : lines.back();
+}
+
+TEST(Verify, AWholeStudyCanBePublishedAndIsNotChanged) {
+  const VerifiedStudy study;
+  const std::filesystem::path path = study.copy();
+  const std::string before = text_of(path);
+  const ProgramResult result = run_program(study.folder(), {"verify", "a.sqlite", "--replay"});
+  EXPECT_EQ(result.status, 0) << result.output << result.errors;
+  EXPECT_EQ(last_line(result), "a.sqlite: can be published: 2 participants, 10 trials, 2 sessions");
+  EXPECT_EQ(text_of(path), before);
+}
+
+TEST(Verify, OfRecordingsOfEarlierVersionsNothingButTheirFramesIsMissing) {
+  // tests/recordings/make leaves the frames out, which nothing can be simulated from.
+  const std::string no_frames = " frames were counted, 0 are there";
+  int recordings = 0;
+  for (const auto& file : std::filesystem::directory_iterator(source_file("tests/recordings"))) {
+    if (file.path().extension() == ".sqlite") {
+      const Verification verification = verify_study(file.path());
+      Failures failures = failures_of(verification);
+      std::erase_if(failures,
+                    [&](const std::string& failure) { return failure.ends_with(no_frames); });
+      EXPECT_EQ(failures, Failures{}) << file.path();
+      EXPECT_GT(verification.completed_trials, 0) << file.path();
+      ++recordings;
+    }
+  }
+  EXPECT_GE(recordings, 12);
+}
+
+TEST(Verify, WhateverWasChangedIsNamed) {
+  const VerifiedStudy study;
+  const std::string hash = small_protocol().hash;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"UPDATE rating SET rating = 9 WHERE attempt_id = 3",
+       "values: 1 row of rating breaks CHECK (minimum < maximum AND rating BETWEEN minimum AND "
+       "maximum)"},
+      {"UPDATE rating SET rating = 9, maximum = 9, best = 1 WHERE attempt_id = 3",
+       "answers: P01, causality, slot 3, attempt 1: rated on another scale than the protocol's"},
+      {"DELETE FROM rating WHERE attempt_id = 3",
+       "answers: P01, causality, slot 3, attempt 1: completed without the rating that was asked "
+       "for"},
+      {"INSERT INTO click VALUES (3, 1, 'key', 12, 13, 1)",
+       "answers: P01, causality, slot 3, attempt 1: has clicks, which its protocol does not ask "
+       "for"},
+      {"DELETE FROM step WHERE attempt_id = 7 AND step = 20",
+       "recordings: P02, causality, slot 2, attempt 1: of the steps 0 to 480 there are 480"},
+      {"DELETE FROM step WHERE attempt_id = 7 AND step = 480",
+       "recordings: P02, causality, slot 2, attempt 1: its last frame shows step 480, the last one "
+       "there is 479"},
+      {"DELETE FROM step WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: completed without a single step"},
+      {"DELETE FROM frame WHERE attempt_id = 7 AND frame = 50",
+       "recordings: P02, causality, slot 2, attempt 1: 151 frames were counted, 150 are there"},
+      {"UPDATE frame SET missed_slots = 1 WHERE attempt_id = 7 AND frame = 50",
+       "recordings: P02, causality, slot 2, attempt 1: 0 frames were counted as late, 1 are"},
+      {"UPDATE collision SET step = 5000 WHERE attempt_id = 7",
+       "recordings: P02, causality, slot 2, attempt 1: a collision of left and right at step 5000, "
+       "which is missing"},
+      {"UPDATE protocol SET protocol_json = replace(protocol_json, '\"small\"', '\"Small\"')",
+       "protocols: protocol causality: its hash is " + hash + ", computed anew it is " +
+           small_protocol("Small").hash},
+      {"UPDATE protocol SET hash = 'made up'",
+       "protocols: protocol causality: its hash is made up, computed anew it is " + hash},
+      {"UPDATE protocol SET protocol_json = replace(protocol_json, '\"repetitions\":2', "
+       "'\"repetitions\":-2')",
+       "protocols: protocol causality:/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, "
+       "got -2"},
+      {"DELETE FROM trial WHERE id = 4",
+       "file: 1 row of attempt refers to a row of trial that is missing"},
+      {"DELETE FROM step WHERE attempt_id = 4; DELETE FROM frame WHERE attempt_id = 4; "
+       "DELETE FROM rating WHERE attempt_id = 4; DELETE FROM collision WHERE attempt_id = 4; "
+       "DELETE FROM attempt WHERE id = 4",
+       "order: P01, causality, slot 4: passed over, though slot 5 was completed"},
+      {"DELETE FROM step WHERE attempt_id = 5; DELETE FROM frame WHERE attempt_id = 5; "
+       "DELETE FROM rating WHERE attempt_id = 5; DELETE FROM collision WHERE attempt_id = 5; "
+       "DELETE FROM attempt WHERE id = 5",
+       "order: P01, causality: finished, but 1 of its main trials was not completed"},
+      {"UPDATE trial SET slot = 50 WHERE id = 4; UPDATE trial SET slot = 4 WHERE id = 5; "
+       "UPDATE trial SET slot = 5 WHERE id = 4",
+       "plans: P01, causality: slot 4: the plan has a main trial under "},
+      {"UPDATE trial SET condition = '{\"delay_ms\":0,\"speed_deg_s\":10,\"viewpoint_deg\":0}'",
+       "plans: P01, causality: slot "},
+      {"UPDATE trial SET seed = 1 WHERE id = 3", "plans: P01, causality: slot 3: the plan has a "},
+      {"UPDATE participant SET pseudonym = 'P07' WHERE id = 1", "plans: P07, causality: slot "},
+      {"UPDATE attempt SET number = 2 WHERE id = 3",
+       "order: P01, causality, slot 3: of the attempts 1 to 2 there are 1"},
+      {"UPDATE attempt SET id = 100 WHERE id = 30; UPDATE enrolment SET finished_utc = NULL",
+       "order: P01, causality, session 1: ended as finished, but the protocol is not"},
+      {"UPDATE attempt SET session_id = 2 WHERE id = 3",
+       "order: P01, causality, slot 3, attempt 1: belongs to a session of another participant or "
+       "protocol"},
+      {"UPDATE session SET build = '' WHERE id = 2",
+       "provenance: P02, causality, session 2: which build recorded it is missing"},
+      {"UPDATE session SET sync_passed = 0",
+       "provenance: P01, causality, session 1: trials were recorded though the sync test had "
+       "failed "
+       "and was not overridden"},
+      {"UPDATE session SET recording_format = 99, build = 'Impetus 9.0' WHERE id = 2",
+       "provenance: P02, causality, session 2: recording format 99, which this build does not "
+       "know; "
+       "use the one that recorded it, Impetus 9.0"},
+      {"UPDATE participant SET simulated = 1 WHERE id = 1",
+       "provenance: P01, causality, session 1: of a person, but P01 is simulated"},
+      {"DELETE FROM study",
+       "order: the study has lost the row that says when and by which build it was made"},
+      {"DROP VIEW rated_trial", "schema: the view rated_trial is missing"},
+      {"CREATE TRIGGER quiet AFTER INSERT ON rating BEGIN DELETE FROM rating; END",
+       "schema: the trigger quiet is none of a study's"},
+      {"ALTER TABLE step ADD COLUMN mine TEXT",
+       "schema: the table step has, beyond what this build makes, the column mine TEXT"},
+      {"ALTER TABLE session RENAME COLUMN machine TO computer",
+       "schema: the table session lacks the column machine TEXT NOT NULL"},
+      {"DROP INDEX one_completed_attempt", "schema: the index one_completed_attempt is missing"}};
+  for (const auto& [sql, sentence] : cases) {
+    const std::string found = first_failure(study.tampered(sql));
+    EXPECT_EQ(found.substr(0, sentence.size()), sentence) << sql << "\n" << found;
+  }
+}
+
+TEST(Verify, AChangedStepIsFoundByItsReplay) {
+  const VerifiedStudy study;
+  static_cast<void>(
+      study.tampered("UPDATE step SET hash = hash + 1 "
+                     "WHERE attempt_id = 7 AND step = 100"));
+  EXPECT_EQ(run_program(study.folder(), {"verify", "a.sqlite"}).status, 0);
+  const ProgramResult result = run_program(study.folder(), {"verify", "a.sqlite", "--replay"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(last_line(result),
+            "a.sqlite: cannot be published: P02, causality, slot 2, attempt 1: diverges at step "
+            "100, in the hash alone");
+}
+
+TEST(Verify, ADamagedFileIsNamedAndLookedAtNoFurther) {
+  const VerifiedStudy study;
+  const std::string whole = text_of(study.copy());
+  study.folder().write("cut.sqlite", whole.substr(0, whole.size() / 2));
+  std::string overwritten = whole;
+  const std::size_t page = whole.size() / 2 / 4096 * 4096;
+  overwritten.replace(page, 4096, std::string(4096, 'x'));
+  study.folder().write("page.sqlite", overwritten);
+  for (const char* file : {"cut.sqlite", "page.sqlite"}) {
+    const ProgramResult result = run_program(study.folder(), {"verify", file});
+    EXPECT_EQ(result.status, 1) << file;
+    EXPECT_EQ(result.errors, "");
+    const std::string start = std::string(file) + ": cannot be published: ";
+    EXPECT_EQ(last_line(result).substr(0, start.size()), start);
+    EXPECT_EQ(lines_of(result.output).front().rfind("file  WRONG  ", 0), 0U) << result.output;
+  }
+}
+
+TEST(Verify, WhatIsNoStudyCouldNotBeVerified) {
+  const TemporaryFolder folder;
+  folder.write("text.sqlite", "a text that is long enough to be looked at");
+  expect_refused(folder, {"verify", "none.sqlite"},
+                 "none.sqlite: expected an Impetus study, but there is no such file");
+  expect_refused(folder, {"verify", "text.sqlite"},
+                 "text.sqlite: expected an Impetus study, got a file that is no SQLite database");
+}
+
+TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
+  const VerifiedStudy study;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"UPDATE participant SET simulated = 1 WHERE id = 2; UPDATE session SET simulated = 1 "
+       "WHERE id = 2",
+       "1 of 2 participants is simulated"},
+      {"UPDATE session SET ending = NULL, ended_utc = NULL WHERE id = 2",
+       "1 of 2 sessions has no ending: killed, or running now"},
+      {"UPDATE enrolment SET finished_utc = NULL WHERE id = 2; UPDATE session SET ending = 'quit' "
+       "WHERE id = 2",
+       "1 of 2 enrolments is not finished"},
+      {"UPDATE session SET sync_passed = 0, sync_overridden = 1 WHERE id = 2; UPDATE attempt SET "
+       "sync_overridden = 1 WHERE session_id = 2",
+       "5 trials were shown by a display that had failed its sync test (marked sync_overridden)"},
+      {"UPDATE frame SET missed_slots = 1 WHERE attempt_id = 7 AND frame < 10; UPDATE attempt SET "
+       "late_timed_frames = 10 WHERE id = 7; UPDATE attempt SET timed_frames = timed_frames",
+       "10 of 1534 timed frames were late (0.65 %)"},
+      {"INSERT INTO exclusion VALUES (NULL, 1, NULL, 1, 'asleep', 'then')",
+       "left out of the analysis: 1 participants, 0 single trials, with reasons"},
+      {"UPDATE session SET build = 'impetus 0.1.0, abc-dirty, GNU' WHERE id = 2",
+       "1 sessions were recorded by a build with changes that no commit holds (-dirty)"},
+      {"UPDATE answer SET answer = NULL WHERE kind = 'consent' AND session_id = 2",
+       "1 people's enrolments have trials, but no consent that was kept"},
+      {"UPDATE answer SET answer = 'mine' WHERE id = (SELECT max(id) FROM answer)",
+       "participants' own words are in it: "},
+      {"UPDATE study SET anonymised_by = 'a build'; UPDATE participant SET pseudonym = 'A' || id",
+       "it was anonymised, by a build"}};
+  for (const auto& [sql, remark] : cases) {
+    const Verification verification = verify_study(study.tampered(sql));
+    EXPECT_EQ(failures_of(verification), Failures{}) << sql;
+    const std::vector<std::string>& remarks = verification.remarks;
+    EXPECT_TRUE(std::any_of(
+        remarks.begin(), remarks.end(),
+        [&, &words = remark](const std::string& each) { return each.rfind(words, 0) == 0; }))
+        << remark << "\n"
+        << ::testing::PrintToString(remarks);
+  }
+}
+
+TEST(Verify, ALogBesideAKilledSessionsFileIsReadAndRemarked) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  ASSERT_EQ(in_child([&] {
+              // Ends without closing anything, as a killed process does.
+              auto* study = new StudyFile(opened(path));
+              add_person(*study, small_protocol(), "P01");
+              return std::string("left");
+            }),
+            "left");
+  ASSERT_TRUE(std::filesystem::exists(path + "-wal"));
+  EXPECT_EQ(first_failure(path), "none");
+  EXPECT_EQ(verify_study(path).completed_trials, 5);
+  EXPECT_TRUE(remarked(path,
+                       "a part of it stands in a.sqlite-wal until a session or a merge closes the "
+                       "file properly; the two belong together"));
+}
+
+TEST(Verify, AsJsonItIsTheSame) {
+  const VerifiedStudy study;
+  static_cast<void>(study.tampered("DELETE FROM rating WHERE attempt_id = 3"));
+  const ProgramResult result = run_program(study.folder(), {"verify", "a.sqlite", "--json"});
+  EXPECT_EQ(result.status, 1);
+  const json found = json::parse(result.output);
+  EXPECT_TRUE(found.at("publishable") == json(false));
+  int failed = 0;
+  for (const json& check : found.at("checks")) {
+    failed += check.at("passed").get<bool>() ? 0 : 1;
+    EXPECT_EQ(check.at("passed").get<bool>(), check.at("failures").empty());
+  }
+  EXPECT_EQ(failed, 1);
+}
+
+}  // namespace
+}  // namespace impetus
