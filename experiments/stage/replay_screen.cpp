@@ -145,6 +145,7 @@ bool ReplayScreen::in_a_pane(int x_px, int y_px) const {
 }
 
 void ReplayScreen::command(Command command) {
+  said_until_ns_ = 0;
   if (command == Command::kHelp || (help_shown_ && command == Command::kClose)) {
     help_shown_ = !help_shown_;
     return;

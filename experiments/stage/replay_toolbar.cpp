@@ -35,10 +35,12 @@ class Toolbar {
   Toolbar(const Toolbar&) = delete;
   Toolbar& operator=(const Toolbar&) = delete;
 
+  /// `widest`: of the labels that it can have, so that what follows stays where it is.
   void button(Command command, const std::string& label, const std::string& key,
-              bool chosen = false) {
+              bool chosen = false, const std::string& widest = "") {
     const std::string hint = key.empty() ? "" : "  " + key;
-    const float width = std::ceil(width_of(label) + width_of(hint) + 2.0F * inset_px());
+    const float label_px = std::max(width_of(label), width_of(widest));
+    const float width = std::ceil(label_px + width_of(hint) + 2.0F * inset_px());
     if (at_.x + width > right_) {
       next_row();
     }
@@ -84,7 +86,7 @@ void draw_moves(Toolbar& bar, const ReplayPlayback& playback,
                 const std::vector<TimelineMark>& marks) {
   bar.button(Command::kStart, "|◀", "");
   bar.button(Command::kStepBack, "step −1", ",");
-  bar.button(Command::kPlay, playback.playing() ? "Pause" : "Play ", "Space");
+  bar.button(Command::kPlay, playback.playing() ? "Pause" : "Play", "Space", false, "Pause");
   bar.button(Command::kStepOn, "step +1", ".");
   bar.button(Command::kEnd, "▶|", "");
   bar.gap();
@@ -118,7 +120,8 @@ void draw_shows(Toolbar& bar, const ReplayLook& look) {
   bar.button(Command::kGaze, "Gaze", "G", look.gaze);
   bar.button(Command::kContacts, "Contacts", "C", look.contacts);
   bar.button(Command::kVolumes, "Volumes", "V", look.volumes);
-  bar.button(Command::kColours, name_of(look.colours), "L", look.colours != BodyColours::kOwn);
+  bar.button(Command::kColours, name_of(look.colours), "L", look.colours != BodyColours::kOwn,
+             name_of(BodyColours::kPriority));
   bar.button(Command::kFinest, "Finest beside", "F", look.finest);
   bar.button(Command::kOwnView, "Own view", "R", look.camera.is_participants());
   bar.gap();

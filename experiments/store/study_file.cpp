@@ -28,10 +28,6 @@ constexpr int kPatience_ms = 20000;
 
 constexpr int kApplicationId = 0x494d5054;  // "IMPT"
 
-/// A study from elsewhere may have views and triggers of its own: they get no function that does
-/// more than compute.
-constexpr const char* kDistrust = "PRAGMA trusted_schema = OFF";
-
 std::int64_t pragma(SQLite::Database& database, const std::string& name) {
   return database.execAndGet("PRAGMA " + name).getInt64();
 }
@@ -153,7 +149,6 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
   try {
     study.database_ = std::make_unique<SQLite::Database>(study.name_, SQLite::OPEN_READWRITE);
     study.database_->setBusyTimeout(2000);
-    study.database_->exec(kDistrust);
     const bool fresh = is_empty(*study.database_, study.name_);
     const std::int64_t version =
         fresh ? kSchemaVersion : require_study(*study.database_, study.name_);
@@ -182,7 +177,6 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   }
   try {
     study.database_ = open_read_only(path);
-    study.database_->exec(kDistrust);
   } catch (const SQLite::Exception& error) {
     throw InputError(study.name_ + ": expected an Impetus study that can be read: " + error.what());
   }
