@@ -16,6 +16,7 @@
 #include "experiments/trade/scene_rows.hpp"
 #include "experiments/trade/trade_choice.hpp"
 #include "experiments/trade/trade_words.hpp"
+#include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
 #include "tests/places/places.hpp"
