@@ -17,13 +17,12 @@ bool is_text(const json& value, const std::string& text) {
 }
 
 void put_budget(json& engine, const json& value) {
-  json budget = engine.value("budget", json::object());
-  budget.erase("ms_per_step");
-  budget.erase("tests_per_step");
-  if (!is_text(value, "unlimited")) {
-    budget["tests_per_step"] = value;
+  if (is_text(value, "unlimited")) {
+    engine.erase("budget");
+    return;
   }
-  engine["budget"] = budget;
+  engine["budget"]["tests_per_step"] = value;
+  engine["budget"].erase("ms_per_step");
 }
 
 json list_at(int level) {
