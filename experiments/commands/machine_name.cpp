@@ -12,7 +12,8 @@
 namespace impetus {
 namespace {
 
-/// What a file of "key separator value" lines says of the key, without quotation marks; "": nothing.
+/// What a file of "key separator value" lines says of the key, without quotation marks; "":
+/// nothing.
 std::string value_in(const char* file, const std::string& key, char separator) {
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {
@@ -30,8 +31,8 @@ std::string value_in(const char* file, const std::string& key, char separator) {
 /// "8 cores, 31.2 GiB".
 std::string size_of_machine() {
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   std::array<char, 64> words{};
   std::snprintf(words.data(), words.size(), "%ld cores, %.1f GiB", sysconf(_SC_NPROCESSORS_ONLN),
                 bytes / kGiB);

@@ -2,18 +2,83 @@
 #include "experiments/commands/replayed_trial.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "build_info.hpp"
 #include "experiments/protocol/deepest_level.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/protocol/trial_scene.hpp"
+#include "experiments/protocol/validation.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
+namespace {
+
+using nlohmann::json;
+
+/// "study.sqlite: trial 5: expected ..."
+[[noreturn]] void refuse_trial(const StudyFile& study, const StoredAttempt& attempt,
+                               const std::string& sentence) {
+  throw InputError(study.name() + ": trial " + std::to_string(attempt.trial_id) + ": " + sentence);
+}
+
+/// Those that the protocol's check has seen: no other scene may be built.
+bool is_shown(const Design& design, const Condition& condition) {
+  const std::vector<Condition> cells_shown = cells(design);
+  return std::find(cells_shown.begin(), cells_shown.end(), condition) != cells_shown.end() ||
+         std::any_of(design.catch_trials.begin(), design.catch_trials.end(),
+                     [&](const CatchTrials& kind) { return kind.condition == condition; });
+}
+
+Condition condition_of(const StudyFile& study, const StoredAttempt& attempt,
+                       const Protocol& protocol) {
+  try {
+    const json object = json::parse(attempt.trial.condition);
+    Condition condition = condition_from_json(object, protocol.design);
+    if (is_shown(protocol.design, condition)) {
+      return condition;
+    }
+  } catch (const json::exception&) {  // not JSON, or no value of a factor: refused below
+  }
+  refuse_trial(
+      study, attempt,
+      "expected a condition of the protocol " + protocol.name + ", got " + attempt.trial.condition);
+}
+
+/// What was solved for the trial, if the scene still keeps to its schema with it.
+std::vector<SolvedValue> solved_of(const StudyFile& study, const StoredAttempt& attempt,
+                                   const Protocol& protocol, const Condition& condition) {
+  if (attempt.trial.solved.empty()) {
+    return {};
+  }
+  try {
+    std::vector<SolvedValue> solved = solved_values_from(attempt.trial.solved);
+    json scene = scene_under(protocol, condition);
+    put_into_scene(solved, scene);
+    if (!find_schema_problem(scene_schema(), scene)) {
+      return solved;
+    }
+  } catch (const json::exception&) {  // refused below
+  }
+  refuse_trial(study, attempt, "expected solved values of its scene, got " + attempt.trial.solved);
+}
+
+void require_screen(const StudyFile& study, const StoredAttempt& attempt) {
+  const ScreenGeometry& screen = attempt.screen;
+  constexpr double kMost_m = 1000.0;
+  for (const double length_m : {screen.width_m, screen.height_m, screen.viewing_distance_m}) {
+    if (!(length_m > 0.0 && length_m <= kMost_m)) {
+      refuse_trial(study, attempt,
+                   "expected a screen with sides and a viewing distance above 0 m, got " +
+                       std::to_string(length_m) + " m");
+    }
+  }
+}
+
+}  // namespace
 
 std::string why_divergent(const StoredAttempt& attempt) {
   return attempt.recording_format == kRecordingFormat
@@ -43,10 +108,10 @@ ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
                      std::to_string(kRecordingFormat) + ", use that one");
   }
   const Protocol& source = protocol(attempt.protocol_id);
-  const auto condition = nlohmann::json::parse(attempt.trial.condition);
+  require_screen(study_, attempt);
   PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
-                       condition_from_json(condition, source.design), attempt.trial.seed};
-  planned.solved = solved_values_from(attempt.trial.solved);
+                       condition_of(study_, attempt, source), attempt.trial.seed};
+  planned.solved = solved_of(study_, attempt, source, planned.condition);
   return {&source, stimuli_of(source.script, planned)[static_cast<std::size_t>(interval - 1)],
           attempt.rounding_allowed ? attempt.refresh_hz : 0.0};
 }

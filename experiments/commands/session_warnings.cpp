@@ -10,10 +10,11 @@ namespace {
 
 void tell_late_frames(const FrameCount& frames) {
   if (frames.late > 0) {
-    std::fprintf(stderr,
-                 "warning: %lld of %lld timed frames were late (trials with any: %lld); each is stored\n",
-                 static_cast<long long>(frames.late), static_cast<long long>(frames.timed),
-                 static_cast<long long>(frames.late_attempts));
+    std::fprintf(
+        stderr,
+        "warning: %lld of %lld timed frames were late (trials with any: %lld); each is stored\n",
+        static_cast<long long>(frames.late), static_cast<long long>(frames.timed),
+        static_cast<long long>(frames.late_attempts));
   }
 }
 

@@ -173,7 +173,9 @@ void shift_clocks(SQLite::Database& study) {
       continue;
     }
     const std::string session =
-        of_session ? "session_id" : "(SELECT session_id FROM attempt WHERE id = attempt_id)";
+        of_session
+            ? table + ".session_id"
+            : "(SELECT own.session_id FROM attempt AS own WHERE own.id = " + table + ".attempt_id)";
     for (const auto& [column, words] : columns) {
       if (is_instant(column)) {
         study.exec("UPDATE " + table + " SET " + column + " = " + column +

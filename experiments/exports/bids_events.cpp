@@ -153,8 +153,9 @@ ordered_json described(const std::string& name, const std::string& meaning) {
   return words;
 }
 
+/// Without the task's name, which the file's has: older validators take every key for a column.
 std::string event_sidecar(const BidsSession& session, const FactorLabels& factors) {
-  ordered_json sidecar{{"TaskName", session.task_name}};
+  ordered_json sidecar = ordered_json::object();
   for (const Column& column : event_columns()) {
     sidecar[column.name] = described(column.name, column.meaning);
   }

@@ -21,8 +21,10 @@ void put_budget(json& engine, const json& value) {
     engine.erase("budget");
     return;
   }
-  engine["budget"]["tests_per_step"] = value;
-  engine["budget"].erase("ms_per_step");
+  json budget = engine.value("budget", json::object());
+  budget.erase("ms_per_step");
+  budget["tests_per_step"] = value;
+  engine["budget"] = budget;
 }
 
 json list_at(int level) {

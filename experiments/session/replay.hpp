@@ -35,8 +35,8 @@ struct ReplayResult {
   std::vector<TakenOut> taken_out{};  ///< by then
 };
 
-/// What is known of a divergence after this step: `known` by now (none: there was none), begun where
-/// the state is not the recorded one, and named as soon as a digest tells.
+/// What is known of a divergence after this step: `known` by now (none: there was none), begun
+/// where the state is not the recorded one, and named as soon as a digest tells.
 std::optional<Divergence> divergence_of(const StepRecord& recorded, const StateHash& actual,
                                         const World& world,
                                         const std::optional<Divergence>& known = {});

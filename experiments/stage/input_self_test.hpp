@@ -10,9 +10,8 @@
 namespace impetus {
 
 /// Calls `show`, which shows a picture in the window, until it returns false. Arrivals have the
-/// stamps and uncertainties that a session would keep; input of the last 100 ms is left out, as it
-/// may have had no time to arrive. Somebody's own hand on the mouse disturbs the test. `clock` is
-/// the window's.
+/// stamps and uncertainties that a session would keep. Somebody's own hand on the mouse disturbs
+/// the test. `clock` is the window's.
 InputTrace try_input(Window& window, const Clock& clock, const std::function<bool()>& show);
 
 /// Puts the pointer into the window's middle.

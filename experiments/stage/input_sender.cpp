@@ -15,8 +15,9 @@ namespace impetus {
 namespace {
 
 constexpr std::chrono::microseconds kBetween{9'650};  // no simple part of any refresh
-constexpr Uint32 kOwnMouse = 0x1A9E7;                 // a mouse that no system has
-constexpr SDL_Keycode kOwnKey = SDLK_F24;             // a key that no keyboard has
+constexpr std::chrono::milliseconds kGivenUpAfter{500};
+constexpr Uint32 kOwnMouse = 0x1A9E7;      // a mouse that no system has
+constexpr SDL_Keycode kOwnKey = SDLK_F24;  // a key that no keyboard has
 
 #ifdef IMPETUS_HAS_XTEST
 
@@ -73,6 +74,10 @@ class TestExtension {
 
 #endif
 
+int name_of(InputDevice device, InputRoute route) {
+  return 1 + 2 * static_cast<int>(device) + static_cast<int>(route);
+}
+
 }  // namespace
 
 std::optional<ArrivedInput> as_sent_input(const SDL_Event& event) {
@@ -100,10 +105,29 @@ std::vector<SentInput> InputSender::stop() {
   if (thread_.joinable()) {
     thread_.join();
   }
+  if (on_its_way_ != 0 && !sent_.empty()) {
+    sent_.pop_back();
+  }
   return std::exchange(sent_, {});
 }
 
+void InputSender::tell(const ArrivedInput& arrived) {
+  int awaited = name_of(arrived.device, arrived.route);
+  on_its_way_.compare_exchange_strong(awaited, 0);
+}
+
+void InputSender::await_arrival() {
+  const auto until = std::chrono::steady_clock::now() + kGivenUpAfter;
+  while (on_its_way_ != 0 && !stopping_ && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (!stopping_) {
+    on_its_way_ = 0;
+  }
+}
+
 void InputSender::note(InputDevice device, InputRoute route) {
+  on_its_way_ = name_of(device, route);
   sent_.push_back({device, route, clock_.now_ns()});
 }
 
@@ -138,6 +162,7 @@ void InputSender::send_until_stopped() {
       note(InputDevice::kMouse, InputRoute::kWindowSystem);
       system.move();
     }
+    await_arrival();
     std::this_thread::sleep_for(kBetween);
   }
   if (system.works()) {

@@ -1,5 +1,6 @@
 // Sends key presses and mouse movements to this program from a thread of its own, at instants that
-// wander through the frame, and says when.
+// wander through the frame, and says when. One is on its way at a time: the next is sent when it
+// has arrived, or is given up.
 //
 //   into the queue           as if SDL had just taken them from the system
 //   into the window system   by X11's test extension, as a device's driver does: the left Ctrl key,
@@ -32,16 +33,21 @@ class InputSender {
   InputSender(const InputSender&) = delete;
   InputSender& operator=(const InputSender&) = delete;
 
-  /// Stops; what was sent, in order of time.
+  /// Tells that this has arrived; to be called as soon as it has.
+  void tell(const ArrivedInput& arrived);
+
+  /// Stops; what was sent, in order of time, but for what had no time to arrive.
   std::vector<SentInput> stop();
 
  private:
   void send_until_stopped();
   void send_to_queue(InputDevice device);
   void note(InputDevice device, InputRoute route);
+  void await_arrival();
 
   const Clock& clock_;
-  std::vector<SentInput> sent_;  ///< the thread's until it is joined
+  std::vector<SentInput> sent_;     ///< the thread's until it is joined
+  std::atomic<int> on_its_way_{0};  ///< which device and route; 0: nothing
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -127,19 +127,23 @@ void require_one_version(const MergePart& part) {
   }
 }
 
-/// A station may not have come to all protocols of the study yet; it has none that are not the
-/// study's, which are those of the file with the most.
-void require_protocols_of_the_study(const std::deque<MergePart>& parts) {
-  const auto study = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-    return a.protocols.size() < b.protocols.size();
-  });
-  for (const MergePart& part : parts) {
-    for (const auto& [name, versions] : part.protocols) {
-      if (!study->protocols.contains(name)) {
-        throw InputError(part.study.name() + ": expected protocols of the same study as " +
-                         study->study.name() + " (" + listed(study->protocols) + "), got " + name);
-      }
+/// The first protocol of `part` that the other lacks; "": there is none.
+std::string protocol_beyond(const MergePart& part, const MergePart& other) {
+  for (const auto& [name, versions] : part.protocols) {
+    if (!other.protocols.contains(name)) {
+      return name;
     }
+  }
+  return "";
+}
+
+/// A station may not have come to all protocols of the study yet: of two, one has all of the
+/// other's.
+void require_same_study(const MergePart& part, const MergePart& before) {
+  const std::string beyond = protocol_beyond(part, before);
+  if (!beyond.empty() && !protocol_beyond(before, part).empty()) {
+    throw InputError(part.study.name() + ": expected protocols of the same study as " +
+                     before.study.name() + " (" + listed(before.protocols) + "), got " + beyond);
   }
 }
 
@@ -187,7 +191,7 @@ void require_one_study(const std::deque<MergePart>& parts) {
   for (const MergePart& part : parts) {
     require_one_version(part);
   }
-  require_protocols_of_the_study(parts);
+  each_two(require_same_study);
   each_two(require_same_versions);
   each_two(require_other_participants);
 }

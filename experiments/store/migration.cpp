@@ -17,6 +17,15 @@
 namespace impetus {
 namespace {
 
+/// As SQL names things: a study from elsewhere may have views of any name.
+std::string in_quotes(const std::string& name) {
+  std::string quoted = "\"";
+  for (const char letter : name) {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
 void drop_views(SQLite::Database& database) {
   std::vector<std::string> names;
   SQLite::Statement query(database, "SELECT name FROM sqlite_master WHERE type = 'view'");
@@ -25,7 +34,7 @@ void drop_views(SQLite::Database& database) {
   }
   query.reset();
   for (const std::string& name : names) {
-    database.exec("DROP VIEW \"" + name + "\"");
+    database.exec("DROP VIEW " + in_quotes(name));
   }
 }
 

@@ -59,7 +59,8 @@ void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& 
       "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
       "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
       "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
-      "series, series_place, resumed_at, resumed_after_s, first_slot, photodiode_patch, gaze_source) "
+      "series, series_place, resumed_at, resumed_after_s, first_slot, photodiode_patch, "
+      "gaze_source) "
       "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
       "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), nullif(?, ''))");
   SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,

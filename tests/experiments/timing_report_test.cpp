@@ -198,7 +198,9 @@ TEST(TimingVerdicts, EveryFaultIsSeenInItsLine) {
       {"Drift", [](TimingReport& r) { r.runs[0].statistics.drift_ppm = -1000.0; },
        TimingGrade::kWithCare},
       {"Late frames with 250", [](TimingReport& r) { r.runs[3].statistics.late = 1; },
-       TimingGrade::kNotForTiming},  // of 30 or so: more than one in a hundred
+       TimingGrade::kWithCare},  // of 151
+      {"Late frames with 250", [](TimingReport& r) { r.runs[3].statistics.late = 2; },
+       TimingGrade::kNotForTiming},
       {"Arrival of key", [](TimingReport& r) { r.inputs[0].delays_ms.assign(10, 5.0); },
        TimingGrade::kWithCare},
       {"Arrival of key", [](TimingReport& r) { r.inputs[0].lost = 1; }, TimingGrade::kWithCare},

@@ -48,10 +48,11 @@ class WholeStudy {
     folder_.write("stimuli/l-blocks-in-a-cube.json",
                   replaced(text_of(source + "/stimuli/l-blocks-in-a-cube.json"),
                            "\"duration_s\": 10", "\"duration_s\": 1"));
-    run("causality", {{"\"repetitions\": 3", "\"repetitions\": 1"}, {"[5, 10, 15]", "[10]"}});
+    run("causality", {{"\"repetitions\": 3", "\"repetitions\": 1"}});
     run("gap-thresholds", {{"\"trials_per_track\": 40", "\"trials_per_track\": 1"}});
     run("gaze-contingent", {{"\"repetitions\": 3", "\"repetitions\": 1"},
-                            {"\"levels\": [5, 10, 15]", "\"levels\": [5]"}});
+                            {"[5, 10, 15]", "[5, 10]"},
+                            {"\"bodies\": 15", "\"bodies\": 5"}});
     run_program(folder_, {"replay", "study.sqlite", "--truth", "--trial", "1"});
     run_program(folder_, {"exclude", "study.sqlite", "--participant", "S01", "--trial", "7",
                           "--reason", "fell asleep, \"twice\""});
@@ -65,9 +66,7 @@ class WholeStudy {
            const std::vector<std::pair<std::string, std::string>>& changes) {
     std::string protocol = text_of(source_folder() + "/protocols/" + study + ".json");
     for (const auto& [from, to] : changes) {
-      if (protocol.find(from) != std::string::npos) {
-        protocol = replaced(protocol, from, to);
-      }
+      protocol = replaced(protocol, from, to);
     }
     const std::string file = "protocols/" + study + ".json";
     folder_.write(file, protocol);

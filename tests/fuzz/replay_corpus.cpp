@@ -9,6 +9,8 @@
 #include <functional>
 #include <iterator>
 
+#include "experiments/protocol/protocol_file.hpp"
+#include "tests/fuzz/json_mutation.hpp"
 #include "tests/fuzz/seeds.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/places/places.hpp"
@@ -52,12 +54,55 @@ void feed_found(const Target& target, const std::string& kind) {
 
 TEST(FuzzCorpus, NoMeshFileEndsTheProgram) {
   feed(fuzz_mesh_file, mesh_seeds(), 20);
-  feed_found(fuzz_mesh_file, "mesh");
+  feed_found(fuzz_mesh_file, "mesh_file");
 }
 
 TEST(FuzzCorpus, NoTreeFileEndsTheProgram) {
   feed(fuzz_tree_file, tree_seeds(), 300);
-  feed_found(fuzz_tree_file, "tree");
+  feed_found(fuzz_tree_file, "tree_file");
+}
+
+/// Every seed, and copies with one value changed after the other.
+void feed_json(const Target& target, const std::vector<std::string>& seeds, int changes) {
+  RandomStream random(kSeed, "fuzz JSON");
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  for (const std::string& seed : seeds) {
+    target(seed);
+    std::string changed = seed;
+    for (int i = 0; i < changes; ++i) {
+      constexpr int kInARow = 3;
+      changed = mutated_pair(i % kInARow == 0 ? seed : changed, random);
+      target(changed);
+    }
+  }
+}
+
+TEST(FuzzCorpus, NoProtocolEndsTheProgram) {
+  feed_json(fuzz_protocol, protocol_seeds(), 20);
+  feed(fuzz_protocol, protocol_seeds(), 5);
+  feed_found(fuzz_protocol, "protocol");
+}
+
+TEST(FuzzCorpus, NoSceneEndsTheProgram) {
+  feed_json(fuzz_scene, scene_seeds(), 60);
+  feed(fuzz_scene, scene_seeds(), 5);
+  feed_found(fuzz_scene, "scene");
+}
+
+TEST(FuzzCorpus, NoStudyEndsTheProgram) {
+  feed(fuzz_study, study_seeds(), 1);
+  feed_found(fuzz_study, "study");
+}
+
+TEST(FuzzCorpus, EverySeedOfAProtocolIsAProtocol) {
+  for (const std::string& seed : protocol_seeds()) {
+    const std::size_t end = seed.find(kPartSeparator);
+    const auto act = [&] {
+      make_protocol(parse_json("protocol.json", seed.substr(0, end)),
+                    parse_json("scene.json", seed.substr(end + 1)));
+    };
+    EXPECT_EQ(sentence_of(act), "accepted");
+  }
 }
 
 TEST(FuzzCorpus, EverySeedIsAccepted) {

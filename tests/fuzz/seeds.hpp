@@ -7,6 +7,8 @@
 
 #include "experiments/models/little_endian.hpp"
 #include "tests/experiments/stored_trees.hpp"
+#include "tests/fuzz/small_studies.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace impetus {
 
@@ -53,6 +55,36 @@ inline std::vector<std::string> tree_seeds() {
     seeds.push_back(bytes_of(stored));
     seeds.back().resize(seeds.back().size() - kChecksumLetters);
   }
+  return seeds;
+}
+
+/// As fuzz_protocol() takes them.
+inline std::vector<std::string> protocol_seeds() { return small_protocols(); }
+
+/// As fuzz_scene() takes them.
+inline std::vector<std::string> scene_seeds() {
+  std::vector<std::string> seeds;
+  for (const std::string& texts : small_protocols()) {
+    seeds.push_back(texts.substr(texts.find(kPartSeparator) + 1));
+  }
+  return seeds;
+}
+
+/// As fuzz_study() takes them: changes of values that a replay reads, and a whole file.
+inline std::vector<std::string> study_seeds() {
+  std::vector<std::string> seeds;
+  for (char base = 0; base < 4; ++base) {
+    for (const char* change :
+         {"UPDATE trial SET condition='{\"delay_ms\":1e300}'", "UPDATE trial SET solved='[1]'",
+          "UPDATE session SET refresh_hz=-1,screen_width_px=0,recording_format=3",
+          "UPDATE session SET viewing_distance_m=0", "UPDATE step SET digests=x'00',hash=1",
+          "UPDATE step SET work_granted=-9223372036854775808,region_x_m=1e300",
+          "UPDATE protocol SET scene_json='{}'", "UPDATE protocol SET protocol_json='['",
+          "UPDATE gaze SET loss='a'", "UPDATE attempt SET trial_id=1;DELETE FROM protocol"}) {
+      seeds.push_back(std::string(1, base) + change);
+    }
+  }
+  seeds.push_back(kWholeFile + small_studies().front());
   return seeds;
 }
 

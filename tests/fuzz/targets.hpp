@@ -12,4 +12,17 @@ void fuzz_mesh_file(std::string_view bytes);
 /// A tree file without its checksum, which is put right first.
 void fuzz_tree_file(std::string_view bytes);
 
+/// A protocol, kPartSeparator, and its scene: checked, and planned for a participant.
+inline constexpr char kPartSeparator = '\x1e';
+void fuzz_protocol(std::string_view bytes);
+
+/// A scene: checked, built, and stepped a few times.
+void fuzz_scene(std::string_view bytes);
+
+/// A study: read and replayed for a few steps. The first letter chooses one of small studies, into
+/// which the rest, statements of SQL that change rows, is put first; or the rest is the file
+/// itself.
+inline constexpr char kWholeFile = 'f';
+void fuzz_study(std::string_view bytes);
+
 }  // namespace impetus

@@ -1,5 +1,5 @@
-// Writes the seeds as files: write_seeds FOLDER makes FOLDER/mesh/* and FOLDER/tree/*.
-// SPDX-License-Identifier: MIT
+// Writes the seeds as files: write_seeds FOLDER makes FOLDER/mesh_file/*, FOLDER/tree_file/* and so
+// on. SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
 
@@ -20,7 +20,11 @@ int main(int count, char** words) {
   if (count != 2) {
     return 2;
   }
-  write(std::filesystem::path(words[1]) / "mesh", impetus::mesh_seeds());
-  write(std::filesystem::path(words[1]) / "tree", impetus::tree_seeds());
+  const std::filesystem::path folder(words[1]);
+  write(folder / "mesh_file", impetus::mesh_seeds());
+  write(folder / "protocol", impetus::protocol_seeds());
+  write(folder / "scene", impetus::scene_seeds());
+  write(folder / "study", impetus::study_seeds());
+  write(folder / "tree_file", impetus::tree_seeds());
   return 0;
 }
