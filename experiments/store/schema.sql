@@ -119,7 +119,7 @@ CREATE TABLE attempt (
   -- Set aside: was completed, but a resumed session began its block anew.
   outcome TEXT NOT NULL CHECK (outcome IN ('completed', 'interrupted', 'set aside')),
   onset_ns INTEGER NOT NULL,          -- flip of the first frame of the stimulus; 0: never shown
-  intended_hold_ms REAL NOT NULL,
+  intended_hold_ms REAL NOT NULL,     -- freeze that the condition asks for
   realised_hold_ms REAL NOT NULL,     -- differs only when rounding was allowed
   timed_frames INTEGER NOT NULL,      -- frames of the stimulus
   late_timed_frames INTEGER NOT NULL, -- of these, shown late
@@ -155,8 +155,8 @@ CREATE TABLE step (
   fixation_taken_ns INTEGER,                -- when the sample behind it was taken
   fixation_age_ns INTEGER,                  -- of that sample when the step was computed
   region_x_m REAL,                          -- centre of the region of high priority; NULL: none
-  region_y_m REAL,
-  region_radius_deg REAL,
+  region_y_m REAL,                    -- above the screen's centre
+  region_radius_deg REAL,             -- NULL: none
   shown_frame INTEGER,                      -- of this attempt, the first to show it; NULL: none
   pops INTEGER NOT NULL DEFAULT 0,          -- pairs that touch at a coarser level than before
   largest_pop_deg REAL,                     -- visual angle that bounds grew by; NULL: no pop
@@ -173,7 +173,7 @@ CREATE TABLE collision (
   level INTEGER NOT NULL,             -- of the volume tree that was used, 0 the coarsest
   stopped TEXT NOT NULL CHECK (stopped IN ('finest', 'budget', 'greatest level', 'capped')),
                                       -- why there
-  point_x_m REAL NOT NULL, point_y_m REAL NOT NULL, point_z_m REAL NOT NULL,
+  point_x_m REAL NOT NULL, point_y_m REAL NOT NULL, point_z_m REAL NOT NULL,  -- in the scene
   normal_x REAL NOT NULL, normal_y REAL NOT NULL, normal_z REAL NOT NULL,  -- from b to a
   depth_m REAL NOT NULL,              -- how deep the volumes overlap
   approach_m_s REAL NOT NULL,         -- speed along the normal before the response
@@ -231,7 +231,7 @@ CREATE TABLE gaze (
   sample INTEGER NOT NULL,            -- from 1
   taken_ns INTEGER NOT NULL,          -- when the sample was taken
   x_m REAL,                           -- right of the screen's centre; NULL: lost
-  y_m REAL,
+  y_m REAL,                           -- above it; NULL: lost
   loss TEXT CHECK (loss IN ('blink', 'off screen', 'lost')),  -- why there is no place
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
                                       -- which stimulus of a two-interval trial; otherwise 1

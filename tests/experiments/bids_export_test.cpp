@@ -88,8 +88,10 @@ class Dataset {
   }
 
   [[nodiscard]] const std::set<std::string>& files() const { return files_; }
+  /// What stands beside a table; an empty object where nothing does.
   [[nodiscard]] json sidecar(const std::string& file) const {
-    return json::parse(text_of(folder_ / (file.substr(0, file.find(".tsv")) + ".json")));
+    const fs::path beside = folder_ / (file.substr(0, file.find(".tsv")) + ".json");
+    return fs::exists(beside) ? json::parse(text_of(beside)) : json::object();
   }
   [[nodiscard]] Table table(const std::string& file) const {
     return Table(text_of(folder_ / file));

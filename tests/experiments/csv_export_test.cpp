@@ -237,17 +237,21 @@ TEST(CsvExport, ATrialHasOneRowWithItsConditionAndItsAnswer) {
   SQLite::Database study(WholeStudy::once().file().string(), SQLite::OPEN_READONLY);
   EXPECT_EQ(static_cast<int>(trials.rows.size()),
             study.execAndGet("SELECT count(*) FROM trial").getInt());
-  std::size_t rated = 0;
+  int rated = 0;
+  int completed = 0;
   for (std::size_t row = 0; row < trials.rows.size(); ++row) {
     const json condition = json::parse(trials.at(row, "condition").text);
     const bool delayed = condition.contains("delay_ms");
     const CsvCell& cell = trials.at(row, "factor_delay_ms");
     EXPECT_EQ(cell.text, delayed ? condition["delay_ms"].dump() : "");
-    EXPECT_EQ(trials.at(row, "outcome").text, "completed");
+    const bool shown = !trials.at(row, "attempt_id").text.empty();
+    EXPECT_EQ(trials.at(row, "outcome").text, shown ? "completed" : "not shown");
+    completed += shown ? 1 : 0;
     rated += trials.at(row, "rating").text.empty() ? 0 : 1;
     EXPECT_EQ(trials.at(row, "excluded").text, trials.at(row, "id").text == "7" ? "1" : "0");
   }
-  EXPECT_EQ(static_cast<int>(rated), study.execAndGet("SELECT count(*) FROM rating").getInt());
+  EXPECT_EQ(rated, study.execAndGet("SELECT count(*) FROM rating").getInt());
+  EXPECT_EQ(completed, study.execAndGet("SELECT count(*) FROM attempt").getInt());
 }
 
 TEST(CsvExport, ATrialThatWasNotShownIsThere) {

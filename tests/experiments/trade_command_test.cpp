@@ -113,11 +113,12 @@ TEST(TradeCommand, DoesNotOverwriteAResultUnlessAsked) {
   std::filesystem::create_directory(folder / "out");
   folder.write("out/trade.csv", "mine");
   EXPECT_EQ(trade(folder, scene, {}).errors,
-            "impetus: out/trade.csv: exists already and is not overwritten without --force\n");
+            kAssumedScreen +
+                "impetus: out/trade.csv: exists already and is not overwritten without --force\n");
   EXPECT_EQ(text_of(folder / "out/trade.csv"), "mine");
   folder.write("file", "mine");
   EXPECT_EQ(run_program(folder, {"trade", scene, "--out", "file"}).errors,
-            "impetus: --out: expected a folder, but file is a file\n");
+            kAssumedScreen + "impetus: --out: expected a folder, but file is a file\n");
 }
 
 // ---------------------------------------------------------------- settings to paste
