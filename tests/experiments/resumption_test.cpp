@@ -76,28 +76,30 @@ Words run_of(const std::string& protocol) {
   return {"run", protocol, "--db", "a.sqlite", "--observer", "causality", "--participant", "S01"};
 }
 
-/// As if the process had been killed after its 50th trial: 6 of practice, 27 and 17 of two blocks.
-void forget_after_trial_50(const TemporaryFolder& folder) {
+/// A session that was killed after its 50th trial: 6 of practice, 27 and 17 of two blocks. That was
+/// saved at `when`, seen from now ("-2 hours"), the session having begun before.
+void leave_after_trial_50(const TemporaryFolder& folder, const std::string& protocol,
+                          const std::string& when) {
+  EXPECT_EQ(run_program(folder, run_of(protocol)).status, 0);
   change(
       folder,
       "UPDATE enrolment SET finished_utc = NULL;"
-      "UPDATE session SET ended_utc = NULL, ending = NULL;"
       "CREATE TEMP TABLE late AS SELECT attempt.id FROM attempt JOIN trial ON trial.id = trial_id "
       "WHERE slot > 50;"
       "DELETE FROM rating WHERE attempt_id IN late; DELETE FROM step WHERE attempt_id IN late;"
-      "DELETE FROM frame WHERE attempt_id IN late;"
-      "DELETE FROM collision WHERE attempt_id IN late; DELETE FROM attempt WHERE id IN late");
+      "DELETE FROM frame WHERE attempt_id IN late; DELETE FROM note;"
+      "DELETE FROM collision WHERE attempt_id IN late; DELETE FROM attempt WHERE id IN late;"
+      "UPDATE attempt SET saved_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '" +
+          when +
+          "');"
+          "UPDATE session SET ended_utc = NULL, ending = NULL, "
+          "started_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '-9 hours')");
 }
 
 TEST(Resume, AtABlocksStartKeepsWhatWasDoneSetAsideAndEndsWithTheWholePlan) {
   const TemporaryFolder folder;
   const std::string protocol = blocked_protocol(folder, {{"at", "block"}});
-  ASSERT_EQ(run_program(folder, run_of(protocol)).status, 0);
-  forget_after_trial_50(folder);
-  change(folder,
-         "UPDATE attempt SET saved_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '-2 hours');"
-         "UPDATE session SET started_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '-3 hours');"
-         "DELETE FROM note");
+  leave_after_trial_50(folder, protocol, "-2 hours");
   EXPECT_EQ(run_program(folder, run_of(protocol)).errors, "");
   EXPECT_EQ(value_of(folder,
                      "SELECT count(*) || ' from ' || min(slot) || ' to ' || max(slot) "
@@ -119,12 +121,7 @@ TEST(Resume, AtABlocksStartKeepsWhatWasDoneSetAsideAndEndsWithTheWholePlan) {
 TEST(Resume, AfterTheLongestTimeIsRefusedAndNothingChanges) {
   const TemporaryFolder folder;
   const std::string protocol = blocked_protocol(folder, {{"at", "trial"}, {"refuse_after_h", 1.5}});
-  ASSERT_EQ(run_program(folder, run_of(protocol)).status, 0);
-  forget_after_trial_50(folder);
-  change(folder,
-         "UPDATE attempt SET saved_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '-2 hours');"
-         "UPDATE session SET started_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '-3 hours');"
-         "DELETE FROM note");
+  leave_after_trial_50(folder, protocol, "-2 hours");
   expect_refused(folder, run_of(protocol),
                  "a.sqlite: participant S01 left causality 2 h ago; it is resumed within 1.5 h "
                  "(/session/resume/refuse_after_h), then no more");
@@ -134,10 +131,7 @@ TEST(Resume, AfterTheLongestTimeIsRefusedAndNothingChanges) {
 TEST(Resume, AClockThatWasSetBackIsSaidAndLosesNothing) {
   const TemporaryFolder folder;
   const std::string protocol = blocked_protocol(folder, {{"at", "trial"}});
-  ASSERT_EQ(run_program(folder, run_of(protocol)).status, 0);
-  forget_after_trial_50(folder);
-  change(folder,
-         "UPDATE attempt SET saved_utc = strftime('%Y-%m-%dT%H:%M:%fZ', 'now', '+3 hours')");
+  leave_after_trial_50(folder, protocol, "+3 hours");
   const ProgramResult result = run_program(folder, run_of(protocol));
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.errors,
