@@ -56,18 +56,22 @@ void make_shallow(json& value, const std::string& key = "") {
   }
 }
 
-/// Two levels of each factor at most, no practice and no demonstrations.
+/// Two levels of each factor at most, those of trees shallow; no practice and no demonstrations.
 void make_small(json& protocol) {
   for (json& factor : protocol["design"]["factors"]) {
     json& levels = factor["levels"];
     while (levels.size() > 2) {
       levels.erase(1);
     }
+    for (json& level : levels) {
+      make_shallow(level, factor["pointer"].get<std::string>());
+    }
   }
   if (protocol.contains("session")) {
     protocol["session"].erase("demonstrations");
   }
   protocol["design"].erase("practice");
+  protocol["design"].erase("practice_until");
   protocol["design"].erase("train_until");
 }
 
