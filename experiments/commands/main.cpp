@@ -35,10 +35,10 @@ int main(int argc, char** argv) {
   impetus::add_screen(app, chosen);
   impetus::add_sessions(app, chosen);
   impetus::add_timing(app, chosen);
+  impetus::add_verify(app, chosen);
   impetus::add_mesh(app, chosen);
   impetus::add_tree(app, chosen);
   impetus::add_trade(app, chosen);
-  impetus::add_verify(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

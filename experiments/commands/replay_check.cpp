@@ -2,12 +2,12 @@
 #include "experiments/commands/replay_check.hpp"
 
 #include <cmath>
+#include <exception>
 #include <string>
 #include <vector>
 
 #include "experiments/commands/replay_levels.hpp"
 #include "experiments/commands/replayed_trial.hpp"
-#include "experiments/session/input_error.hpp"
 
 namespace impetus {
 namespace {
@@ -44,6 +44,31 @@ std::string problem_of(ReplayLibrary& library, const StoredAttempt& attempt, std
   return "";
 }
 
+std::string attempt_problem(ReplayLibrary& library, const StoredAttempt& attempt,
+                            std::int64_t& steps) {
+  try {
+    for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
+      const std::string problem = problem_of(library, attempt, interval, steps);
+      if (!problem.empty()) {
+        return place_of(attempt, library.protocol(attempt.protocol_id).name) + ": " + problem;
+      }
+    }
+    return "";
+  } catch (const std::exception& error) {
+    return "trial " + std::to_string(attempt.trial_id) + " cannot be simulated: " + error.what();
+  }
+}
+
+void check_levels(StudyFile& study, ReplayLibrary& library, Failures& failures) {
+  try {
+    for (const LevelDivergence& divergence : divergent_levels(study, library)) {
+      failures.push_back("trial " + std::to_string(divergence.trial_id) + ": " + divergence.words);
+    }
+  } catch (const std::exception& error) {
+    failures.push_back(std::string("adaptive levels cannot be chosen anew: ") + error.what());
+  }
+}
+
 }  // namespace
 
 VerificationCheck check_replay(StudyFile& study) {
@@ -52,23 +77,12 @@ VerificationCheck check_replay(StudyFile& study) {
   const std::vector<StoredAttempt> attempts = load_attempts(study);
   std::int64_t steps = 0;
   for (const StoredAttempt& attempt : attempts) {
-    try {
-      for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
-        const std::string problem = problem_of(library, attempt, interval, steps);
-        if (!problem.empty()) {
-          const std::string protocol = library.protocol(attempt.protocol_id).name;
-          check.failures.push_back(place_of(attempt, protocol) + ": " + problem);
-          break;
-        }
-      }
-    } catch (const InputError& error) {
-      check.failures.emplace_back(error.what());
+    const std::string problem = attempt_problem(library, attempt, steps);
+    if (!problem.empty()) {
+      check.failures.push_back(problem);
     }
   }
-  for (const LevelDivergence& divergence : divergent_levels(study, library)) {
-    check.failures.push_back("trial " + std::to_string(divergence.trial_id) + ": " +
-                             divergence.words);
-  }
+  check_levels(study, library, check.failures);
   check.found = std::to_string(attempts.size()) + " trials again, " + std::to_string(steps) +
                 " steps, each bit as it was";
   return check;

@@ -17,12 +17,13 @@ bool is_text(const json& value, const std::string& text) {
 }
 
 void put_budget(json& engine, const json& value) {
+  if (is_text(value, "unlimited")) {
+    engine.erase("budget");
+    return;
+  }
   json budget = engine.value("budget", json::object());
   budget.erase("ms_per_step");
-  budget.erase("tests_per_step");
-  if (!is_text(value, "unlimited")) {
-    budget["tests_per_step"] = value;
-  }
+  budget["tests_per_step"] = value;
   engine["budget"] = budget;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <optional>
 #include <string>
@@ -148,12 +149,28 @@ double step_hz(const Protocol& protocol, const Condition& condition) {
 }
 
 /// As Playback steps: to the step that the last frame falls on, or the next.
-std::int64_t last_step_needed(const ShownInterval& shown, const Protocol& protocol) {
+double last_step_needed(const ShownInterval& shown, const Protocol& protocol) {
   constexpr double kOfAStep = 1e-9;
   const std::vector<PlannedTrial> stimuli = stimuli_of(protocol.script, shown.trial);
   const Condition& condition = stimuli.at(static_cast<std::size_t>(shown.interval - 1)).condition;
-  return static_cast<std::int64_t>(
-      std::ceil(shown.last_time_s * step_hz(protocol, condition) - kOfAStep));
+  return std::ceil(shown.last_time_s * step_hz(protocol, condition) - kOfAStep);
+}
+
+/// What is wrong with an interval's length; "": nothing. A condition that is none of the protocol's
+/// is wrong, too.
+std::string length_problem(ShownInterval shown, const std::string& condition,
+                           const Protocol& protocol) {
+  try {
+    shown.trial.condition = condition_from_json(nlohmann::json::parse(condition), protocol.design);
+    const double needed = last_step_needed(shown, protocol);
+    if (static_cast<double>(shown.last_step) == needed) {
+      return "";
+    }
+    return "its last frame shows step " + to_text(LevelValue(needed)) + ", the last one there is " +
+           std::to_string(shown.last_step);
+  } catch (const std::exception& error) {
+    return std::string("how long it is cannot be told: ") + error.what();
+  }
 }
 
 }  // namespace
@@ -191,13 +208,10 @@ Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf) {
     shown.interval = query.getColumn(2).getInt64();
     shown.last_time_s = query.getColumn(3).getDouble();
     shown.last_step = query.getColumn(4).getInt64();
-    shown.trial.condition = condition_from_json(
-        nlohmann::json::parse(query.getColumn(5).getString()), protocol->design);
     shown.trial.seed = static_cast<std::uint64_t>(query.getColumn(6).getInt64());
-    const std::int64_t needed = last_step_needed(shown, *protocol);
-    if (shown.last_step != needed) {
-      failures.push_back(shown.place + ": its last frame shows step " + std::to_string(needed) +
-                         ", the last one there is " + std::to_string(shown.last_step));
+    const std::string problem = length_problem(shown, query.getColumn(5).getString(), *protocol);
+    if (!problem.empty()) {
+      failures.push_back(shown.place + ": " + problem);
     }
   }
   return failures;

@@ -61,6 +61,13 @@ SessionOptions session_options(int count, char** arguments) {
   return options;
 }
 
+/// Takes the memory for so many values before it is watched, so that the notes do not grow.
+template <typename Value>
+void touch(std::vector<Value>& values, std::size_t count) {
+  values.assign(count, Value{});
+  values.clear();
+}
+
 double ms_of(std::int64_t ns) { return static_cast<double>(ns) / 1e6; }
 
 /// One of the two cores is taken by somebody else.
@@ -88,7 +95,7 @@ class NotedDisplay final : public Display {
  public:
   NotedDisplay(Window& window, const Clock& clock, std::size_t frames)
       : window_(window), clock_(clock) {
-    work_ns.reserve(frames);  // so that the notes do not grow
+    touch(work_ns, frames);
   }
 
   [[nodiscard]] double refresh_hz() const override { return window_.refresh_hz(); }
@@ -283,22 +290,24 @@ void run_session_bench(const SessionOptions& options) {
       enrol(study, "S01", true, {"benchmark", "hash", "{}", "{}"}, 1, planned_trials(trials));
   StudyWriter writer(study, enrolment, bench_facts(window, sync));
   NotedRecorder recorder(writer, clock);
-  NotedDisplay display(window, clock,
-                       static_cast<std::size_t>(2.0 * options.seconds * window.refresh_hz()));
+  const auto frames = static_cast<std::size_t>(2.0 * options.seconds * window.refresh_hz());
+  NotedDisplay display(window, clock, frames);
   Clicker input(window, clock);
   EyeParameters eye_parameters;
   eye_parameters.sampling_hz = 1000.0;
   SimulatedEye eye(eye_parameters, 1, "S01", clock);
   const Ports ports{display, input, scenes, recorder, &eye, &clock, &clock};
-  std::printf("%s\n%lld trials of %.0f s, %d bodies, gaze at 1 kHz, one core kept busy\n",
-              window.description().c_str(), static_cast<long long>(trials), kTrialSeconds, kBodies);
+  std::printf("%s\ntrials of %.0f s for %.0f s, %d bodies, gaze at 1 kHz, one core kept busy\n",
+              window.description().c_str(), kTrialSeconds, options.seconds, kBodies);
   std::fflush(stdout);
   Shown shown;
-  shown.intervals_ms.reserve(static_cast<std::size_t>(2.0 * options.seconds * window.refresh_hz()));
+  touch(shown.intervals_ms, frames);
   const Script script = bench_script();
   const BusyCore busy;
   MemoryWatch memory;
-  for (std::int64_t slot = 1; slot <= trials; ++slot) {
+  const std::int64_t began_ns = clock.now_ns();
+  const auto elapsed_s = [&] { return ms_of(clock.now_ns() - began_ns) / 1e3; };
+  for (std::int64_t slot = 1; slot <= trials && elapsed_s() < options.seconds; ++slot) {
     PlannedTrial trial = timing_trial(kBodies);
     AttemptResult result = run_attempt(trial, 1, script, {slot, trials, "benchmark"}, ports);
     if (result.interruption != Interruption::kNone) {
@@ -308,7 +317,7 @@ void run_session_bench(const SessionOptions& options) {
     result.record.slot = slot;
     recorder.save(std::move(result.record));
   }
-  recorder.await_saved();
+  writer.await_saved();
   const double left_out_s = std::min(kSettling_s, options.seconds / 5.0);
   const MemoryGrowth growth = memory.stop(left_out_s);
   writer.end("finished");

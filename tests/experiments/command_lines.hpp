@@ -15,6 +15,10 @@ namespace impetus {
 
 using Words = std::vector<std::string>;
 
+/// Said beside, where a screen is needed and none was entered.
+inline const std::string kAssumedScreen =
+    "No screen was entered: 37.6 cm x 30.1 cm seen from 57 cm is assumed; `impetus screen` asks.\n";
+
 /// One sentence on stderr, nothing on stdout, and this status.
 inline void expect_refused(const TemporaryFolder& folder, const Words& arguments,
                            const std::string& sentence, int status = 2) {

@@ -30,7 +30,7 @@ std::string recorded_session(const TemporaryFolder& folder) {
   const ProgramResult result =
       run_program(folder, {"run", "protocols/short.json", "--db", "a.sqlite", "--observer",
                            "gaze-contingent", "--participants", "1"});
-  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(result.status, 0) << result.errors;
   return (folder / "a.sqlite").string();
 }
 

@@ -13,9 +13,19 @@
 namespace impetus {
 namespace {
 
-std::string protocol_path(const std::string& name) {
-  return source_folder() + "/protocols/" + name + ".json";
-}
+/// Beside the series, which names no file from elsewhere.
+std::string protocol_path(const std::string& name) { return "protocols/" + name + ".json"; }
+
+/// The shipped protocols with their scenes and observers.
+struct StudiesFolder : TemporaryFolder {
+  StudiesFolder() {
+    for (const char* part : {"protocols", "stimuli", "experiments/observers"}) {
+      std::filesystem::create_directories((*this / part).parent_path());
+      std::filesystem::copy(std::filesystem::path(source_folder()) / part, *this / part,
+                            std::filesystem::copy_options::recursive);
+    }
+  }
+};
 
 std::string series_text(const std::string& first, const std::string& second) {
   return R"({"schema_version": 1, "series": "two", "title": "Two of them", "protocols": [")" +
@@ -42,7 +52,7 @@ std::string refusal_of(const std::filesystem::path& path) {
 }
 
 TEST(Series, AParticipantGoesThroughAllPartsInOrder) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   const ProgramResult run = run_program(folder, both("--participant", "P01"));
   ASSERT_EQ(run.status, 0) << run.errors;
@@ -60,7 +70,7 @@ TEST(Series, TheLastPageOfAPartContinuesAndThatOfTheSeriesCloses) {
 }
 
 TEST(Series, DemographicsAreAskedOnce) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   ASSERT_EQ(run_program(folder, both("--participant", "P01")).status, 0);
   EXPECT_EQ(asked(folder,
@@ -71,7 +81,7 @@ TEST(Series, DemographicsAreAskedOnce) {
 }
 
 TEST(Series, ItGoesOnWithThePartThatIsNotFinished) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   ASSERT_EQ(run_program(folder, {"run", protocol_path("causality"), "--db", "a.sqlite",
                                  "--observer", "causality", "--participant", "P01"})
@@ -86,7 +96,7 @@ TEST(Series, ItGoesOnWithThePartThatIsNotFinished) {
 TEST(Series, AGroupGoesThroughAllPartsWhateverRunsBeside) {
   std::vector<std::string> ratings;
   for (const char* jobs : {"1", "3"}) {
-    const TemporaryFolder folder;
+    const StudiesFolder folder;
     folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
     std::vector<std::string> command = both("--participants", "3");
     command.insert(command.end(), {"--jobs", jobs});
@@ -110,7 +120,7 @@ TEST(Series, TheShippedOneIsTheThesissThreeExperimentsInTheirOrder) {
 }
 
 TEST(Series, CheckingItChecksEachOfItsProtocols) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   const ProgramResult run = run_program(folder, {"check", "two.json"});
   EXPECT_EQ(run.status, 0) << run.errors;
@@ -119,7 +129,7 @@ TEST(Series, CheckingItChecksEachOfItsProtocols) {
 }
 
 TEST(Series, AFileThatIsNotThereIsRefused) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   const auto path = folder.write("two.json", series_text(protocol_path("causality"), "no.json"));
   EXPECT_EQ(refusal_of(path),
             path.string() +
@@ -136,7 +146,7 @@ TEST(Series, AnUnknownKeyIsRefused) {
 }
 
 TEST(Series, AProtocolInWhichNobodyTakesPartIsRefused) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   const std::string nobody = protocol_path("scheduler-distribution");
   folder.write("two.json", series_text(protocol_path("causality"), nobody));
   EXPECT_EQ(refusal_of(folder / "two.json"),
@@ -146,7 +156,7 @@ TEST(Series, AProtocolInWhichNobodyTakesPartIsRefused) {
 }
 
 TEST(Series, AsManyObserversAsProtocolsOrOneAreExpected) {
-  const TemporaryFolder folder;
+  const StudiesFolder folder;
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   std::vector<std::string> command = both("--participant", "P01");
   command.insert(command.begin() + 5, "causality");

@@ -142,6 +142,8 @@ TEST(Verify, WhateverWasChangedIsNamed) {
        "plans: P01, causality: slot 4: the plan has a main trial under "},
       {"UPDATE trial SET condition = '{\"delay_ms\":0,\"speed_deg_s\":10,\"viewpoint_deg\":0}'",
        "plans: P01, causality: slot "},
+      {"UPDATE trial SET condition = '[1]' WHERE id = 3",
+       "plans: P01, causality: slot 3: the plan has a main trial under [1], "},
       {"UPDATE trial SET seed = 1 WHERE id = 3", "plans: P01, causality: slot 3: the plan has a "},
       {"UPDATE participant SET pseudonym = 'P07' WHERE id = 1", "plans: P07, causality: slot "},
       {"UPDATE attempt SET number = 2 WHERE id = 3",

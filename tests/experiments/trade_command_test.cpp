@@ -16,6 +16,7 @@
 #include "experiments/trade/scene_rows.hpp"
 #include "experiments/trade/trade_choice.hpp"
 #include "experiments/trade/trade_words.hpp"
+#include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
 #include "tests/places/places.hpp"
@@ -113,11 +114,12 @@ TEST(TradeCommand, DoesNotOverwriteAResultUnlessAsked) {
   std::filesystem::create_directory(folder / "out");
   folder.write("out/trade.csv", "mine");
   EXPECT_EQ(trade(folder, scene, {}).errors,
-            "impetus: out/trade.csv: exists already and is not overwritten without --force\n");
+            kAssumedScreen +
+                "impetus: out/trade.csv: exists already and is not overwritten without --force\n");
   EXPECT_EQ(text_of(folder / "out/trade.csv"), "mine");
   folder.write("file", "mine");
   EXPECT_EQ(run_program(folder, {"trade", scene, "--out", "file"}).errors,
-            "impetus: --out: expected a folder, but file is a file\n");
+            kAssumedScreen + "impetus: --out: expected a folder, but file is a file\n");
 }
 
 // ---------------------------------------------------------------- settings to paste

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 /// What a number may be at most, by the last part of its place.
 constexpr std::array<std::pair<std::string_view, double>, 5> kMost{{
-    {"/tree_depth", 4.0},
+    {"/tree_depth", 2.0},
     {"/resolution", 4.0},
     {"/count", 8.0},
     {"/repetitions", 20.0},

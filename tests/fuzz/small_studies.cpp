@@ -5,6 +5,7 @@
 
 #include <SQLiteCpp/Database.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -41,6 +42,18 @@ std::string cut(const std::string& name) {
   std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   std::filesystem::remove(file);
   return bytes;
+}
+
+/// No tree deeper, and no list, than the second level.
+void make_shallow(json& value, const std::string& key = "") {
+  constexpr int kDeepest = 2;
+  if (value.is_structured()) {
+    for (auto part = value.begin(); part != value.end(); ++part) {
+      make_shallow(*part, value.is_object() ? part.key() : "");
+    }
+  } else if ((key.ends_with("level") || key == "tree_depth") && value.is_number()) {
+    value = std::min(value.get<int>(), kDeepest);
+  }
 }
 
 /// Two levels of each factor at most, no practice and no demonstrations.
@@ -83,8 +96,10 @@ std::vector<std::string> small_protocols() {
               .getString());
     };
     json protocol = text("protocol_json");
+    json scene = text("scene_json");
     make_small(protocol);
-    texts.push_back(protocol.dump() + kPartSeparator + text("scene_json").dump());
+    make_shallow(scene);
+    texts.push_back(protocol.dump() + kPartSeparator + scene.dump());
   }
   return texts;
 }
