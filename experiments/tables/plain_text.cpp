@@ -15,6 +15,12 @@ bool is_ascii_word(char letter) {
          (letter >= '0' && letter <= '9');
 }
 
+/// Where an underscore is no markup.
+bool is_within_word(std::string_view text, std::size_t place) {
+  return place > 0 && place + 1 < text.size() && is_ascii_word(text[place - 1]) &&
+         is_ascii_word(text[place + 1]);
+}
+
 }  // namespace
 
 std::string as_utf8(std::string_view text) {
@@ -34,7 +40,8 @@ bool looks_like_formula(std::string_view text) {
 
 std::string markdown_text(std::string_view text) {
   std::string result;
-  for (const char letter : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
     if (letter == '\n' || letter == '\r' || letter == '\t') {
       result += ' ';
     } else if (letter == '<') {
@@ -43,7 +50,8 @@ std::string markdown_text(std::string_view text) {
       result += "&gt;";
     } else if (letter == '&') {
       result += "&amp;";
-    } else if (std::string_view("\\`*_[]|#~").find(letter) != std::string_view::npos) {
+    } else if (std::string_view("\\`*[]|#~").find(letter) != std::string_view::npos ||
+               (letter == '_' && !is_within_word(text, i))) {
       result += std::string("\\") + letter;
     } else {
       result += letter;

@@ -228,7 +228,7 @@ TEST(CsvExport, TheCodebookStatesUnitsTypesAndLabels) {
   EXPECT_EQ(collisions["attempt_id"]["meaning"].get<std::string>(),
             "`id` of the row in attempts.csv");
   const std::string page = Exported::once().text("codebook.md");
-  EXPECT_NE(page.find("| impulse\\_Ns | along the normals, sum over contacts | number | N s |"),
+  EXPECT_NE(page.find("| impulse_Ns | along the normals, sum over contacts | number | N s |"),
             std::string::npos);
 }
 

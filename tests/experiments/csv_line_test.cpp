@@ -65,6 +65,7 @@ TEST(PlainText, WhatIsNoUtf8IsReplacedByteByByte) {
 TEST(PlainText, MarkupStaysTextInMarkdown) {
   EXPECT_EQ(markdown_text("<script>alert(1)</script>"), "&lt;script&gt;alert(1)&lt;/script&gt;");
   EXPECT_EQ(markdown_text("[a](b) | `c` *d*\ne"), "\\[a\\](b) \\| \\`c\\` \\*d\\* e");
+  EXPECT_EQ(markdown_text("_a_ delay_ms"), "\\_a\\_ delay_ms");
 }
 
 TEST(PlainText, AFilesNameHoldsLettersAndDigitsAlone) {

@@ -164,8 +164,8 @@ TEST(HostileText, InACodeIsTextToExclude) {
   const TemporaryFolder folder;
   plant(folder);
   for (const std::string& text : hostile_texts()) {
-    const ProgramResult excluded = run_program(
-        folder, {"exclude", "a.sqlite", "--participant", text, "--reason", text, "--take-back"});
+    const ProgramResult excluded =
+        run_program(folder, {"exclude", "a.sqlite", "--participant", text, "--reason", text});
     EXPECT_EQ(excluded.status, 0) << excluded.errors;
     EXPECT_EQ(value_of(folder, "SELECT reason FROM exclusion ORDER BY id DESC LIMIT 1"), text);
   }
