@@ -163,6 +163,7 @@ TEST(HostileText, AProtocolsNameIsNoPath) {
 TEST(HostileText, InACodeIsTextToExclude) {
   const TemporaryFolder folder;
   plant(folder);
+  change(folder, "DELETE FROM exclusion");
   for (const std::string& text : hostile_texts()) {
     const ProgramResult excluded =
         run_program(folder, {"exclude", "a.sqlite", "--participant", text, "--reason", text});
