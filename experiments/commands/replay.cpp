@@ -12,6 +12,7 @@
 #include "experiments/commands/replay_truth.hpp"
 #include "experiments/commands/replay_with.hpp"
 #include "experiments/commands/replayed_trial.hpp"
+#include "experiments/commands/text_table.hpp"
 #include "experiments/session/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
@@ -54,11 +55,12 @@ std::string of_interval(std::int64_t interval, std::int64_t intervals) {
 void print_divergence(const StoredAttempt& attempt, const Divergence& divergence,
                       const std::string& where) {
   std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld%s",
-              static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
+              static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
               static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
               static_cast<long long>(divergence.step), where.c_str());
-  std::string what = divergence.body.empty() ? "in the hash alone"
-                                             : "body " + divergence.body + ", " + divergence.field;
+  std::string what = divergence.body.empty()
+                         ? "in the hash alone"
+                         : "body " + printable(divergence.body) + ", " + divergence.field;
   if (divergence.named_at != divergence.step) {
     what += ", as step " + std::to_string(divergence.named_at) + " tells";
   }
@@ -71,9 +73,10 @@ void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& 
     std::printf(
         "trial %lld (%s, slot %lld, attempt %lld): body %s is taken out at step %lld%s: its "
         "%s is not finite\n",
-        static_cast<long long>(attempt.trial_id), attempt.participant.c_str(),
+        static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
         static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
-        body.body.c_str(), static_cast<long long>(body.step), where.c_str(), body.field.c_str());
+        printable(body.body).c_str(), static_cast<long long>(body.step), where.c_str(),
+        body.field.c_str());
   }
 }
 
