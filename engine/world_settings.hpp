@@ -13,6 +13,7 @@
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
+#include "engine/figures/figure.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -47,6 +48,8 @@ struct WorldSettings {
   /// are refined as if capped.
   std::int64_t most_entry_tests{kUnlimitedTests};
   std::optional<ImposedSpinRule> imposed_spin{};  ///< an imposed manipulation, not physics
+  /// Bodies that hinges join, in the order of their bodies.
+  std::vector<Figure> figures{};
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.
