@@ -134,6 +134,7 @@ void World::prioritise(const StepInput& input) {
 
 void World::refine(const StepInput& input, WorkMeter& meter) {
   memory_.refined.clear();
+  memory_.report.work_floor += folds_work();
   for (const MeasuredPair& pair : memory_.order.pairs()) {
     begin_refining(pair.scheduled, input);
   }
@@ -160,6 +161,7 @@ void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
   begun.list = list;
   begun.walls = walls ? walls_in_reach(at(bodies.a)) : 1;
   PlacedTree& a = placed_[at(bodies.a)];
+  begun.hinged = figures_.has_part(bodies);
   if (walls) {
     begun.refinement.begin(a, *settings_.enclosure, greatest);
   } else {
@@ -227,7 +229,7 @@ void World::model_folds() {
   if (!figures_.any()) {
     return;
   }
-  for (const Contact& fold : figures_.folds(settings_.figures, finite_, states_)) {
+  for (const Contact& fold : figures_.folds()) {
     memory_.modelled.contacts().push_back(fold);
     memory_.modelled.add_contacts_as(CollisionReport{});
   }
@@ -260,7 +262,19 @@ void World::count_later_phases() {
     const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
     report.work_spent += costs.of_modelling(pair, nodes);
   }
-  report.work_spent += costs.of_response(static_cast<std::int64_t>(report.contacts.size()));
+  std::int64_t contacts = 0;
+  std::int64_t hinged = 0;
+  for (const CollisionReport& collision : report.collisions) {
+    (figures_.has_part(collision.bodies) ? hinged : contacts) += collision.contact_count;
+  }
+  hinged -= static_cast<std::int64_t>(figures_.folds().size());  // paid for in the floor
+  report.work_spent +=
+      costs.of_response(contacts, /*hinged=*/false) + costs.of_response(hinged, /*hinged=*/true);
+}
+
+std::int64_t World::folds_work() const {
+  const PhaseCosts costs(settings_.costs, settings_.contacts);
+  return costs.of_response(static_cast<std::int64_t>(figures_.folds().size()), /*hinged=*/true);
 }
 
 const ResponseResult& World::response_to_contacts(double dt_s) {

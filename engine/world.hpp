@@ -81,6 +81,7 @@ class World {
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
   void model_folds();
+  [[nodiscard]] std::int64_t folds_work() const;
   void note_not_finite();
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;

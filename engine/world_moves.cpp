@@ -53,6 +53,7 @@ void World::move_and_pair(double dt_s) {
     std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
       return !figures_.may_meet(settings_.figures, pair.pair);
     });
+    figures_.find_folds(settings_.figures, finite_, states_);
   }
   if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
     stop_fast_pairs(dt_s);

@@ -27,6 +27,7 @@ struct RefinedPair {
   int walls{1};                ///< for a body and the enclosure: how many walls it could touch
   double eye_distance_m{1.0};  ///< of the place of the collision, for orders by what is seen
   double acuity{1.0};          ///< relative to the fovea's, there; for visible-first traversal
+  bool hinged{false};          ///< one of the bodies is a part of a figure
 };
 
 /// What detection, modelling and response of a pair cost, by bounds that hold in advance.
@@ -46,13 +47,15 @@ class PhaseCosts {
     return (costs_.model + (plain ? 0 : costs_.volume_model)) * nodes * pair.walls;
   }
 
-  [[nodiscard]] std::int64_t of_response(std::int64_t contacts) const {
-    return costs_.response * contacts;
+  /// `hinged`: with a part of a figure, the whole of which answers.
+  [[nodiscard]] std::int64_t of_response(std::int64_t contacts, bool hinged) const {
+    return (costs_.response + (hinged ? costs_.hinged_response : 0)) * contacts;
   }
 
   /// At most, of all that follows when `nodes` pairs of nodes overlap.
   [[nodiscard]] std::int64_t of_later_phases(const RefinedPair& pair, std::int64_t nodes) const {
-    return of_modelling(pair, nodes) + of_response(pair.walls * most_contacts(contacts_, nodes));
+    return of_modelling(pair, nodes) +
+           of_response(pair.walls * most_contacts(contacts_, nodes), pair.hinged);
   }
 
  private:

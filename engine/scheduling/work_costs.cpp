@@ -19,7 +19,8 @@ std::string problem_of(const WorkCosts& costs) {
        {problem_of("a sphere test", 1, costs.sphere_test),
         problem_of("a volume test", 1, costs.volume_test), problem_of("modelling", 0, costs.model),
         problem_of("response", 0, costs.response),
-        problem_of("modelling volumes", 0, costs.volume_model)}) {
+        problem_of("modelling volumes", 0, costs.volume_model),
+        problem_of("response of figures", 0, costs.hinged_response)}) {
     if (!problem.empty()) {
       return problem;
     }

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "engine/figures/figure_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/dynamics/far_turn.hpp"
+#include "engine/figures/internal_motion.hpp"
+
+namespace impetus {
+namespace {
+
+/// Of the beginning impulses, at most.
+constexpr int kMostIterations = 24;
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+/// By how much the child's anchor and axis miss the parent's: in world (metres), and across the
+/// axis (radians).
+Vector5 mismatch_of(const Hinge& hinge, const Pose& child, const Pose& parent) {
+  const Vector3 apart =
+      child.transform(hinge.of_child.anchor) - parent.transform(hinge.of_parent.anchor);
+  const Vector3 axis = parent.orientation * hinge.of_parent.axis;
+  const Vector3 turned = axis.cross(child.orientation * hinge.of_child.axis);
+  const Vector3 across = parent.orientation * hinge.of_parent.zero;
+  Vector5 mismatch;
+  mismatch << apart, across.dot(turned), axis.cross(across).dot(turned);
+  return mismatch;
+}
+
+double work_of_gravity(std::span<const BodyModel> parts, std::span<const Fall> falls,
+                       std::span<const BodyState> before, std::span<const BodyState> after) {
+  double work_J = 0.0;
+  for (std::size_t i = 0; i < falls.size(); ++i) {
+    if (parts[i].inverse_mass > 0.0) {
+      const Vector3 way = after[i].pose.position - before[i].pose.position;
+      work_J += falls[i].gravity_m_s2.dot(way) / parts[i].inverse_mass;
+    }
+  }
+  return work_J;
+}
+
+bool any_supported(std::span<const Fall> falls) {
+  return std::any_of(falls.begin(), falls.end(), [](const Fall& fall) { return fall.supported; });
+}
+
+/// Whether a part turns so far that where it arrives does not depend smoothly enough on impulses:
+/// none is near to being turned in another way (far_turn.hpp), where the iteration would jump.
+bool any_turns_far(std::span<const BodyModel> parts, std::span<const BodyState> states,
+                   double dt_s) {
+  constexpr double kMargin = 2.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (angular_velocity(parts[i], states[i]).norm() * dt_s > kTurnPart ||
+        turns_far(parts[i], states[i], kMargin * dt_s)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+int motion_parts_of(std::span<const BodyModel> parts, std::span<const BodyState> states,
+                    double dt_s) {
+  int count = 1;
+  while (count < kMostMotionParts && any_turns_far(parts, states, dt_s / count)) {
+    count *= 2;
+  }
+  return count;
+}
+
+/// A part that rests is held by its contacts alone: what keeps a body where it is would tear at its
+/// hinges.
+Fall swaying(Fall fall) {
+  fall.resting = false;
+  return fall;
+}
+
+}  // namespace
+
+FigureMotion::FigureMotion(const Figure& figure, const std::vector<BodyModel>& models)
+    : solver_(figure, models),
+      middle_(figure, models),
+      size_m_(top_bound_m(figure, models)),
+      impulses_(at(figure.part_count)),
+      asked_(figure.hinges.size(), Vector5::Zero()) {}
+
+void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
+                           Rotation rotation, std::span<const Fall> falls,
+                           std::vector<BodyState>& states) {
+  const std::size_t first = at(figure.first_part);
+  const std::size_t count = at(figure.part_count);
+  const Parts parts{figure, std::span(models).subspan(first, count),
+                    falls.empty() ? falls : falls.subspan(first, count), rotation,
+                    std::span(states).subspan(first, count)};
+  const int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
+  hinge_error_ = 0.0;
+  for (int i = 0; i < motion_parts; ++i) {
+    advance_part(parts, dt_s / motion_parts);
+  }
+}
+
+void FigureMotion::advance_part(const Parts& parts, double dt_s) {
+  start_.assign(parts.states.begin(), parts.states.end());
+  const double before_J = kinetic_energy(parts.models, parts.states);
+  solver_.look_at(parts.states);
+  arrive_together(parts, dt_s);
+  stop_across_hinges(parts.states);
+  bring_to_energy(before_J + work_of_gravity(parts.models, parts.falls, start_, parts.states),
+                  /*may_grow=*/!any_supported(parts.falls), parts.models, parts.states);
+}
+
+void FigureMotion::arrive_together(const Parts& parts, double dt_s) {
+  std::fill(impulses_.begin(), impulses_.end(), PartImpulse{});
+  double error = arrive(parts, dt_s);
+  double least = error;
+  best_ = impulses_;
+  for (int iteration = 0; iteration < kMostIterations && error > kHingeTolerance && dt_s > 0.0;
+       ++iteration) {
+    if (iteration == 0) {
+      look_at_middle(parts);
+    }
+    middle_.find_hinge_impulses(asked_, of_hinges_);
+    solver_.add_impulses_of(of_hinges_, impulses_);
+    error = arrive(parts, dt_s);
+    if (error < least) {
+      least = error;
+      best_ = impulses_;
+    }
+  }
+  if (error > least) {
+    impulses_ = best_;
+    arrive(parts, dt_s);
+  }
+  hinge_error_ = std::max(hinge_error_, least);
+}
+
+double FigureMotion::arrive(const Parts& parts, double dt_s) {
+  std::copy(start_.begin(), start_.end(), parts.states.begin());
+  solver_.push_parts(impulses_, parts.states);
+  for (std::size_t i = 0; i < parts.states.size(); ++i) {
+    impetus::advance(parts.models[i], parts.states[i], dt_s, parts.rotation,
+                     parts.falls.empty() ? Fall{} : swaying(parts.falls[i]));
+  }
+  return note_errors(parts, dt_s);
+}
+
+void FigureMotion::look_at_middle(const Parts& parts) {
+  half_way_ = start_;
+  for (std::size_t i = 0; i < half_way_.size(); ++i) {
+    Pose& pose = half_way_[i].pose;
+    const Pose& end = parts.states[i].pose;
+    pose.position = 0.5 * (pose.position + end.position);
+    pose.orientation =
+        Quaternion(Eigen::Vector4d(pose.orientation.coeffs() + end.orientation.coeffs()))
+            .normalized();
+  }
+  middle_.look_at(half_way_);
+}
+
+double FigureMotion::note_errors(const Parts& parts, double dt_s) {
+  double error = 0.0;
+  const Figure& figure = parts.figure;
+  for (std::size_t i = 0; i < figure.hinges.size(); ++i) {
+    const Hinge& hinge = figure.hinges[i];
+    const Vector5 mismatch = mismatch_of(hinge, parts.states[i + 1].pose,
+                                         parts.states[at(hinge.parent - figure.first_part)].pose);
+    error = std::max({error, mismatch.head<3>().norm() / size_m_, mismatch.tail<2>().norm()});
+    asked_[i] = dt_s > 0.0 ? Vector5(mismatch / -dt_s) : Vector5(Vector5::Zero());
+  }
+  return error;
+}
+
+void FigureMotion::stop_across_hinges(std::span<BodyState> parts) {
+  solver_.look_at(parts);
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    asked_[i] = -solver_.speed_across(i, parts);
+  }
+  std::fill(impulses_.begin(), impulses_.end(), PartImpulse{});
+  solver_.find_hinge_impulses(asked_, of_hinges_);
+  solver_.add_impulses_of(of_hinges_, impulses_);
+  solver_.push_parts(impulses_, parts);
+}
+
+}  // namespace impetus

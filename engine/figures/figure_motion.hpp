@@ -1,0 +1,85 @@
+// Free motion of a figure: its parts fly as bodies do, and impulses at its hinges, at the beginning
+// of the step and at its end, keep them together.
+//
+//   impulses along the hinges as they stand, found by Newton's iteration with what the parts are
+//   half
+//     way, such that the parts, each moved freely, arrive with their anchors together
+//   impulses at the end that leave nothing moving across a hinge
+//
+// (RATTLE: Andersen 1983.) All are opposite impulses at one point: momentum is kept to rounding.
+// The energy is brought back to what it was, or below (internal_motion.hpp).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/motion.hpp"
+#include "engine/figures/hinge_solver.hpp"
+
+namespace impetus {
+
+/// Of the figure's size, by how much anchors may part, and axes (radians): what the iteration ends
+/// at.
+inline constexpr double kHingeTolerance = 1e-11;
+
+/// A step is made in 1, 2, 4 ... parts, so many at most; each takes a turn of up to kTurnPart
+/// radians.
+inline constexpr int kMostMotionParts = 64;
+inline constexpr double kTurnPart = 0.25;
+
+class FigureMotion {
+ public:
+  /// `models` are those of all bodies of the world.
+  FigureMotion(const Figure& figure, const std::vector<BodyModel>& models);
+
+  /// Moves the parts, whose states are among `states`, through `dt_s` seconds; `falls` is empty or
+  /// has a fall for each body of the world.
+  void advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
+               Rotation rotation, std::span<const Fall> falls, std::vector<BodyState>& states);
+
+  /// Takes the parts' poses, for the next.
+  void look_at(std::span<const BodyState> parts) { solver_.look_at(parts); }
+
+  /// As HingeSolver::add_hinge_impulses(), where the parts are.
+  void add_hinge_impulses(std::vector<PartImpulse>& impulses) {
+    solver_.add_hinge_impulses(impulses);
+  }
+
+  /// Leaves nothing moving across a hinge, whatever did before.
+  void stop_across_hinges(std::span<BodyState> parts);
+
+  /// The largest mismatch of a hinge that the last step's iterations left: of anchors over the
+  /// figure's size, or of axes (radians).
+  [[nodiscard]] double hinge_error() const { return hinge_error_; }
+
+ private:
+  /// A figure's own, of all that the world has.
+  struct Parts {
+    const Figure& figure;
+    std::span<const BodyModel> models;
+    std::span<const Fall> falls;  ///< none: no gravity
+    Rotation rotation;
+    std::span<BodyState> states;
+  };
+
+  void advance_part(const Parts& parts, double dt_s);
+  void arrive_together(const Parts& parts, double dt_s);
+  /// With the impulses so far; returns by how much the hinges miss.
+  double arrive(const Parts& parts, double dt_s);
+  double note_errors(const Parts& parts, double dt_s);
+  void look_at_middle(const Parts& parts);
+
+  HingeSolver solver_;
+  HingeSolver middle_;  ///< half way of a step: how impulses at its beginning change its end
+  double size_m_{0.0};
+  double hinge_error_{0.0};
+  std::vector<BodyState> start_;
+  std::vector<BodyState> half_way_;
+  std::vector<PartImpulse> impulses_;
+  std::vector<PartImpulse> best_;
+  std::vector<Vector5> asked_;
+  std::vector<Vector5> of_hinges_;
+};
+
+}  // namespace impetus

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "engine/figures/figures.hpp"
+
+#include <algorithm>
+
+namespace impetus {
+namespace {
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+std::size_t begin_of(const Figure& figure) { return at(figure.first_part); }
+std::size_t end_of(const Figure& figure) { return at(figure.first_part + figure.part_count); }
+
+/// All its parts when one is out; returns whether they are.
+bool take_out_as_a_whole(const Figure& figure, FiniteStates& finite,
+                         std::vector<BodyState>& states) {
+  bool any_out = false;
+  for (std::size_t part = begin_of(figure); part < end_of(figure); ++part) {
+    any_out = any_out || finite.is_out(part);
+  }
+  for (std::size_t part = begin_of(figure); any_out && part < end_of(figure); ++part) {
+    finite.take_out(part, states[part]);
+  }
+  return any_out;
+}
+
+}  // namespace
+
+Figures::Figures(const std::vector<Figure>& figures, const std::vector<BodyModel>& models) {
+  if (figures.empty()) {
+    return;
+  }
+  figure_of_.assign(models.size(), -1);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Figure& figure = figures[i];
+    motions_.emplace_back(figure, models);
+    std::fill_n(figure_of_.begin() + figure.first_part, figure.part_count,
+                static_cast<std::int32_t>(i));
+    std::vector<double>& openings = rest_openings_.emplace_back();
+    for (const Hinge& hinge : figure.hinges) {
+      openings.push_back(opening_at_rest(hinge));
+    }
+  }
+}
+
+void Figures::begin(const std::vector<Figure>& figures, std::vector<BodyState>& states) {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    if (!figures[i].driven) {
+      motions_[i].stop_across_hinges(
+          std::span(states).subspan(begin_of(figures[i]), at(figures[i].part_count)));
+    }
+  }
+}
+
+void Figures::advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+                      double dt_s, Rotation rotation, std::span<const Fall> falls,
+                      FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
+                      std::vector<BodyState>& states) {
+  if (!any()) {
+    return;
+  }
+  time_s_ += dt_s;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const Figure& figure = figures[i];
+    if (take_out_as_a_whole(figure, finite, states)) {
+      continue;
+    }
+    if (figure.driven) {
+      driven_.drive(figure, models, time_s_, dt_s, states);
+    } else {
+      motions_[i].advance(figure, models, dt_s, rotation, falls, states);
+    }
+    for (std::size_t part = begin_of(figure); part < end_of(figure); ++part) {
+      finite.check(part, states[part], not_finite);
+    }
+    take_out_as_a_whole(figure, finite, states);
+  }
+}
+
+bool Figures::may_meet(const std::vector<Figure>& figures, BodyPair bodies) const {
+  if (is_wall(bodies.b) || figure_of_[at(bodies.a)] < 0 ||
+      figure_of_[at(bodies.a)] != figure_of_[at(bodies.b)]) {
+    return true;
+  }
+  const Figure& figure = figures[at(figure_of_[at(bodies.a)])];
+  return figure.self_collision.others && hinge_between(figure, bodies) == nullptr;
+}
+
+void Figures::find_folds(const std::vector<Figure>& figures, const FiniteStates& finite,
+                         const std::vector<BodyState>& states) {
+  folds_.clear();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (figures[i].self_collision.neighbours && !is_out(figures[i], finite)) {
+      add_folds(figures[i], rest_openings_[i], states, folds_);
+    }
+  }
+}
+
+const ResponseResult& Figures::respond(const std::vector<Figure>& figures,
+                                       const std::vector<Contact>& contacts,
+                                       const std::vector<double>& restitutions,
+                                       const ResponseRules& rules, double dt_s,
+                                       const std::vector<BodyModel>& models,
+                                       const FiniteStates& finite, std::vector<BodyState>& states) {
+  stops_.clear();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!figures[i].driven && !is_out(figures[i], finite)) {
+      add_stops(figures, i, states, dt_s, stops_);
+    }
+  }
+  return responder_.respond(contacts, stops_, restitutions, rules, models,
+                            {figures, motions_, figure_of_}, states);
+}
+
+double Figures::hinge_error() const {
+  double error = 0.0;
+  for (const FigureMotion& motion : motions_) {
+    error = std::max(error, motion.hinge_error());
+  }
+  return error;
+}
+
+}  // namespace impetus
