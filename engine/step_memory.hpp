@@ -56,6 +56,7 @@ struct StepMemory {
 
   std::vector<MovedBound> bounds;
   std::vector<PairBounds> candidates;
+  std::vector<PairBounds> stoppable;  ///< where there are figures: those that are of no part
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
   StepOrder order;
   RefinedPairs refined;

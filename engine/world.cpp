@@ -28,7 +28,9 @@ std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 World::World(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings settings)
     : models_(std::move(models)), states_(std::move(states)), settings_(std::move(settings)) {
-  for (const std::string& problem : {problem_of(models_, states_), problem_of(settings_)}) {
+  const std::string of_figures = problem_of(settings_.figures, models_);
+  for (const std::string& problem : {problem_of(models_, states_), problem_of(settings_),
+                                     of_figures.empty() ? of_figures : "world: " + of_figures}) {
     require(problem.empty(), problem.c_str());
   }
   for (BodyModel& body : models_) {
@@ -37,6 +39,14 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
     }
     placed_.emplace_back(*body.tree);
   }
+  figures_ = Figures(settings_.figures, models_);
+  figures_.begin(settings_.figures, states_);
+}
+
+void World::set_response(ResponseMethod response) {
+  WorldSettings changed = settings_;
+  changed.response = response;
+  change_settings(std::move(changed));
 }
 
 void World::set_schedule(Schedule schedule) {
@@ -91,6 +101,7 @@ bool World::is_capped_by_speed(BodyPair bodies) const {
     return false;
   }
   return settings_.tunnelling == Tunnelling::kCapped ||
+         (settings_.tunnelling == Tunnelling::kStopAtEntry && figures_.has_part(bodies)) ||
          (settings_.tunnelling == Tunnelling::kStopAtEntry &&
           memory_.entries.result.lacked_tests(bodies));
 }
@@ -203,11 +214,23 @@ void World::model(const StepInput& input) {
       modelled.add_contacts_as(collision);
     }
   }
+  model_folds();
   modelled.report_in_order(report);
   for (CollisionReport& collision : report.collisions) {
     collision.began = touched_before(collision.bodies) == nullptr;
   }
   count_later_phases();
+}
+
+/// Neighbours that are folded together: nothing of theirs is refined.
+void World::model_folds() {
+  if (!figures_.any()) {
+    return;
+  }
+  for (const Contact& fold : figures_.folds(settings_.figures, finite_, states_)) {
+    memory_.modelled.contacts().push_back(fold);
+    memory_.modelled.add_contacts_as(CollisionReport{});
+  }
 }
 
 void World::add_contacts_of(const RefinedPair& pair) {
@@ -248,6 +271,10 @@ const ResponseResult& World::response_to_contacts(double dt_s) {
   rules.method = settings_.response;
   rules.most_passes = settings_.most_response_passes;
   rules.resting_m_s = kRestingSteps * settings_.gravity_m_s2.norm() * dt_s;
+  if (figures_.any()) {
+    return figures_.respond(settings_.figures, memory_.contacts, memory_.restitutions, rules, dt_s,
+                            models_, finite_, states_);
+  }
   return memory_.responder.respond(memory_.contacts, memory_.restitutions, rules, models_, states_);
 }
 

@@ -17,6 +17,7 @@
 
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/finite_states.hpp"
+#include "engine/figures/figures.hpp"
 #include "engine/impositions.hpp"
 #include "engine/scheduling/priority_memory.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -61,7 +62,7 @@ class World {
   /// work costs.
   void set_contacts(ContactModel contacts);
   void set_tunnelling(Tunnelling tunnelling) { settings_.tunnelling = tunnelling; }
-  void set_response(ResponseMethod response) { settings_.response = response; }
+  void set_response(ResponseMethod response);
   void set_rotation(Rotation rotation) { settings_.rotation = rotation; }
   void set_costs(const WorkCosts& costs);
 
@@ -79,6 +80,7 @@ class World {
   void find_falls(double dt_s);
   void stop_fast_pairs(double dt_s);
   void add_wall_candidates();
+  void model_folds();
   void note_not_finite();
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
@@ -102,6 +104,7 @@ class World {
   FiniteStates finite_{states_};
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
+  Figures figures_;  ///< none: nothing
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies

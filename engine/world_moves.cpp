@@ -2,6 +2,7 @@
 // where they first touch.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "engine/collision/all_pairs.hpp"
@@ -22,9 +23,13 @@ void World::move_and_pair(double dt_s) {
   find_falls(dt_s);
   std::vector<MovedBound>& bounds = memory_.bounds;
   bounds.clear();
+  figures_.advance(settings_.figures, models_, dt_s, settings_.rotation, memory_.falls, finite_,
+                   memory_.report.not_finite, states_);
   for (std::size_t body = 0; body < models_.size(); ++body) {
     double travelled_m = 0.0;
-    if (!finite_.is_out(body)) {
+    if (figures_.has_part(body)) {
+      travelled_m = (states_[body].pose.position - finite_.before()[body].pose.position).norm();
+    } else if (!finite_.is_out(body)) {
       travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
                             memory_.falls.empty() ? Fall{} : memory_.falls[body]);
       finite_.check(body, states_[body], memory_.report.not_finite);
@@ -42,6 +47,11 @@ void World::move_and_pair(double dt_s) {
   if (finite_.any_out()) {
     std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
       return finite_.is_out(at(pair.pair.a)) || finite_.is_out(at(pair.pair.b));
+    });
+  }
+  if (figures_.any()) {
+    std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
+      return !figures_.may_meet(settings_.figures, pair.pair);
     });
   }
   if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
@@ -80,11 +90,18 @@ void World::stop_fast_pairs(double dt_s) {
   for (const PriorityList& list : settings_.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
+  // A part cannot stop where its figure goes on.
   std::vector<PairBounds>& candidates = memory_.candidates;
-  const Stopping& stopping =
-      stop_at_entry({dt_s, models_, finite_.before(), candidates, greatest_level, settings_.costs,
-                     settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
-                    states_, placed_, memory_.entries);
+  std::vector<PairBounds>& stoppable = memory_.stoppable;
+  if (figures_.any()) {
+    stoppable.clear();
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(stoppable),
+                 [this](const PairBounds& pair) { return !figures_.has_part(pair.pair); });
+  }
+  const Stopping& stopping = stop_at_entry(
+      {dt_s, models_, finite_.before(), figures_.any() ? stoppable : candidates, greatest_level,
+       settings_.costs, settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
+      states_, placed_, memory_.entries);
   for (PairBounds& pair : candidates) {
     pair.a.centre = states_[at(pair.pair.a)].pose.position;
     pair.b.centre = states_[at(pair.pair.b)].pose.position;

@@ -35,6 +35,13 @@ std::string problem_of(const WorldSettings& settings) {
     return "world: the response needs one pass or more, got " +
            std::to_string(settings.most_response_passes);
   }
+  const bool imposes = settings.imposed_hold_s > 0.0 || settings.imposed_spin;
+  if (!settings.figures.empty() && imposes) {
+    return "world: expected no imposed hold or spin where there are figures";
+  }
+  if (!settings.figures.empty() && settings.response == ResponseMethod::kTogether) {
+    return "world: expected impulses in turn where there are figures, got together";
+  }
   for (const std::string& problem :
        {of_world(problem_of(settings.materials)),
         of_world(settings.enclosure ? problem_of(*settings.enclosure) : ""),

@@ -80,4 +80,10 @@ void FiniteStates::check(std::size_t body, BodyState& state, std::vector<NotFini
   }
 }
 
+void FiniteStates::take_out(std::size_t body, BodyState& state) {
+  put_back(before_[body], state);
+  is_out_[body] = 1;
+  any_out_ = true;
+}
+
 }  // namespace impetus

@@ -43,6 +43,9 @@ class FiniteStates {
   /// Takes the body out if its state is not finite, and adds it to `found`.
   void check(std::size_t body, BodyState& state, std::vector<NotFiniteBody>& found);
 
+  /// Takes the body out because one that it cannot do without is.
+  void take_out(std::size_t body, BodyState& state);
+
   [[nodiscard]] bool is_out(std::size_t body) const { return is_out_[body] != 0; }
   [[nodiscard]] bool any_out() const { return any_out_; }
 

@@ -10,6 +10,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,32 +22,150 @@
 
 namespace impetus {
 
-/// Keeps its arrays from one step to the next.
+/// `Bodies` are the bodies at the contacts: as ContactBodies, of whose members it uses those named
+/// here. Keeps its arrays from one step to the next.
+template <typename Bodies>
 class ImpulsesInTurn {
  public:
   /// Prepares for the contacts of `bodies`, which must live while this responds.
-  void look_at(const ContactBodies& bodies);
+  void look_at(const Bodies& bodies);
 
   /// As respond_in_turn() (impulse.hpp): `members` rise, and no other contact touches a body of
   /// theirs that moves. `bodies` are those looked at.
   void respond(std::span<const std::size_t> members, const std::vector<double>& restitutions,
-               const ResponseRules& rules, ContactBodies& bodies, std::vector<BodyState>& states,
+               const ResponseRules& rules, Bodies& bodies, std::vector<BodyState>& states,
                std::vector<double>& impulse_Ns);
 
  private:
   static constexpr double kUnknown = -1.0;
+  static constexpr std::int32_t kNoPlace = ContactArms::kNone;
 
   [[nodiscard]] std::size_t next_awake(std::size_t from, std::size_t end) const;
   void wake(std::size_t contact) { awake_[contact / 64] |= std::uint64_t{1} << (contact % 64); }
-  void wake_contacts_of(std::int32_t place, const ContactBodies& bodies);
+  void wake_contacts_of(std::int32_t place, const Bodies& bodies);
   void sleep(std::size_t contact) { awake_[contact / 64] &= ~(std::uint64_t{1} << (contact % 64)); }
   double push_if_approaching(std::size_t contact, double restitution, double resting_m_s,
-                             ContactBodies& bodies, std::vector<BodyState>& states);
+                             Bodies& bodies, std::vector<BodyState>& states);
 
   std::vector<std::uint64_t> awake_;          ///< a bit for each contact
   std::vector<double> gives_;                 ///< of each contact, once it was needed
   std::vector<std::uint32_t> first_of_body_;  ///< where each body's contacts begin
   std::vector<std::uint32_t> contacts_of_body_;
 };
+
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::look_at(const Bodies& bodies) {
+  const std::size_t count = bodies.contact_count();
+  awake_.assign(count / 64 + 1, 0);
+  gives_.assign(count, kUnknown);
+  first_of_body_.assign(bodies.body_count() + 2, 0);
+  // Counted two places on, so that filling the lists moves each beginning to its own place.
+  const auto each_side = [&](const auto& visit) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const std::int32_t place : {bodies.contact(i).a, bodies.contact(i).b}) {
+        if (place != kNoPlace) {
+          visit(static_cast<std::size_t>(place), static_cast<std::uint32_t>(i));
+        }
+      }
+    }
+  };
+  each_side([&](std::size_t place, std::uint32_t /*contact*/) { ++first_of_body_[place + 2]; });
+  for (std::size_t i = 2; i < first_of_body_.size(); ++i) {
+    first_of_body_[i] += first_of_body_[i - 1];
+  }
+  contacts_of_body_.resize(first_of_body_.back());
+  each_side([&](std::size_t place, std::uint32_t contact) {
+    contacts_of_body_[first_of_body_[place + 1]++] = contact;
+  });
+}
+
+template <typename Bodies>
+std::size_t ImpulsesInTurn<Bodies>::next_awake(std::size_t from, std::size_t end) const {
+  if (from >= end) {
+    return end;
+  }
+  std::size_t word = from / 64;
+  std::uint64_t bits = awake_[word] & (~std::uint64_t{0} << (from % 64));
+  while (bits == 0) {
+    if (++word * 64 >= end) {
+      return end;
+    }
+    bits = awake_[word];
+  }
+  return std::min(end, word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::wake_contacts_of(std::int32_t place, const Bodies& bodies) {
+  if (!bodies.moves(place)) {
+    return;
+  }
+  const auto body = static_cast<std::size_t>(place);
+  for (std::uint32_t i = first_of_body_[body]; i < first_of_body_[body + 1]; ++i) {
+    wake(contacts_of_body_[i]);
+  }
+}
+
+/// Applies the single-contact impulse (eq. 3.1) if the contact approaches; returns its size.
+template <typename Bodies>
+double ImpulsesInTurn<Bodies>::push_if_approaching(std::size_t contact, double restitution,
+                                                   double resting_m_s, Bodies& bodies,
+                                                   std::vector<BodyState>& states) {
+  const double speed = bodies.separation_speed(contact);
+  if (!(speed < 0.0)) {
+    return 0.0;
+  }
+  double& give = gives_[contact];
+  if (give == kUnknown) {
+    give = bodies.give(contact);
+  }
+  if (!(give > 0.0)) {
+    return 0.0;
+  }
+  const double given_back = speed > -resting_m_s ? 0.0 : restitution;
+  const double impulse_Ns = -(1.0 + given_back) * speed / give;
+  bodies.push(contact, impulse_Ns, states);
+  wake(contact);
+  wake_contacts_of(bodies.contact(contact).a, bodies);
+  wake_contacts_of(bodies.contact(contact).b, bodies);
+  return impulse_Ns;
+}
+
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::respond(std::span<const std::size_t> members,
+                                     const std::vector<double>& restitutions,
+                                     const ResponseRules& rules, Bodies& bodies,
+                                     std::vector<BodyState>& states,
+                                     std::vector<double>& impulse_Ns) {
+  if (members.empty()) {
+    return;
+  }
+  std::for_each(members.begin(), members.end(), [this](std::size_t i) { wake(i); });
+  const std::size_t first = members.front();
+  const std::size_t end = members.back() + 1;
+  const auto pass = [&](bool plastic) {
+    bool changed = false;
+    for (std::size_t i = next_awake(first, end); i < end; i = next_awake(i + 1, end)) {
+      sleep(i);
+      const double added = push_if_approaching(i, plastic ? 0.0 : restitutions[i],
+                                               rules.resting_m_s, bodies, states);
+      impulse_Ns[i] += added;
+      changed = changed || added > 0.0;
+    }
+    return changed;
+  };
+  const std::size_t enough = 2 * members.size();
+  const std::size_t passes = std::min(enough, static_cast<std::size_t>(rules.most_passes));
+  bool changed = true;
+  for (std::size_t done = 0; done < passes && changed; ++done) {
+    changed = pass(/*plastic=*/false);
+  }
+  if (changed && passes == enough) {
+    pass(/*plastic=*/true);
+  }
+  for (std::size_t i = next_awake(first, end); i < end; i = next_awake(i + 1, end)) {
+    sleep(i);
+  }
+}
 
 }  // namespace impetus

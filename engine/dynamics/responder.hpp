@@ -37,7 +37,7 @@ class Responder {
 
   ContactBodies bodies_;
   Islands islands_;
-  ImpulsesInTurn in_turn_;
+  ImpulsesInTurn<ContactBodies> in_turn_;
   ImpulsesTogether together_;
   std::vector<std::size_t> all_;
   ResponseResult result_;
