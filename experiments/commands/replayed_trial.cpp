@@ -8,7 +8,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/protocol/trial_scene.hpp"
-#include "experiments/protocol/validation.hpp"
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/intervals.hpp"
@@ -58,7 +58,7 @@ std::vector<SolvedValue> solved_of(const StudyFile& study, const StoredAttempt& 
     std::vector<SolvedValue> solved = solved_values_from(attempt.trial.solved);
     json scene = scene_under(protocol, condition);
     put_into_scene(solved, scene);
-    if (!find_schema_problem(scene_schema(), scene)) {
+    if (!find_scene_schema_problem(scene)) {
       return solved;
     }
   } catch (const json::exception&) {  // refused below

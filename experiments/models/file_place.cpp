@@ -2,6 +2,7 @@
 #include "experiments/models/file_place.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 namespace impetus {
@@ -23,6 +24,19 @@ bool is_really_within(const fs::path& file, const fs::path& folder) {
   }
   const fs::path outer = fs::canonical(folder, error);
   return !error && is_named_within(whole, outer);
+}
+
+std::string problem_of_place(const std::string& file, const fs::path& folder) {
+  const fs::path path = file;
+  const std::string name = nlohmann::json(file).dump();
+  if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
+    return "expected a path within the scene's folder, got " + name;
+  }
+  const fs::path own = folder.empty() ? "." : folder;
+  if (fs::exists(own / path) && !is_really_within(own / path, own)) {
+    return "expected a file within the scene's folder, got " + name + ", which is a link out of it";
+  }
+  return "";
 }
 
 }  // namespace impetus

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace impetus {
 
@@ -11,5 +12,9 @@ bool is_named_within(const std::filesystem::path& file, const std::filesystem::p
 
 /// Where links lead; what is not there, or cannot be looked up, is not within.
 bool is_really_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+/// What is wrong with the place of a file that a scene in `folder` names, in words; "" when nothing
+/// is: it lies within the folder, or is not there.
+std::string problem_of_place(const std::string& file, const std::filesystem::path& folder);
 
 }  // namespace impetus

@@ -9,6 +9,7 @@
 #include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/knot_mesh.hpp"
 #include "engine/shapes/l_block_mesh.hpp"
+#include "engine/shapes/swept_mesh.hpp"
 #include "engine/shapes/torus_mesh.hpp"
 
 namespace impetus {
@@ -37,6 +38,9 @@ const NamedShape kShapes[] = {
     {"torus", 10, [](int sides) { return torus_mesh(0.35, 0.15, 3 * sides, sides); }},
     {"knot", 8, [](int sides) { return knot_mesh(0.45, 0.09, 8 * sides, sides); }},
     {"creature", 4, [](int resolution) { return creature_mesh(1.0, 4 * resolution); }},
+    {"line-swept", 4, [](int resolution) { return swept_mesh(0.0, 0.3, 0.2, 2 * resolution - 3); }},
+    {"rectangle-swept", 4,
+     [](int resolution) { return swept_mesh(0.35, 0.2, 0.15, 2 * resolution - 3); }},
 };
 
 const NamedShape* find_shape(const std::string& name) {

@@ -10,15 +10,16 @@
 
 namespace impetus {
 
-/// sphere, box, l-block, plate, torus, knot, creature.
+/// sphere, box, l-block, plate, torus, knot, creature, line-swept, rectangle-swept.
 const std::vector<std::string>& shape_names();
 
-/// Whether the shape's fineness is a choice: sphere, torus, knot and creature.
+/// Whether the shape's fineness is a choice: sphere, torus, knot, creature and what is swept.
 bool takes_resolution(const std::string& shape);
 
 /// A closed mesh whose longest side is about a metre. `resolution`, 4 to 12, counts the sides of a
-/// torus' or a knot's tube and a quarter of the cells along a creature, as in scenes, and four
-/// times the triangles of a sphere with every second step. Throws std::invalid_argument (expected
+/// torus' or a knot's tube and a quarter of the cells along a creature, rounds what is swept as in
+/// scenes, and gives four times the triangles of a sphere with every second step. Throws
+/// std::invalid_argument (expected
 /// ..., got ...) for another name or resolution, or one for a shape that takes none.
 TriangleMesh shape_named(const std::string& shape, std::optional<int> resolution = {});
 

@@ -35,12 +35,15 @@ void require_schema(const JsonDocument& document, const json& schema) {
   }
 }
 
-/// The mesh files that factors and demonstrations put into the scene.
-std::vector<std::string> mesh_files_of_design(const json& protocol) {
-  std::vector<std::string> files;
+/// The mesh and figure files that factors and demonstrations put into the scene.
+MoreFiles files_of_design(const json& protocol) {
+  MoreFiles files;
   const auto add = [&](const std::string& pointer, const json& value) {
     if (pointer.ends_with("/shape/file") && value.is_string()) {
-      files.push_back(value.get<std::string>());
+      files.meshes.push_back(value.get<std::string>());
+    }
+    if (pointer.ends_with("/figure") && value.is_string()) {
+      files.figures.push_back(value.get<std::string>());
     }
   };
   for (const json& factor : protocol["design"]["factors"]) {
@@ -140,7 +143,7 @@ Protocol load_protocol(const std::filesystem::path& path) {
   JsonDocument document = read_json(path);
   require_schema(document, protocol_schema());
   const std::filesystem::path scene = named_file(document, path, "/scene", "a file");
-  const std::vector<std::string> files = mesh_files_of_design(document.value);
+  const MoreFiles files = files_of_design(document.value);
   return make_protocol(std::move(document), read_scene(scene, files));
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "experiments/protocol/participant_checks.hpp"
-#include "experiments/protocol/validation.hpp"
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 
@@ -102,7 +102,7 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
 }  // namespace
 
 std::string complaint(const json& scene) {
-  if (const auto problem = find_schema_problem(scene_schema(), scene)) {
+  if (const auto problem = find_scene_schema_problem(scene)) {
     return problem->message;
   }
   const auto problems = scene_problems(scene);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/scene_loading.hpp"
 
-#include "experiments/protocol/validation.hpp"
+#include "experiments/models/file_place.hpp"
+#include "experiments/scenes/figure_files.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
@@ -10,8 +11,53 @@ namespace impetus {
 namespace {
 
 void require_schema(const JsonDocument& scene) {
-  if (const auto problem = find_schema_problem(scene_schema(), scene.value)) {
+  if (const auto problem = find_scene_schema_problem(scene.value)) {
     refuse(scene, problem->pointer, problem->message);
+  }
+}
+
+/// Puts the content of `file` into the scene, unless it is there; `pointer` is where it is named.
+void hold_figure(JsonDocument& scene, const FigureFile& named,
+                 const std::filesystem::path& folder) {
+  if (scene.value.contains("figure_files") && scene.value["figure_files"].contains(named.file)) {
+    return;
+  }
+  std::string problem = problem_of_place(named.file, folder);
+  const std::filesystem::path path = folder / named.file;
+  if (problem.empty() && !std::filesystem::is_regular_file(path)) {
+    problem = "expected a figure file, but " + path.string() + ": there is no such file";
+  }
+  if (!problem.empty()) {
+    refuse(scene, named.pointer, problem);
+  }
+  const JsonDocument figure = read_json(path);
+  if (const auto broken = find_schema_problem(figure_schema(), figure.value)) {
+    refuse(figure, broken->pointer, broken->message);
+  }
+  scene.value["figure_files"][named.file] = figure.value;
+}
+
+/// Figures first: their parts may be meshes.
+void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesystem::path& folder) {
+  std::vector<FigureFile> figures = figure_files_of(scene.value);
+  for (const std::string& file : more.figures) {
+    figures.push_back({"", file});
+  }
+  for (const FigureFile& each : figures) {
+    hold_figure(scene, each, folder);
+  }
+  std::vector<MeshFile> meshes = mesh_files_of(scene.value);
+  for (const std::string& file : more.meshes) {
+    meshes.push_back({"", file});
+  }
+  for (const MeshFile& each : meshes) {
+    const std::string problem = hold_mesh(scene.value, each.file, folder);
+    if (!problem.empty()) {
+      refuse(scene, each.pointer, problem);
+    }
+  }
+  if (!figures.empty() || !meshes.empty()) {
+    scene.text = scene.value.dump();
   }
 }
 
@@ -24,23 +70,24 @@ void require_scene(const JsonDocument& scene) {
   }
 }
 
-JsonDocument read_scene(const std::filesystem::path& path,
-                        const std::vector<std::string>& more_files) {
-  JsonDocument scene = read_json(path);
-  require_schema(scene);
-  std::vector<MeshFile> files = mesh_files_of(scene.value);
-  for (const std::string& file : more_files) {
-    files.push_back({"", file});
+std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene) {
+  if (auto problem = find_schema_problem(scene_schema(), scene)) {
+    return problem;
   }
-  for (const MeshFile& each : files) {
-    const std::string problem = hold_mesh(scene.value, each.file, path.parent_path());
-    if (!problem.empty()) {
-      refuse(scene, each.pointer, problem);
+  const nlohmann::json figures = scene.value("figure_files", nlohmann::json::object());
+  for (auto figure = figures.begin(); figure != figures.end(); ++figure) {
+    if (auto problem = find_schema_problem(figure_schema(), figure.value())) {
+      problem->pointer = figure_place(figure.key()) + problem->pointer;
+      return problem;
     }
   }
-  if (!files.empty()) {
-    scene.text = scene.value.dump();
-  }
+  return std::nullopt;
+}
+
+JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more) {
+  JsonDocument scene = read_json(path);
+  require_schema(scene);
+  hold_files(scene, more, path.parent_path());
   return scene;
 }
 

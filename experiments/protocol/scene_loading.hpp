@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/protocol/json_document.hpp"
+#include "experiments/protocol/validation.hpp"
 
 namespace impetus {
 
@@ -14,10 +16,18 @@ namespace impetus {
 /// sentence, "file:/pointer: expected ..., got ...".
 JsonDocument load_scene(const std::filesystem::path& path);
 
-/// The scene in the file, valid by its schema alone, holding its meshes and those that `more_files`
-/// name: what load_scene() goes on to check. Throws InputError.
-JsonDocument read_scene(const std::filesystem::path& path,
-                        const std::vector<std::string>& more_files = {});
+/// Files that something beside a scene puts into it: a protocol's factors and demonstrations.
+struct MoreFiles {
+  std::vector<std::string> meshes;
+  std::vector<std::string> figures;
+};
+
+/// The scene in the file, valid by its schema alone, holding its meshes and figures and those that
+/// `more` names: what load_scene() goes on to check. Throws InputError.
+JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more = {});
+
+/// The first place at which a scene breaks its schema, or a figure that it holds breaks its own.
+std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene);
 
 /// Throws InputError unless the scene is valid by its schema and its own rules.
 void require_scene(const JsonDocument& scene);

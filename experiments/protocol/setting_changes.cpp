@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/setting_changes.hpp"
 
-#include "experiments/protocol/validation.hpp"
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
@@ -197,7 +197,7 @@ json changed_scene(const json& scene, const std::vector<SettingChange>& changes)
   for (const SettingChange& change : changes) {
     put(change, changed);
   }
-  if (const auto problem = find_schema_problem(scene_schema(), changed)) {
+  if (const auto problem = find_scene_schema_problem(changed)) {
     refuse_at(changes, problem->pointer, problem->message);
   }
   const json& engine = changed["engine"];

@@ -2,8 +2,11 @@
 #include "experiments/scenes/scene_bodies.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/scenes/scene_figures.hpp"
+#include "experiments/scenes/scene_meshes.hpp"
 #include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 
@@ -20,17 +23,15 @@ std::array<float, 3> parse_colour(const std::string& text) {
   return {channel(16), channel(8), channel(0)};
 }
 
-/// What bodies of one shape may differ in.
-struct BodyTraits {
-  std::string name;
-  std::string colour;
-  double density_kg_m3{0.0};
-  int material{0};
-  bool fixed{false};
-  bool no_spin{false};
-};
+std::string name_of_shape(const json& shape) {
+  return is_mesh(shape) ? std::filesystem::path(shape["file"].get<std::string>()).stem().string()
+                        : shape["kind"].get<std::string>();
+}
 
-void add_body(const BodyTraits& traits, const BodyShape& shape, SceneBodies& bodies) {
+}  // namespace
+
+void add_body(const BodyTraits& traits, const BodyShape& shape, const std::string& shape_name,
+              SceneBodies& bodies) {
   BodyModel model;
   model.name = traits.name;
   model.tree = shape.tree;
@@ -44,9 +45,8 @@ void add_body(const BodyTraits& traits, const BodyShape& shape, SceneBodies& bod
   bodies.models.push_back(std::move(model));
   bodies.looks.push_back({traits.name, shape.radius_m, parse_colour(traits.colour), shape.mesh});
   bodies.shapes.push_back(&shape);
+  bodies.shape_names.push_back(shape_name);
 }
-
-}  // namespace
 
 SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary& library,
                       int deepest_level) {
@@ -61,16 +61,17 @@ SceneBodies bodies_of(const json& scene, double metres_per_degree, ShapeLibrary&
     for (std::size_t i = 0; i < crowd["count"].get<std::size_t>(); ++i) {
       add_body({std::to_string(i + 1), colours[i % colours.size()].get<std::string>(),
                 crowd["density_kg_m3"].get<double>(), material_of(scene, crowd), false, no_spin},
-               shape, bodies);
+               shape, name_of_shape(crowd["shape"]), bodies);
     }
     return bodies;
   }
-  for (const json& body : scene["bodies"]) {
+  for (const json& body : scene.value("bodies", json::array())) {
     add_body({body["name"].get<std::string>(), body["colour"].get<std::string>(),
               body["density_kg_m3"].get<double>(), material_of(scene, body),
               body.value("fixed", false), no_spin},
-             library.shape(body["shape"], meshes, frame), bodies);
+             library.shape(body["shape"], meshes, frame), name_of_shape(body["shape"]), bodies);
   }
+  add_figures(scene, frame, library, bodies);
   return bodies;
 }
 

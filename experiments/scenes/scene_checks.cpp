@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "engine/starting_overlaps.hpp"
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_figure_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
@@ -25,11 +25,13 @@ namespace {
 using nlohmann::json;
 using Problems = std::vector<SceneProblem>;
 
-void add_name_problems(const json& scene, Problems& problems) {
+/// Of what `list` names one by one: bodies or figures.
+void add_name_problems(const json& scene, const std::string& list, Problems& problems) {
+  const json entries = scene.value(list, json::array());
   std::set<std::string> names;
-  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    const auto name = scene["bodies"][i]["name"].get<std::string>();
-    const std::string place = "/bodies/" + std::to_string(i) + "/name";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto name = entries[i]["name"].get<std::string>();
+    const std::string place = "/" + list + "/" + std::to_string(i) + "/name";
     if (!names.insert(name).second) {
       problems.push_back(
           {place, "expected a name of its own, got " + json(name).dump() + " again"});
@@ -61,6 +63,7 @@ void add_meeting_problems(const json& scene, Problems& problems) {
   }
   refuse_key(scene, "duration_s", why + ", which lasts from lead_s to follow_s", problems);
   refuse_key(scene, "enclosure", why, problems);
+  refuse_key(scene, "figures", why, problems);
   if (scene["bodies"].size() != 2) {
     problems.push_back({"/bodies", "expected two bodies that meet, got " +
                                        std::to_string(scene["bodies"].size())});
@@ -81,23 +84,26 @@ void add_meeting_problems(const json& scene, Problems& problems) {
   }
 }
 
-void add_crowd_problems(const json& scene, Problems& problems) {
+/// `crowd` is the key of one of bodies or of figures.
+void add_crowd_problems(const json& scene, const std::string& crowd, Problems& problems) {
   require_key(scene, "enclosure", "for a crowd", problems);
   require_key(scene, "duration_s", "for a crowd", problems);
-  refuse_key(scene, "bodies", "beside a crowd", problems);
-  refuse_key(scene, "meeting", "beside a crowd", problems);
-  refuse_key(scene, "distractors", "beside a crowd", problems);
+  for (const char* key : {"bodies", "meeting", "distractors", "figures"}) {
+    refuse_key(scene, key, "beside a crowd", problems);
+  }
   if (problems.empty() && !crowd_has_room(scene)) {
-    problems.push_back(
-        {"/crowd/count", "expected as many bodies as the enclosure has room for, got " +
-                             scene["crowd"]["count"].dump()});
+    const std::string what = scene.contains("crowd") ? "bodies" : "figures";
+    problems.push_back({"/" + crowd + "/count", "expected as many " + what +
+                                                    " as the enclosure has room for, got " +
+                                                    scene[crowd]["count"].dump()});
   }
 }
 
 void add_free_problems(const json& scene, Problems& problems) {
   require_key(scene, "duration_s", "where nothing meets", problems);
-  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    const json& body = scene["bodies"][i];
+  const json bodies = scene.value("bodies", json::array());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const json& body = bodies[i];
     const std::string place = "/bodies/" + std::to_string(i);
     if (!body.contains("position_deg")) {
       problems.push_back(
@@ -118,19 +124,6 @@ void add_free_problems(const json& scene, Problems& problems) {
   }
 }
 
-/// Bodies named one by one must start apart, at the coarsest level at which they may stay.
-void add_overlap_problems(const json& scene, Problems& problems) {
-  for (const BodyPair& pair : starting_overlaps_of(scene)) {
-    const auto name = [&](std::int32_t body) {
-      return scene["bodies"][static_cast<std::size_t>(body)]["name"].dump();
-    };
-    problems.push_back({"/bodies/" + std::to_string(pair.a) + "/position_deg",
-                        "expected a place apart from all else at the start, but " + name(pair.a) +
-                            " overlaps " +
-                            (is_wall(pair.b) ? std::string("the enclosure") : name(pair.b))});
-  }
-}
-
 }  // namespace
 
 std::vector<SceneProblem> scene_problems(const json& scene) {
@@ -145,29 +138,44 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
     problems.push_back(std::move(problem));
   }
   const json meshes = scene.value("meshes", json::object());
+  if (has_figures(scene)) {
+    add_figure_problems(scene, problems);
+  }
   if (scene.contains("crowd")) {
     add_shape_problems(scene["crowd"]["shape"], meshes, "/crowd/shape", problems);
+    refuse_key(scene, "figure_crowd", "beside a crowd", problems);
+  }
+  if (scene.contains("crowd") || scene.contains("figure_crowd")) {
     if (problems.empty()) {
       problems = limit_problems(scene);
     }
     if (problems.empty()) {
-      add_crowd_problems(scene, problems);
+      add_crowd_problems(scene, scene.contains("crowd") ? "crowd" : "figure_crowd", problems);
     }
     return problems;
   }
-  if (!scene.contains("bodies")) {
-    problems.push_back({"", "expected the key \"bodies\" or \"crowd\", both are missing"});
+  if (!scene.contains("bodies") && !scene.contains("figures")) {
+    problems.push_back({"",
+                        "expected one of the keys \"bodies\", \"figures\", \"crowd\" and "
+                        "\"figure_crowd\", all are "
+                        "missing"});
     return problems;
   }
-  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    add_shape_problems(scene["bodies"][i]["shape"], meshes,
-                       "/bodies/" + std::to_string(i) + "/shape", problems);
+  const json bodies = scene.value("bodies", json::array());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    add_shape_problems(bodies[i]["shape"], meshes, "/bodies/" + std::to_string(i) + "/shape",
+                       problems);
   }
   if (problems.empty()) {
     problems = limit_problems(scene);
   }
-  add_name_problems(scene, problems);
+  add_name_problems(scene, "bodies", problems);
+  add_name_problems(scene, "figures", problems);
   if (scene.contains("meeting")) {
+    if (!scene.contains("bodies")) {
+      problems.push_back({"/meeting", "expected none without bodies"});
+      return problems;
+    }
     add_meeting_problems(scene, problems);
     if (problems.empty()) {
       problems = meeting_problems(scene);

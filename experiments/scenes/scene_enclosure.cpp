@@ -19,9 +19,11 @@ std::string kind_of(const json& enclosure) {
 ClosedCube cube_of(const json& scene, double metres_per_degree) {
   const json& enclosure = scene["enclosure"];
   double edge_m = enclosure["edge_deg"].get<double>() * metres_per_degree;
-  if (scene.contains("crowd") && enclosure.contains("edge_at_count")) {
-    edge_m *=
-        cube_root(scene["crowd"]["count"].get<double>() / enclosure["edge_at_count"].get<double>());
+  for (const char* crowd : {"crowd", "figure_crowd"}) {
+    if (scene.contains(crowd) && enclosure.contains("edge_at_count")) {
+      edge_m *=
+          cube_root(scene[crowd]["count"].get<double>() / enclosure["edge_at_count"].get<double>());
+    }
   }
   return {0.5 * edge_m};
 }

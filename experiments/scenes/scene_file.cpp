@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,8 +13,11 @@
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/embedded_schema.hpp"
+#include "experiments/scenes/figure_crowd.hpp"
+#include "experiments/scenes/figure_starts.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_figures.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
@@ -33,7 +37,8 @@ double rounded_to_frames(double duration_s, double hz) {
 
 std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies, double m_per_deg) {
   std::vector<BodyState> states;
-  for (std::size_t i = 0; i < bodies.models.size(); ++i) {
+  const std::size_t named = scene.contains("bodies") ? scene["bodies"].size() : 0;
+  for (std::size_t i = 0; i < named; ++i) {
     const json& body = scene["bodies"][i];
     BodyState state;
     state.pose = {vector_of(body, "position_deg", m_per_deg), orientation_of(body)};
@@ -45,19 +50,29 @@ std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies,
                                                  vector_of(body, "spin_deg_s", kRadiansPerDegree));
     states.push_back(state);
   }
+  const double step_s = 1.0 / scene["engine"]["step_hz"].get<double>();
+  const std::vector<BodyState> parts = figure_states(scene, bodies, m_per_deg, step_s);
+  states.insert(states.end(), parts.begin(), parts.end());
   return states;
+}
+
+bool has_crowd(const json& scene) {
+  return scene.contains("crowd") || scene.contains("figure_crowd");
 }
 
 std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const SceneBodies& bodies,
                                                       double m_per_deg, const Viewer& viewer,
                                                       const std::string& start) {
-  const json& crowd = scene["crowd"];
+  const bool of_figures = scene.contains("figure_crowd");
+  const json& crowd = scene[of_figures ? "figure_crowd" : "crowd"];
   const std::string name = "crowd of " + crowd["count"].dump() + "/" + start;
-  return crowd_states(bodies.models, *enclosure_of(scene, m_per_deg, viewer),
-                      {crowd.value("start", std::uint64_t{1}), name,
+  const Enclosure walls = *enclosure_of(scene, m_per_deg, viewer);
+  const CrowdStart how{crowd.value("start", std::uint64_t{1}), name,
                        bodies.models.front().tree->bounding_radius_m(),
                        crowd["speed_deg_s"].get<double>() * m_per_deg,
-                       crowd["spin_deg_s"].get<double>() * kRadiansPerDegree});
+                       crowd["spin_deg_s"].get<double>() * kRadiansPerDegree};
+  return of_figures ? figure_crowd_states(bodies.figures, bodies.models, walls, how)
+                    : crowd_states(bodies.models, walls, how);
 }
 
 /// The two that meet, then their distractors.
@@ -74,7 +89,7 @@ std::vector<BodyState> meeting_states_of(const json& scene, const SceneBodies& b
 
 std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, double m_per_deg,
                                  const Viewer& viewer, const std::string& start) {
-  if (!scene.contains("crowd")) {
+  if (!has_crowd(scene)) {
     return free_states(scene, bodies, m_per_deg);
   }
   auto states = crowd_states_of(scene, bodies, m_per_deg, viewer, start);
@@ -145,6 +160,7 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
   settings.schedule = schedule_of(engine, m_per_deg);
+  settings.figures = std::move(bodies.figures);
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer, std::move(bodies.looks)};
@@ -180,15 +196,33 @@ bool crowd_has_room(const json& scene) {
   return true;
 }
 
-std::vector<BodyPair> starting_overlaps_of(const json& scene) {
-  // Overlap is a matter of proportions, whatever the screen, but for a view frustum's.
+StartingOverlaps starting_overlaps_of(const json& scene) {
   ShapeLibrary library;
   const StagedScene staged = build_scene(scene, screen_for_checks(), 0.0, library);
+  const World& world = staged.world;
   int coarsest = kUnlimitedLevel;
-  for (const PriorityList& list : staged.world.settings().schedule.lists) {
+  for (const PriorityList& list : world.settings().schedule.lists) {
     coarsest = std::min(coarsest, list.greatest_level);
   }
-  return overlapping_at_start(staged.world, coarsest);
+  StartingOverlaps found;
+  found.figures = world.settings().figures;
+  for (const BodyModel& model : world.models()) {
+    found.names.push_back(model.name);
+  }
+  found.pairs = overlapping_at_start(world, coarsest);
+  for (const Figure& figure : found.figures) {
+    std::erase_if(found.pairs, [&](const BodyPair& pair) {
+      return !is_wall(pair.b) && leaves_out(figure, pair.a, pair.b);
+    });
+    const auto first = world.states().begin() + figure.first_part;
+    std::vector<Pose> poses;
+    std::transform(first, first + figure.part_count, std::back_inserter(poses),
+                   [](const BodyState& state) { return state.pose; });
+    if (const Hinge* folded = folded_hinge(figure, poses)) {
+      found.folded.push_back(folded->child);
+    }
+  }
+  return found;
 }
 
 }  // namespace impetus

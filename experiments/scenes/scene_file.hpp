@@ -1,8 +1,8 @@
 // A scene's JSON and the world it becomes.
 //
 //   meeting   two bodies that approach along x and touch at the centre
-//   crowd     bodies alike at random places within walls
-//   neither   bodies with places and velocities of their own, within walls or without
+//   crowd     bodies alike, or figures alike, at random places within walls
+//   neither   bodies and figures with places and velocities of their own, within walls or without
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -41,12 +41,21 @@ StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& scree
                         const std::string& start = "preview", std::uint64_t seed = 1,
                         int deepest_level = kGreatestTreeDepth);
 
-/// Whether a crowd finds room to start in, ten times out of ten. Precondition: the scene has a
-/// crowd and an enclosure.
+/// Whether a crowd, of figures too, finds room to start in, ten times out of ten. Precondition: the
+/// scene has a crowd and an enclosure.
 bool crowd_has_room(const nlohmann::json& scene);
 
-/// The pairs of named bodies, and bodies and walls, that overlap at the start, at the coarsest
-/// level at which the schedule may leave them. Precondition: as for build_scene().
-std::vector<BodyPair> starting_overlaps_of(const nlohmann::json& scene);
+/// What a scene's start has that it should not have.
+struct StartingOverlaps {
+  std::vector<BodyPair> pairs;       ///< of bodies, and bodies and walls, that overlap
+  std::vector<std::int32_t> folded;  ///< parts folded onto the neighbours from which they hang
+  std::vector<std::string> names;    ///< of all bodies
+  std::vector<Figure> figures;
+};
+
+/// The pairs of named bodies and figures' parts, and of these and walls, that overlap at the start,
+/// at the coarsest level at which the schedule may leave them; not those that a figure's own rules
+/// leave out. Precondition: as for build_scene().
+StartingOverlaps starting_overlaps_of(const nlohmann::json& scene);
 
 }  // namespace impetus

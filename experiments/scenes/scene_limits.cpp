@@ -10,6 +10,8 @@
 #include "engine/dynamics/limits.hpp"
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/trees/part_shape.hpp"
+#include "experiments/scenes/figure_files.hpp"
+#include "experiments/scenes/figure_parts.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 
@@ -40,6 +42,24 @@ void add_size_problems(const json& shape, const std::string& place, double m_per
   }
 }
 
+/// Of each part of each figure, as high as the scene has it.
+void add_figure_size_problems(const json& scene, double m_per_deg, Problems& problems) {
+  for (const FigureFile& named : figure_files_of(scene)) {
+    const json::json_pointer entry = json::json_pointer(named.pointer).parent_pointer();
+    const auto height_deg = scene[entry]["height_deg"].get<double>();
+    const json& parts = figure_content(scene, named.file)["parts"];
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      Problems of_part;
+      add_size_problems(part_shape(parts[i], height_deg, ""), "", m_per_deg, of_part);
+      for (const SceneProblem& problem : of_part) {
+        problems.push_back({entry.to_string() + "/height_deg",
+                            "of the part " + parts[i]["name"].dump() + ", " +
+                                problem.pointer.substr(1) + ": " + problem.message});
+      }
+    }
+  }
+}
+
 struct Weights {
   double least_kg{0.0};
   double most_kg{0.0};
@@ -64,19 +84,35 @@ double inertia_ratio(const Matrix3& inertia) {
   return moments.maxCoeff() / moments.minCoeff();
 }
 
+/// Where the scene says what shape a body has.
+std::string shape_place(const json& scene, const SceneBodies& bodies, std::size_t body) {
+  if (scene.contains("crowd")) {
+    return "/crowd/shape";
+  }
+  for (std::size_t i = 0; i < bodies.figures.size(); ++i) {
+    const Figure& figure = bodies.figures[i];
+    if (figure.has_part(static_cast<std::int32_t>(body))) {
+      const std::size_t named = scene.contains("figure_crowd") ? 0 : i;
+      return part_place(figure_files_of(scene)[named].file,
+                        body - static_cast<std::size_t>(figure.first_part)) +
+             "/shape";
+    }
+  }
+  return "/bodies/" + std::to_string(body) + "/shape";
+}
+
 void add_weight_problems(const json& scene, double m_per_deg, Problems& problems) {
   json shallow = scene;  // the mass is that of the mesh, whatever the tree
   shallow["engine"]["tree_depth"] = 0;
   ShapeLibrary library;
   const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
-  const bool named = scene.contains("bodies");
-  const std::size_t shapes = named ? bodies.shapes.size() : 1;
+  const std::size_t shapes = scene.contains("crowd") ? 1 : bodies.shapes.size();
   for (std::size_t i = 0; i < shapes; ++i) {
     const double ratio = inertia_ratio(bodies.shapes[i]->unit_mass.inertia);
     if (!(ratio <= kMostInertiaRatio)) {
-      problems.push_back({(named ? "/bodies/" + std::to_string(i) : "/crowd") + "/shape",
-                          "expected moments of inertia at most " + text_of(kMostInertiaRatio, "") +
-                              " to one, got " + text_of(ratio, "")});
+      problems.push_back({shape_place(scene, bodies, i), "expected moments of inertia at most " +
+                                                             text_of(kMostInertiaRatio, "") +
+                                                             " to one, got " + text_of(ratio, "")});
     }
   }
   const Weights weights = weights_of(bodies);
@@ -141,6 +177,7 @@ std::vector<SceneProblem> limit_problems(const json& scene) {
     add_size_problems(bodies[i]["shape"], "/bodies/" + std::to_string(i) + "/shape", m_per_deg,
                       problems);
   }
+  add_figure_size_problems(scene, m_per_deg, problems);
   if (problems.empty()) {
     add_weight_problems(scene, m_per_deg, problems);
   }

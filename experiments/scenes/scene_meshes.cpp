@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_meshes.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <string_view>
@@ -11,15 +10,12 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
+#include "experiments/scenes/figure_files.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-bool leaves_the_folder(const std::filesystem::path& file) {
-  return file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end();
-}
 
 json content_of(const TriangleMesh& mesh) {
   std::string bytes;
@@ -48,6 +44,13 @@ std::vector<MeshFile> mesh_files_of(const json& scene) {
   for (std::size_t i = 0; i < bodies; ++i) {
     add(scene["bodies"][i]["shape"], "/bodies/" + std::to_string(i) + "/shape");
   }
+  const json figures = scene.value("figure_files", json::object());
+  for (auto figure = figures.begin(); figure != figures.end(); ++figure) {
+    const json& parts = figure.value()["parts"];
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      add(parts[i]["shape"], part_place(figure.key(), i) + "/shape");
+    }
+  }
   return files;
 }
 
@@ -55,13 +58,9 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
   if (scene.contains("meshes") && scene["meshes"].contains(file)) {
     return "";
   }
-  if (leaves_the_folder(file)) {
-    return "expected a path within the scene's folder, got " + json(file).dump();
-  }
-  const std::filesystem::path own = folder.empty() ? "." : folder;
-  if (std::filesystem::exists(own / file) && !is_really_within(own / file, own)) {
-    return "expected a file within the scene's folder, got " + json(file).dump() +
-           ", which is a link out of it";
+  const std::string misplaced = problem_of_place(file, folder);
+  if (!misplaced.empty()) {
+    return misplaced;
   }
   try {
     const TriangleMesh mesh = load_mesh(folder / file);

@@ -28,7 +28,8 @@ struct MeshFile {
   std::string file;
 };
 
-/// Those that the scene names, in its order. Precondition: valid by the scene's schema.
+/// Those that the scene names, in its order, and those that the figures it holds name.
+/// Precondition: valid by the schemas of scenes and figures.
 std::vector<MeshFile> mesh_files_of(const nlohmann::json& scene);
 
 /// Puts the content of `file` into the scene's "meshes", unless it is there; `folder` is the

@@ -15,13 +15,15 @@ using Problems = std::vector<SceneProblem>;
 
 constexpr const char* kNoMaterial = "";
 
-/// The names that the scene's bodies, crowd and enclosure give.
+/// The names that the scene's bodies, figures, crowd and enclosure give.
 std::set<std::string> materials_of(const json& scene) {
   std::set<std::string> names;
-  for (const json& body : scene.value("bodies", json::array())) {
-    names.insert(body.value("material", kNoMaterial));
+  for (const char* list : {"bodies", "figures"}) {
+    for (const json& body : scene.value(list, json::array())) {
+      names.insert(body.value("material", kNoMaterial));
+    }
   }
-  for (const char* part : {"crowd", "enclosure"}) {
+  for (const char* part : {"crowd", "figure_crowd", "enclosure"}) {
     names.insert(scene.value(part, json::object()).value("material", kNoMaterial));
   }
   names.erase(kNoMaterial);

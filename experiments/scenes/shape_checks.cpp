@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/shape_checks.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <map>
 #include <optional>
@@ -15,19 +16,22 @@ using nlohmann::json;
 
 struct Kind {
   std::vector<std::string> measures;
-  bool takes_resolution;
+  std::vector<std::string> choices;  ///< keys that may be left out
 };
 
 const Kind& kind_of(const json& shape) {
   static const std::map<std::string, Kind> kKinds{
-      {"sphere", {{"radius_deg"}, false}},
-      {"box", {{"width_deg", "height_deg", "depth_deg"}, false}},
-      {"plate", {{"width_deg", "height_deg", "thickness_deg"}, false}},
-      {"l-block", {{"arm_deg", "thickness_deg"}, false}},
-      {"torus", {{"radius_deg", "tube_deg"}, true}},
-      {"knot", {{"radius_deg", "tube_deg"}, true}},
-      {"creature", {{"length_deg"}, true}},
-      {"mesh", {{"file", "size_deg"}, false}}};
+      {"sphere", {{"radius_deg"}, {}}},
+      {"box", {{"width_deg", "height_deg", "depth_deg"}, {}}},
+      {"plate", {{"width_deg", "height_deg", "thickness_deg"}, {}}},
+      {"l-block", {{"arm_deg", "thickness_deg"}, {}}},
+      {"torus", {{"radius_deg", "tube_deg"}, {"resolution"}}},
+      {"knot", {{"radius_deg", "tube_deg"}, {"resolution"}}},
+      {"creature", {{"length_deg"}, {"resolution"}}},
+      {"line-swept", {{"length_deg", "radius_deg"}, {"resolution", "coarsest", "deeper"}}},
+      {"rectangle-swept",
+       {{"width_deg", "height_deg", "radius_deg"}, {"resolution", "coarsest", "deeper"}}},
+      {"mesh", {{"file", "size_deg"}, {}}}};
   return kKinds.at(shape["kind"].get<std::string>());
 }
 
@@ -42,15 +46,20 @@ std::optional<SceneProblem> wrong_keys(const json& shape, const std::string& pla
     }
     names += ", " + measure;
   }
-  const bool has_resolution = shape.contains("resolution");
-  const std::size_t measures = shape.size() - (has_resolution ? 2 : 1);
+  std::size_t measures = shape.size() - 1;
+  for (const char* choice : {"resolution", "coarsest", "deeper"}) {
+    measures -= shape.contains(choice) ? 1 : 0;
+  }
   if (measures != kind.measures.size()) {
     return SceneProblem{place, "expected the measures of kind " + name + " alone" + names +
                                    ", got " + std::to_string(measures)};
   }
-  if (has_resolution && !kind.takes_resolution) {
-    return SceneProblem{place + "/resolution",
-                        "expected none for kind " + name + ", got " + shape["resolution"].dump()};
+  for (const char* choice : {"resolution", "coarsest", "deeper"}) {
+    const bool may = std::count(kind.choices.begin(), kind.choices.end(), choice) > 0;
+    if (shape.contains(choice) && !may) {
+      return SceneProblem{place + "/" + choice,
+                          "expected none for kind " + name + ", got " + shape[choice].dump()};
+    }
   }
   return {};
 }

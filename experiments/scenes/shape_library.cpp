@@ -2,6 +2,7 @@
 #include "experiments/scenes/shape_library.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "engine/shapes/box_mesh.hpp"
@@ -10,8 +11,10 @@
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/torus_mesh.hpp"
 #include "engine/trees/build_tree.hpp"
+#include "engine/trees/swept_tree.hpp"
 #include "experiments/scenes/coarser_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
+#include "experiments/scenes/swept_shape.hpp"
 
 namespace impetus {
 namespace {
@@ -23,14 +26,24 @@ BodyShape sphere_shape(double radius_m) {
   return {nullptr, std::make_shared<const VolumeTree>(tree), solid_sphere(radius_m, 1.0), radius_m};
 }
 
+/// Of a mesh about its centre of mass.
+BodyShape shape_of_mesh(const TriangleMesh& mesh, VolumeTree tree) {
+  double radius_m = 0.0;
+  for (const Vector3& vertex : mesh.vertices) {
+    radius_m = std::max(radius_m, vertex.norm());
+  }
+  return {std::make_shared<const TriangleMesh>(mesh),
+          std::make_shared<const VolumeTree>(std::move(tree)), solid_of(mesh, 1.0), radius_m};
+}
+
 /// A tree that takes less time to build than to fetch is not worth a file.
 bool builds_at_once(const TriangleMesh& mesh, const TreeSettings& tree) {
   constexpr std::size_t kFewTriangles = 2000;
   return tree.kind == TreeKind::kOctree && mesh.triangles.size() < kFewTriangles;
 }
 
-/// The mesh of any kind but a sphere or a file. Resolution counts the sides of a torus' or a knot's
-/// tube and a quarter of the cells along a creature's length.
+/// The mesh of any kind but a sphere, a swept volume or a file. Resolution counts the sides of a
+/// torus' or a knot's tube and a quarter of the cells along a creature's length.
 TriangleMesh mesh_of(const json& shape, double metres_per_degree) {
   const auto length_m = [&](const char* key) {
     return shape[key].get<double>() * metres_per_degree;
@@ -72,16 +85,24 @@ TriangleMesh scaled_to(double size_m, TriangleMesh mesh) {
 
 }  // namespace
 
+VolumeTree ShapeLibrary::tree_of(const TriangleMesh& mesh, const TreeSettings& tree) const {
+  return builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree, progress_);
+}
+
 BodyShape ShapeLibrary::mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const {
   const TriangleMesh mesh = about_centre_of_mass(solid);
-  double radius_m = 0.0;
-  for (const Vector3& vertex : mesh.vertices) {
-    radius_m = std::max(radius_m, vertex.norm());
+  return shape_of_mesh(mesh, tree_of(mesh, tree));
+}
+
+BodyShape ShapeLibrary::swept_body(const json& description, const ShapeFrame& frame) const {
+  const SweptShape swept = swept_shape(description, frame.metres_per_degree);
+  const TriangleMesh mesh = about_centre_of_mass(swept.mesh);
+  std::optional<VolumeTree> finer;
+  if (const auto settings = finer_settings(swept.levels, frame.tree)) {
+    finer = tree_of(mesh, *settings);
   }
-  VolumeTree volumes =
-      builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree, progress_);
-  return {std::make_shared<const TriangleMesh>(mesh),
-          std::make_shared<const VolumeTree>(std::move(volumes)), solid_of(mesh, 1.0), radius_m};
+  return shape_of_mesh(
+      mesh, swept_tree(mesh, swept.volume, swept.levels, frame.tree, finer ? &*finer : nullptr));
 }
 
 BodyShape ShapeLibrary::built(const json& description, const json& meshes,
@@ -93,6 +114,9 @@ BodyShape ShapeLibrary::built(const json& description, const json& meshes,
   }
   if (description["kind"].get<std::string>() == "sphere") {
     return sphere_shape(description["radius_deg"].get<double>() * frame.metres_per_degree);
+  }
+  if (is_swept(description)) {
+    return swept_body(description, frame);
   }
   return mesh_shape(mesh_of(description, frame.metres_per_degree), frame.tree);
 }

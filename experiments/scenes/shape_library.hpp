@@ -56,7 +56,10 @@ class ShapeLibrary {
 
   [[nodiscard]] BodyShape built(const nlohmann::json& description, const nlohmann::json& meshes,
                                 const ShapeFrame& frame) const;
+  [[nodiscard]] VolumeTree tree_of(const TriangleMesh& mesh, const TreeSettings& tree) const;
   [[nodiscard]] BodyShape mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const;
+  [[nodiscard]] BodyShape swept_body(const nlohmann::json& description,
+                                     const ShapeFrame& frame) const;
 
   TreeCache cache_;
   Progress progress_;

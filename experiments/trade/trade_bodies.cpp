@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/trade/trade_bodies.hpp"
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <tuple>
 
 #include "experiments/scenes/scene_bodies.hpp"
-#include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-const json& shape_of(const json& scene, std::size_t body) {
-  return scene.contains("crowd") ? scene["crowd"]["shape"] : scene["bodies"][body]["shape"];
-}
-
-std::string name_of_shape(const json& shape) {
-  return is_mesh(shape) ? std::filesystem::path(shape["file"].get<std::string>()).stem().string()
-                        : shape["kind"].get<std::string>();
-}
 
 /// Bodies that agree in these are alike; colour and name do not matter.
 using Likeness = std::tuple<const BodyShape*, double, bool, int>;
@@ -32,7 +21,7 @@ Likeness likeness_of(const SceneBodies& bodies, std::size_t body) {
           model.material};
 }
 
-TradeBodies without_trees(const json& scene, const SceneBodies& bodies) {
+TradeBodies without_trees(const SceneBodies& bodies) {
   TradeBodies found;
   std::map<Likeness, std::size_t> known;
   std::map<std::string, int> names;
@@ -40,7 +29,7 @@ TradeBodies without_trees(const json& scene, const SceneBodies& bodies) {
     const auto [place, is_new] = known.emplace(likeness_of(bodies, body), found.alike.size());
     found.alike_of.push_back(place->second);
     if (is_new) {
-      std::string name = name_of_shape(shape_of(scene, body));
+      std::string name = bodies.shape_names[body];
       const int of_this_name = ++names[name];
       if (of_this_name > 1) {
         name += " " + std::to_string(of_this_name);
@@ -73,7 +62,7 @@ TradeBodies trade_bodies(const json& scene, double metres_per_degree,
     const SceneBodies bodies =
         bodies_of(with_trees(scene, kind, depth), metres_per_degree, library);
     if (found.alike.empty()) {
-      found = without_trees(scene, bodies);
+      found = without_trees(bodies);
     }
     for (std::size_t body = 0; body < bodies.models.size(); ++body) {
       found.alike[found.alike_of[body]].trees[kind] = bodies.models[body].tree;

@@ -264,7 +264,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "\"red\""},
        {"/bodies/0/shape/kind", "cube",
         "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"plate\", "
-        "\"l-block\", \"torus\", \"knot\", \"creature\", \"mesh\", got \"cube\""},
+        "\"l-block\", \"torus\", \"knot\", \"creature\", \"line-swept\", "
+        "\"rectangle-swept\", \"mesh\", got \"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,

@@ -151,7 +151,10 @@ TEST(Scene, EveryShapeCanBeNamedWithoutAFile) {
         R"({"kind": "l-block", "arm_deg": 2, "thickness_deg": 0.7})",
         R"({"kind": "torus", "radius_deg": 1, "tube_deg": 0.3, "resolution": 12})",
         R"({"kind": "knot", "radius_deg": 1, "tube_deg": 0.2, "resolution": 4})",
-        R"({"kind": "creature", "length_deg": 3})"}) {
+        R"({"kind": "creature", "length_deg": 3})",
+        R"({"kind": "line-swept", "length_deg": 2, "radius_deg": 0.3, "deeper": true})",
+        R"({"kind": "rectangle-swept", "width_deg": 1, "height_deg": 2, "radius_deg": 0.3,
+            "resolution": 6, "coarsest": "sphere"})"}) {
     EXPECT_EQ(scene_refusal(scene_with(shape)), "accepted") << shape;
     EXPECT_GT(built(scene_with(shape)).world.models()[1].inverse_mass, 0.0) << shape;
     kinds.push_back(json::parse(shape)["kind"]);
@@ -185,6 +188,9 @@ TEST(Scene, AShapeHasTheMeasuresOfItsKindAlone) {
             place + ": expected the measures of kind knot alone, radius_deg, tube_deg, got 3");
   EXPECT_EQ(refused(R"({"kind": "sphere", "radius_deg": 1, "resolution": 5})"),
             place + "/resolution: expected none for kind sphere, got 5");
+  EXPECT_EQ(refused(R"({"kind": "box", "width_deg": 2, "height_deg": 1, "depth_deg": 3,
+                        "deeper": true})"),
+            place + "/deeper: expected none for kind box, got true");
   EXPECT_EQ(refused(R"({"kind": "creature", "length_deg": 3, "resolution": 3})"),
             place + "/resolution: expected a whole number ≥ 4 and ≤ 12, got 3");
 }
@@ -228,7 +234,10 @@ TEST(Scene, WhatMeetsHasNoPlaceAndWhatDoesNotHasOne) {
             "/: expected the key \"duration_s\" where nothing meets, which is missing");
   json empty = free_scene();
   empty.erase("bodies");
-  EXPECT_EQ(scene_refusal(empty), "/: expected the key \"bodies\" or \"crowd\", both are missing");
+  EXPECT_EQ(
+      scene_refusal(empty),
+      "/: expected one of the keys \"bodies\", \"figures\", \"crowd\" and \"figure_crowd\", all "
+      "are missing");
   json meeting = json::parse(shipped(kSceneName));
   meeting["bodies"][0]["position_deg"] = {0, 0, 0};
   EXPECT_EQ(scene_refusal(meeting), "/bodies/0/position_deg: expected none where bodies meet");

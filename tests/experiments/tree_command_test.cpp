@@ -87,7 +87,7 @@ TEST(TreeCommand, WhatCannotBeBuiltIsRefusedInOneSentence) {
       {{"cube", "-o", "a.tree"},
        2,
        "expected a mesh file or one of the shapes sphere, box, l-block, plate, torus, knot, "
-       "creature, got \"cube\""},
+       "creature, line-swept, rectangle-swept, got \"cube\""},
       {{"box", "--kind", "ball", "-o", "a.tree"},
        2,
        "tree: expected a kind among octree, medial, voxel, box, swept, heterogeneous, got "

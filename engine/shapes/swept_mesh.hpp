@@ -1,0 +1,21 @@
+// A sphere-swept line or rectangle as a closed triangle mesh: a ball pulled apart.
+//
+//    ( ball )   cut by x = 0 and y = 0   (  |  )  each quarter moved by the core's corner on its
+//    side
+//
+// No vertex of the ball lies on the cuts, so that every quarter moves whole and the cells that lie
+// across a cut become the flat sides. Inscribed: all vertices are on the swept surface.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/shapes/triangle_mesh.hpp"
+
+namespace impetus {
+
+/// Outward triangles about the origin within everything that is `radius_m` or less from the
+/// rectangle |x| ≤ half_x_m, |y| ≤ half_y_m, z = 0; a half of zero makes it a line, both a ball.
+/// The ball is a cube of `cells` by `cells` quadrangles a side, blown up: 12 cells² triangles;
+/// `cells` is odd.
+TriangleMesh swept_mesh(double half_x_m, double half_y_m, double radius_m, int cells);
+
+}  // namespace impetus

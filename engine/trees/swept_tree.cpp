@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "engine/trees/swept_tree.hpp"
+
+#include "engine/trees/node_description.hpp"
+#include "engine/trees/volume_fits.hpp"
+
+namespace impetus {
+namespace {
+
+/// Share of the volume's size by which it may grow against rounding.
+constexpr double kMargin = 1e-12;
+
+/// Nodes and the first of each level, one level after the other.
+class Levels {
+ public:
+  void add_alone(const Volume& volume, const NodeDescription& description,
+                 const SurfacePart& surface) {
+    link_last(1);
+    starts_.push_back(size());
+    nodes_.push_back({volume, 0, 0, description.of(volume, surface)});
+  }
+
+  /// All levels of a tree but its root, below what there is.
+  void add_below_root(const VolumeTree& tree) {
+    if (tree.level_count() < 2) {
+      return;
+    }
+    const std::int32_t shift = size() - 1;  // the root takes no place of its own
+    link_last(tree.links(0).child_count);
+    for (int level = 1; level < tree.level_count(); ++level) {
+      starts_.push_back(tree.level_begin(level) + shift);
+    }
+    for (std::int32_t node = 1; node < tree.node_count(); ++node) {
+      const NodeLinks& links = tree.links(node);
+      nodes_.push_back({tree.volume(node), links.child_count > 0 ? links.first_child + shift : 0,
+                        links.child_count, tree.surface(node)});
+    }
+  }
+
+  [[nodiscard]] VolumeTree tree() && { return {nodes_, std::move(starts_)}; }
+
+ private:
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(nodes_.size()); }
+
+  void link_last(std::int32_t children) {
+    if (!nodes_.empty()) {
+      nodes_.back().first_child = size();
+      nodes_.back().child_count = children;
+    }
+  }
+
+  std::vector<VolumeNode> nodes_;
+  std::vector<std::int32_t> starts_;
+};
+
+}  // namespace
+
+std::optional<TreeSettings> finer_settings(const SweptLevels& levels,
+                                           const TreeSettings& settings) {
+  const int above = levels.sphere_first ? 1 : 0;
+  if (!levels.finer || levels_to_build(settings) <= above) {
+    return std::nullopt;
+  }
+  TreeSettings finer = settings;
+  finer.depth -= above;
+  finer.built_depth -= above;
+  return finer;
+}
+
+VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const SweptLevels& levels,
+                      const TreeSettings& settings, const VolumeTree* finer) {
+  const NodeDescription description(solid);
+  const SurfacePart surface = whole_surface(solid);
+  const std::vector<Vector3>& corners = solid.vertices;
+  const double margin_m = kMargin * bounding_sphere(volume).radius_m;
+  const Volume exact = grown_to_hold(volume, corners, margin_m);
+  Levels built;
+  if (levels.sphere_first) {
+    built.add_alone(grown_to_hold(Volume(bounding_sphere(exact)), corners, margin_m), description,
+                    surface);
+  }
+  if (!levels.sphere_first || levels_to_build(settings) > 0) {
+    built.add_alone(exact, description, surface);
+  }
+  if (finer != nullptr) {
+    built.add_below_root(*finer);
+  }
+  return std::move(built).tree();
+}
+
+}  // namespace impetus
