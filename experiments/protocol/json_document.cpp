@@ -53,12 +53,40 @@ std::string malformed(const std::string& text, const json::parse_error& error) {
                    : "valid JSON, got " + found_at(text, byte));
 }
 
+/// More than a screen can hold. What searches texts for patterns calls itself once per letter.
+constexpr std::size_t kLongestText = 10'000;
+
+/// The first that a terminal or a screen might do something else with than show it; "": none.
+/// U+0080 to U+009F are control characters too.
+std::string first_control(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool spaces = byte == '\n' || byte == '\r' || byte == '\t';
+    if ((byte < 0x20U && !spaces) || byte == 0x7fU) {
+      return text.substr(i, 1);
+    }
+    if (byte == 0xc2U && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0U) {
+      return text.substr(i, 2);
+    }
+  }
+  return "";
+}
+
+/// As JSON writes it in ASCII, without the quotes.
+std::string escaped(const std::string& text) {
+  const std::string quoted = json(text).dump(-1, ' ', true);
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 /// Follows the parser through the file: knows where it is, and notices what the grammar lets pass
 /// (of a key that stands twice the parser would silently take the last).
 class Surveyor {
  public:
   void see(json::parse_event_t event, const json& parsed) {
     using Event = json::parse_event_t;
+    if (event == Event::value && parsed.is_string()) {
+      see_text(parsed.get_ref<const std::string&>());
+    }
     if (event == Event::object_start || event == Event::array_start) {
       enter(event == Event::array_start);
     } else if (event == Event::key) {
@@ -102,7 +130,19 @@ class Surveyor {
     open_.push_back({list, 0, "", {}});
   }
 
+  void see_text(const std::string& text) {
+    if (text.size() > kLongestText) {
+      complain("expected at most " + std::to_string(kLongestText) + " bytes of text, got " +
+               std::to_string(text.size()));
+    } else if (const std::string control = first_control(text); !control.empty()) {
+      complain("expected text without control characters but line breaks and tabs, got " +
+               escaped(control));
+    }
+  }
+
   void see_key(std::string key) {
+    open_.back().key = key.size() > kLongestText ? "a key" : escaped(key);
+    see_text(key);
     open_.back().key = key;
     if (!open_.back().keys.insert(std::move(key)).second) {
       complain("expected each key once, got it twice");

@@ -16,6 +16,7 @@
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/solve_checks.hpp"
+#include "experiments/protocol/text_checks.hpp"
 #include "experiments/protocol/validation.hpp"
 #include "experiments/protocol/yoke_checks.hpp"
 
@@ -142,6 +143,7 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
 Protocol load_protocol(const std::filesystem::path& path) {
   JsonDocument document = read_json(path);
   require_schema(document, protocol_schema());
+  check_texts(document);
   const std::filesystem::path scene = named_file(document, path, "/scene", "a file");
   const MoreFiles files = files_of_design(document.value);
   return make_protocol(std::move(document), read_scene(scene, files));

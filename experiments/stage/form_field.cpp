@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "experiments/stage/button_rows.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/typed_number.hpp"
 #include "experiments/stage/widgets.hpp"
@@ -116,16 +117,10 @@ FocusChange FormField::draw_text_box(float width_px, bool focused, bool take_key
 
 FocusChange FormField::draw_options(float width_px, bool focused) {
   FocusChange change = FocusChange::kNone;
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const float gap_px = 0.4F * ImGui::GetFontSize();
-  ImVec2 at = origin;
-  ImVec2 size_px;
+  ButtonRows rows(width_px, 0.4F * ImGui::GetFontSize());
   for (std::size_t option = 0; option < field_.options.size(); ++option) {
-    size_px = button_size(field_.options[option], "");
-    if (at.x > origin.x && at.x + size_px.x > origin.x + width_px) {
-      at = ImVec2(origin.x, at.y + size_px.y + gap_px);
-    }
-    ImGui::SetCursorScreenPos(at);
+    const ImVec2 size_px = button_size(field_.options[option], "", width_px);
+    rows.place(size_px);
     const bool chosen = option_ == option;
     const bool ringed = focused && option == option_.value_or(0);
     const int id = static_cast<int>(option);
@@ -133,9 +128,10 @@ FocusChange FormField::draw_options(float width_px, bool focused) {
       option_ = chosen ? std::nullopt : std::optional(option);
       change = FocusChange::kGained;
     }
-    at.x += size_px.x + gap_px;
   }
-  ImGui::SetCursorScreenPos(ImVec2(origin.x, at.y + size_px.y + ImGui::GetStyle().ItemSpacing.y));
+  rows.end();
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(below.x, below.y + ImGui::GetStyle().ItemSpacing.y));
   return change;
 }
 

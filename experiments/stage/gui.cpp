@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string>
 
+#include "experiments/session/shown_letters.hpp"
 #include "experiments/stage/palette.hpp"
 
 namespace impetus {
@@ -25,16 +26,24 @@ constexpr std::array<float, kReadingSizes> kReadingScale{1.0F, 0.86F, 0.74F};
 constexpr float kTitleScale = 1.4F;
 constexpr float kSmallScale = 0.64F;
 
-// Latin, Greek, Cyrillic, punctuation, super- and subscripts, currencies, letterlike symbols,
-// fractions, arrows, mathematics, geometric shapes.
-constexpr ImWchar kGlyphs[] = {0x0020, 0x024F, 0x0370, 0x052F, 0x2010, 0x205F, 0x2070,
-                               0x20BF, 0x2100, 0x22FF, 0x25A0, 0x25FF, 0};
+/// First and last of each range, then 0. ImGui reads it when it builds the fonts' texture.
+const std::array<ImWchar, 2 * kShownLetters.size() + 1>& glyphs() {
+  static const auto kGlyphs = [] {
+    std::array<ImWchar, 2 * kShownLetters.size() + 1> ranges{};
+    for (std::size_t i = 0; i < kShownLetters.size(); ++i) {
+      ranges[2 * i] = kShownLetters[i].first;
+      ranges[2 * i + 1] = kShownLetters[i].last;
+    }
+    return ranges;
+  }();
+  return kGlyphs;
+}
 
 ImFont* load_font(const char* path, float size_px) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   const float whole_px = std::round(size_px);
   if (std::filesystem::exists(path)) {
-    return atlas.AddFontFromFileTTF(path, whole_px, nullptr, kGlyphs);
+    return atlas.AddFontFromFileTTF(path, whole_px, nullptr, glyphs().data());
   }
   ImFontConfig scaled;
   scaled.SizePixels = whole_px;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/stage/button_rows.hpp"
 #include "experiments/stage/key_names.hpp"
 #include "experiments/stage/palette.hpp"
 #include "experiments/stage/widgets.hpp"
@@ -33,21 +34,17 @@ void move_down(float pixels) {
 std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
                                      const ChoiceMarks& marks) {
   std::optional<std::size_t> clicked;
-  const float gap_px = std::round(0.7F * ImGui::GetFontSize());
-  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
-  ImVec2 size_px;
+  ImGui::SetCursorScreenPos(ImVec2(column.left, ImGui::GetCursorScreenPos().y));
+  ButtonRows rows(column.width, std::round(0.7F * ImGui::GetFontSize()));
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
-    size_px = button_size(page.choices[choice].label, hint_for(page.choices[choice]));
-    if (at.x > column.left && at.x + size_px.x > column.left + column.width) {
-      at = ImVec2(column.left, at.y + size_px.y + gap_px);
-    }
-    ImGui::SetCursorScreenPos(at);
+    const ImVec2 size_px =
+        button_size(page.choices[choice].label, hint_for(page.choices[choice]), column.width);
+    rows.place(size_px);
     if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
       clicked = choice;
     }
-    at.x += size_px.x + gap_px;
   }
-  ImGui::SetCursorScreenPos(ImVec2(column.left, at.y + size_px.y));
+  rows.end();
   return clicked;
 }
 
@@ -83,6 +80,14 @@ float widest_label(const Page& page) {
   return width_px;
 }
 
+float highest_label(const Page& page, float width_px) {
+  float height_px = 0.0F;
+  for (const Choice& choice : page.choices) {
+    height_px = std::max(height_px, button_size(choice.label, hint_for(choice), width_px).y);
+  }
+  return height_px;
+}
+
 /// The largest letters in which every label fits the width; none when not even the smallest do.
 ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
   const Fonts& fonts = gui.fonts();
@@ -109,7 +114,9 @@ std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
     font = font_within(gui, page, column.width);
   }
   ImGui::PushFont(font != nullptr ? font : gui.fonts().body[kReadingSizes - 1]);
-  const ImVec2 size_px(abreast ? share_px : column.width, std::round(3.0F * ImGui::GetFontSize()));
+  const float width_px = abreast ? share_px : column.width;
+  const ImVec2 size_px(
+      width_px, std::max(std::round(3.0F * ImGui::GetFontSize()), highest_label(page, width_px)));
   std::optional<std::size_t> clicked;
   ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {

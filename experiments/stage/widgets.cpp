@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "experiments/stage/palette.hpp"
+#include "experiments/stage/text_lines.hpp"
 
 namespace impetus {
 namespace {
 
-constexpr float kLineHeight = 1.35F;  // of the font's size
+constexpr float kButtonMargin = 0.8F;  // left and right of the words, of the font's size
 
 float offset_for(Align align, float width_px, float line_px) {
   switch (align) {
@@ -22,25 +23,7 @@ float offset_for(Align align, float width_px, float line_px) {
   return 0.0F;
 }
 
-const char* end_of_line(const char* begin, const char* end, const ImFont* font, float width_px) {
-  const char* line_break = begin;
-  while (line_break < end && *line_break != '\n') {
-    ++line_break;
-  }
-  const char* wrapped = font->CalcWordWrapPositionA(1.0F, begin, line_break, width_px);
-  return wrapped > begin ? wrapped : line_break;
-}
-
-const char* start_of_next_line(const char* at, const char* end) {
-  if (at < end && *at == '\n') {
-    return at + 1;
-  }
-  while (at < end && *at == ' ') {
-    ++at;
-  }
-  return at < end && *at == '\n' ? at + 1 : at;
-}
-
+/// The words and their key in one line.
 void draw_label(const ButtonLook& look, ImVec2 from) {
   const ImVec2 label_px = ImGui::CalcTextSize(look.label.c_str());
   const ImVec2 hint_px = ImGui::CalcTextSize(look.hint.c_str());
@@ -52,29 +35,55 @@ void draw_label(const ButtonLook& look, ImVec2 from) {
                look.chosen ? palette::kOnAccent : palette::kQuietText, look.hint.c_str());
 }
 
+/// Words that are longer than the button is wide, over several lines.
+void draw_long_label(const ButtonLook& look, ImVec2 from) {
+  const ImFont& font = *ImGui::GetFont();
+  const std::string words = look.label + look.hint;
+  const float margin_px = kButtonMargin * font.FontSize;
+  const auto lines = lines_of(words, font, look.size_px.x - 2.0F * margin_px);
+  const float height_px = static_cast<float>(lines.size()) * line_height(font);
+  ImVec2 at(
+      std::floor(from.x + margin_px),
+      std::floor(from.y + (look.size_px.y - height_px + line_height(font) - font.FontSize) / 2.0F));
+  for (const std::string_view line : lines) {
+    ImGui::GetWindowDrawList()->AddText(at, look.chosen ? palette::kOnAccent : palette::kText,
+                                        line.data(), line.data() + line.size());
+    at.y += line_height(font);
+  }
+}
+
+/// Whether the words go over several lines: they are too long for one, and there is room.
+bool is_broken(const ButtonLook& look) {
+  return button_size(look.label, look.hint).x > look.size_px.x &&
+         button_size(look.label, look.hint, look.size_px.x).y <= look.size_px.y;
+}
+
 }  // namespace
 
 float draw_text(const std::string& text, ImFont* font, ImU32 colour, float width_px, Align align) {
-  const float line_height = std::round(font->FontSize * kLineHeight);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  const char* end = text.c_str() + text.size();
   float height = 0.0F;
-  for (const char* line = text.c_str(); line < end;) {
-    const char* line_end = end_of_line(line, end, font, width_px);
-    const float line_px = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, line, line_end).x;
+  for (const std::string_view line : lines_of(text, *font, width_px)) {
+    const float line_px = width_of(line, *font);
     const ImVec2 at(origin.x + offset_for(align, width_px, line_px), origin.y + height);
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, line, line_end);
-    height += line_height;
-    line = start_of_next_line(line_end, end);
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, line.data(),
+                                        line.data() + line.size());
+    height += line_height(*font);
   }
   ImGui::SetCursorScreenPos(ImVec2(origin.x, origin.y + height));
   return height;
 }
 
-ImVec2 button_size(const std::string& label, const std::string& hint) {
-  const float font_px = ImGui::GetFontSize();
+ImVec2 button_size(const std::string& label, const std::string& hint, float widest_px) {
+  const ImFont& font = *ImGui::GetFont();
+  const float margins_px = 2.0F * kButtonMargin * font.FontSize;
   const float text_px = ImGui::CalcTextSize(label.c_str()).x + ImGui::CalcTextSize(hint.c_str()).x;
-  return {std::ceil(text_px + 1.6F * font_px), std::round(1.9F * font_px)};
+  const ImVec2 one_line(std::ceil(text_px + margins_px), std::round(1.9F * font.FontSize));
+  if (one_line.x <= widest_px) {
+    return one_line;
+  }
+  const std::size_t lines = lines_of(label + hint, font, widest_px - margins_px).size();
+  return {widest_px, one_line.y + static_cast<float>(lines - 1) * line_height(font)};
 }
 
 bool draw_button(int id, const ButtonLook& look) {
@@ -90,7 +99,7 @@ bool draw_button(int id, const ButtonLook& look) {
   draw.AddRect(from, to, pressed ? palette::kAccent : palette::kLine, rounding);
   ButtonLook drawn = look;
   drawn.chosen = pressed;
-  draw_label(drawn, from);
+  is_broken(look) ? draw_long_label(drawn, from) : draw_label(drawn, from);
   if (look.focused) {
     draw_focus_ring(from, to);
   }

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <limits>
 #include <string>
 
 #include "experiments/stage/pixel_area.hpp"
@@ -24,11 +25,13 @@ struct ButtonLook {
   bool chosen{false};  ///< drawn as pressed
 };
 
-/// The size that a label and its hint ask for.
-ImVec2 button_size(const std::string& label, const std::string& hint);
+/// The size that a label and its hint ask for: one line, or as many as the widest button needs.
+ImVec2 button_size(const std::string& label, const std::string& hint,
+                   float widest_px = std::numeric_limits<float>::max());
 
-/// A button at the cursor. Returns true when it was clicked with the mouse. `id` sets it apart
-/// from the others on the screen.
+/// A button at the cursor; words that are too long for it are broken into lines where its height
+/// has room. Returns true when it was clicked with the mouse. `id` sets it apart from the others on
+/// the screen.
 bool draw_button(int id, const ButtonLook& look);
 
 /// Until ImGui::PopClipRect(), nothing is drawn outside the area.

@@ -267,11 +267,17 @@ void print(const Shown& shown, const NotedDisplay& display, const NotedRecorder&
       longest_ms(recorder.await_ns));
 }
 
-void print(const MemoryGrowth& memory, double left_out_s) {
+void print(const char* what, const MemoryGrowth& memory) {
   std::printf(
-      "resident memory            %.1f MiB after %.0f s, %.1f at the end: %+.1f KiB a "
-      "minute\n",
-      memory.first_MiB, left_out_s, memory.last_MiB, memory.slope_kiB_per_min);
+      "%-26s %.1f MiB in the first minute that counts, %.1f in the last: %+.1f KiB a minute\n",
+      what, memory.first_MiB, memory.last_MiB, memory.slope_kiB_per_min);
+}
+
+void print(const MemoryUse& memory, double left_out_s) {
+  std::printf("memory, least of a minute, from %.0f s on; at most %.1f MiB resident\n", left_out_s,
+              memory.most_resident_MiB);
+  print("  allocated", memory.allocated);
+  print("  resident", memory.resident);
 }
 
 void run_session_bench(const SessionOptions& options) {
@@ -319,10 +325,10 @@ void run_session_bench(const SessionOptions& options) {
   }
   writer.await_saved();
   const double left_out_s = std::min(kSettling_s, options.seconds / 5.0);
-  const MemoryGrowth growth = memory.stop(left_out_s);
+  const MemoryUse use = memory.stop(left_out_s);
   writer.end("finished");
   print(shown, display, recorder, 1e3 / window.refresh_hz());
-  print(growth, left_out_s);
+  print(use, left_out_s);
 }
 
 }  // namespace
