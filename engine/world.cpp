@@ -39,8 +39,10 @@ World::World(std::vector<BodyModel> models, std::vector<BodyState> states, World
     }
     placed_.emplace_back(*body.tree);
   }
-  figures_ = Figures(settings_.figures, models_);
-  figures_.begin(settings_.figures, states_);
+  if (!settings_.figures.empty()) {
+    figures_ = ValuePointer(Figures(settings_.figures, models_));
+    figures_->begin(settings_.figures, states_);
+  }
 }
 
 void World::set_response(ResponseMethod response) {
@@ -101,7 +103,7 @@ bool World::is_capped_by_speed(BodyPair bodies) const {
     return false;
   }
   return settings_.tunnelling == Tunnelling::kCapped ||
-         (settings_.tunnelling == Tunnelling::kStopAtEntry && figures_.has_part(bodies)) ||
+         (settings_.tunnelling == Tunnelling::kStopAtEntry && is_of_figure(bodies)) ||
          (settings_.tunnelling == Tunnelling::kStopAtEntry &&
           memory_.entries.result.lacked_tests(bodies));
 }
@@ -161,7 +163,7 @@ void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {
   begun.list = list;
   begun.walls = walls ? walls_in_reach(at(bodies.a)) : 1;
   PlacedTree& a = placed_[at(bodies.a)];
-  begun.hinged = figures_.has_part(bodies);
+  begun.hinged = is_of_figure(bodies);
   if (walls) {
     begun.refinement.begin(a, *settings_.enclosure, greatest);
   } else {
@@ -226,10 +228,10 @@ void World::model(const StepInput& input) {
 
 /// Neighbours that are folded together: nothing of theirs is refined.
 void World::model_folds() {
-  if (!figures_.any()) {
+  if (!figures_) {
     return;
   }
-  for (const Contact& fold : figures_.folds()) {
+  for (const Contact& fold : figures_->folds()) {
     memory_.modelled.contacts().push_back(fold);
     memory_.modelled.add_contacts_as(CollisionReport{});
   }
@@ -262,19 +264,25 @@ void World::count_later_phases() {
     const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
     report.work_spent += costs.of_modelling(pair, nodes);
   }
-  std::int64_t contacts = 0;
-  std::int64_t hinged = 0;
-  for (const CollisionReport& collision : report.collisions) {
-    (figures_.has_part(collision.bodies) ? hinged : contacts) += collision.contact_count;
+  auto contacts = static_cast<std::int64_t>(report.contacts.size());
+  if (figures_) {
+    std::int64_t hinged = 0;
+    for (const CollisionReport& collision : report.collisions) {
+      hinged += is_of_figure(collision.bodies) ? collision.contact_count : 0;
+    }
+    contacts -= hinged;
+    report.work_spent += costs.of_response(hinged, /*hinged=*/true) - folds_work();
   }
-  hinged -= static_cast<std::int64_t>(figures_.folds().size());  // paid for in the floor
-  report.work_spent +=
-      costs.of_response(contacts, /*hinged=*/false) + costs.of_response(hinged, /*hinged=*/true);
+  report.work_spent += costs.of_response(contacts, /*hinged=*/false);
 }
 
+/// Of folds, which the floor pays for.
 std::int64_t World::folds_work() const {
+  if (!figures_) {
+    return 0;
+  }
   const PhaseCosts costs(settings_.costs, settings_.contacts);
-  return costs.of_response(static_cast<std::int64_t>(figures_.folds().size()), /*hinged=*/true);
+  return costs.of_response(static_cast<std::int64_t>(figures_->folds().size()), /*hinged=*/true);
 }
 
 const ResponseResult& World::response_to_contacts(double dt_s) {
@@ -285,9 +293,9 @@ const ResponseResult& World::response_to_contacts(double dt_s) {
   rules.method = settings_.response;
   rules.most_passes = settings_.most_response_passes;
   rules.resting_m_s = kRestingSteps * settings_.gravity_m_s2.norm() * dt_s;
-  if (figures_.any()) {
-    return figures_.respond(settings_.figures, memory_.contacts, memory_.restitutions, rules, dt_s,
-                            models_, finite_, states_);
+  if (figures_) {
+    return figures_->respond(settings_.figures, memory_.contacts, memory_.restitutions, rules, dt_s,
+                             models_, finite_, states_);
   }
   return memory_.responder.respond(memory_.contacts, memory_.restitutions, rules, models_, states_);
 }

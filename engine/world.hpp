@@ -23,6 +23,7 @@
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/step.hpp"
 #include "engine/step_memory.hpp"
+#include "engine/value_pointer.hpp"
 #include "engine/world_settings.hpp"
 
 namespace impetus {
@@ -82,6 +83,9 @@ class World {
   void add_wall_candidates();
   void model_folds();
   [[nodiscard]] std::int64_t folds_work() const;
+  [[nodiscard]] bool is_of_figure(BodyPair bodies) const {
+    return figures_ && figures_->has_part(bodies);
+  }
   void note_not_finite();
   [[nodiscard]] bool is_capped_by_speed(BodyPair bodies) const;
   [[nodiscard]] int level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const;
@@ -105,7 +109,7 @@ class World {
   FiniteStates finite_{states_};
   std::vector<PlacedTree> placed_;
   WorldSettings settings_;
-  Figures figures_;  ///< none: nothing
+  ValuePointer<Figures> figures_;  ///< none: nothing
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
   std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies

@@ -23,11 +23,13 @@ void World::move_and_pair(double dt_s) {
   find_falls(dt_s);
   std::vector<MovedBound>& bounds = memory_.bounds;
   bounds.clear();
-  figures_.advance(settings_.figures, models_, dt_s, settings_.rotation, memory_.falls, finite_,
-                   memory_.report.not_finite, states_);
+  if (figures_) {
+    figures_->advance(settings_.figures, models_, dt_s, settings_.rotation, memory_.falls, finite_,
+                      memory_.report.not_finite, states_);
+  }
   for (std::size_t body = 0; body < models_.size(); ++body) {
     double travelled_m = 0.0;
-    if (figures_.has_part(body)) {
+    if (figures_ && figures_->has_part(body)) {
       travelled_m = (states_[body].pose.position - finite_.before()[body].pose.position).norm();
     } else if (!finite_.is_out(body)) {
       travelled_m = advance(models_[body], states_[body], dt_s, settings_.rotation,
@@ -49,11 +51,11 @@ void World::move_and_pair(double dt_s) {
       return finite_.is_out(at(pair.pair.a)) || finite_.is_out(at(pair.pair.b));
     });
   }
-  if (figures_.any()) {
+  if (figures_) {
     std::erase_if(memory_.candidates, [this](const PairBounds& pair) {
-      return !figures_.may_meet(settings_.figures, pair.pair);
+      return !figures_->may_meet(settings_.figures, pair.pair);
     });
-    figures_.find_folds(settings_.figures, finite_, states_);
+    figures_->find_folds(settings_.figures, finite_, states_);
   }
   if (settings_.tunnelling == Tunnelling::kStopAtEntry) {
     stop_fast_pairs(dt_s);
@@ -94,13 +96,13 @@ void World::stop_fast_pairs(double dt_s) {
   // A part cannot stop where its figure goes on.
   std::vector<PairBounds>& candidates = memory_.candidates;
   std::vector<PairBounds>& stoppable = memory_.stoppable;
-  if (figures_.any()) {
+  if (figures_) {
     stoppable.clear();
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(stoppable),
-                 [this](const PairBounds& pair) { return !figures_.has_part(pair.pair); });
+                 [this](const PairBounds& pair) { return !is_of_figure(pair.pair); });
   }
   const Stopping& stopping = stop_at_entry(
-      {dt_s, models_, finite_.before(), figures_.any() ? stoppable : candidates, greatest_level,
+      {dt_s, models_, finite_.before(), figures_ ? stoppable : candidates, greatest_level,
        settings_.costs, settings_.rotation, kMostStops, memory_.falls, settings_.most_entry_tests},
       states_, placed_, memory_.entries);
   for (PairBounds& pair : candidates) {

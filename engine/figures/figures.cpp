@@ -27,9 +27,6 @@ bool take_out_as_a_whole(const Figure& figure, FiniteStates& finite,
 }  // namespace
 
 Figures::Figures(const std::vector<Figure>& figures, const std::vector<BodyModel>& models) {
-  if (figures.empty()) {
-    return;
-  }
   figure_of_.assign(models.size(), -1);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure& figure = figures[i];
@@ -56,9 +53,6 @@ void Figures::advance(const std::vector<Figure>& figures, const std::vector<Body
                       double dt_s, Rotation rotation, std::span<const Fall> falls,
                       FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
                       std::vector<BodyState>& states) {
-  if (!any()) {
-    return;
-  }
   time_s_ += dt_s;
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Figure& figure = figures[i];

@@ -1,7 +1,7 @@
 // The figures of a world, from step to step: they are moved, asked whose parts may meet, asked
 // which hinges are folded, and pushed.
 //
-// A world without figures has none of this, and asks for nothing.
+// A world without figures has none of this.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,19 +15,14 @@ namespace impetus {
 
 class Figures {
  public:
-  /// None.
-  Figures() = default;
-
   /// `figures` and `models` are without a problem (problem_of), and are those of every call below.
   Figures(const std::vector<Figure>& figures, const std::vector<BodyModel>& models);
 
-  [[nodiscard]] bool any() const { return !motions_.empty(); }
-
   /// Whether the body is a part of a figure.
-  [[nodiscard]] bool has_part(std::size_t body) const { return any() && figure_of_[body] >= 0; }
+  [[nodiscard]] bool has_part(std::size_t body) const { return figure_of_[body] >= 0; }
   [[nodiscard]] bool has_part(BodyPair bodies) const {
-    return any() && (has_part(static_cast<std::size_t>(bodies.a)) ||
-                     (!is_wall(bodies.b) && has_part(static_cast<std::size_t>(bodies.b))));
+    return has_part(static_cast<std::size_t>(bodies.a)) ||
+           (!is_wall(bodies.b) && has_part(static_cast<std::size_t>(bodies.b)));
   }
 
   /// What leaves all parts of free figures with nothing moving across a hinge: for states that
