@@ -107,16 +107,18 @@ class Rows {
              each(steps, [](const auto& step) { return step.finest_work; }));
     for (const auto& [measure, error] : kErrors) {
       add_mean(measure, "arcmin", "roots",
-               each(steps, [&](const auto& step) { return step.at_roots.*error; }));
+               each(steps, [error = error](const auto& step) { return step.at_roots.*error; }));
       add_mean(measure, "arcmin", "finest",
-               each(steps, [&](const auto& step) { return step.at_finest.*error; }));
+               each(steps, [error = error](const auto& step) { return step.at_finest.*error; }));
     }
   }
 
   void add_errors(const OrderedCrowd& ordered) {
     for (const auto& [measure, error] : kErrors) {
-      const auto left = each(ordered.steps, [&](const auto& step) { return step.left.*error; });
-      const auto roots = each(trade_.steps, [&](const auto& step) { return step.at_roots.*error; });
+      const auto left =
+          each(ordered.steps, [error = error](const auto& step) { return step.left.*error; });
+      const auto roots =
+          each(trade_.steps, [error = error](const auto& step) { return step.at_roots.*error; });
       add_mean(measure, "arcmin", "", left);
       add(measure, "1", "roots", "share", ratio_of_sums(left, roots));
       add_removed(measure, error, {&ordered});
