@@ -11,15 +11,15 @@
 kGapFamily <- "mixed model of the gap shown, effect"
 kGapOddsFamily <- "mixed model of the gap shown, odds ratio"
 
-# The study with its three levels of the tree called root, middle and finest, and study$depths, the
-# sentence that says which numbers they were. Fewer levels, or a first that is not 0, keep numbers.
-with_depths_named <- function(study) {
+# The study with its three levels of the tree called by `depths`, and study$depths, the sentence that
+# says which numbers `what` were. Fewer levels, or a first that is not 0, keep numbers.
+with_depths_named <- function(study, depths = c("root", "middle", "finest"),
+                              what = "Levels of the sphere tree") {
   column <- study$factors[["level"]]
   numbers <- levels(study$trials[[column]])
   if (length(numbers) != 3 || numbers[1] != "0") return(study)
-  depths <- c("root", "middle", "finest")
   levels(study$trials[[column]]) <- depths
-  study$depths <- sprintf("Levels of the sphere tree: %s.", paste(depths, numbers, collapse = ", "))
+  study$depths <- sprintf("%s: %s.", what, paste(depths, numbers, collapse = ", "))
   study
 }
 

@@ -38,6 +38,34 @@ Quaternion small_turn(const Vector3& vector) {
   return Quaternion(1.0, half.x(), half.y(), half.z()).normalized();
 }
 
+/// Turned about its root and moved as a whole: its hinges stay together.
+void jitter_figure(const Figure& figure, const Vector3& shift_m, const Quaternion& turn,
+                   std::vector<BodyState>& states) {
+  const auto first = static_cast<std::size_t>(figure.first_part);
+  const Vector3 root = states[first].pose.position;
+  for (std::size_t part = first; figure.has_part(static_cast<std::int32_t>(part)); ++part) {
+    BodyState& state = states[part];
+    state.pose.position = root + shift_m + turn * (state.pose.position - root);
+    state.pose.orientation = (turn * state.pose.orientation).normalized();
+    state.linear_momentum = turn * state.linear_momentum;
+    state.angular_momentum = turn * state.angular_momentum;
+  }
+}
+
+/// The figure of which the body is a part, null when of none.
+const Figure* figure_with(const World& world, std::size_t body) {
+  for (const Figure& figure : world.settings().figures) {
+    if (figure.has_part(static_cast<std::int32_t>(body))) {
+      return &figure;
+    }
+  }
+  return nullptr;
+}
+
+bool has_crowd(const json& scene) {
+  return scene.contains("crowd") || scene.contains("figure_crowd");
+}
+
 }  // namespace
 
 StagedScene TrialStarts::staged(const std::string& kind, std::int64_t number) const {
@@ -45,7 +73,7 @@ StagedScene TrialStarts::staged(const std::string& kind, std::int64_t number) co
   if (!kind.empty()) {
     scene["engine"]["tree"]["kind"] = kind;
   }
-  if (!scene.contains("crowd") || kind.empty()) {
+  if (!has_crowd(scene) || kind.empty()) {
     return as_drawn(scene, number);
   }
   StagedScene staged = as_drawn(scene_, number);
@@ -58,7 +86,7 @@ StagedScene TrialStarts::staged(const std::string& kind, std::int64_t number) co
 StagedScene TrialStarts::as_drawn(const json& scene, std::int64_t number) const {
   StagedScene staged =
       build_scene(scene, screen_, 0.0, library_, "trade/" + std::to_string(number), seed_);
-  if (!scene.contains("crowd") && number > 1) {
+  if (!has_crowd(scene) && number > 1) {
     jitter(staged.world, number);
   }
   return staged;
@@ -71,9 +99,14 @@ void TrialStarts::jitter(World& world, std::int64_t number) const {
     const BodyModel& model = world.models()[body];
     const Vector3 shift = in_unit_ball(random);
     const Vector3 turn = in_unit_ball(random);
-    if (model.inverse_mass > 0.0) {
+    const Vector3 shift_m = 2.0 * kMostShift * model.tree->bounding_radius_m() * shift;
+    if (const Figure* figure = figure_with(world, body)) {
+      if (body == static_cast<std::size_t>(figure->first_part)) {
+        jitter_figure(*figure, shift_m, small_turn(turn), states);
+      }
+    } else if (model.inverse_mass > 0.0) {
       Pose& pose = states[body].pose;
-      pose.position += 2.0 * kMostShift * model.tree->bounding_radius_m() * shift;
+      pose.position += shift_m;
       pose.orientation = (small_turn(turn) * pose.orientation).normalized();
     }
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/scenes/scene_meshes.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus {
@@ -52,6 +53,7 @@ inline json humanoid_scene() {
   json scene = doll_scene();
   scene["figures"][0]["figure"] = "humanoid.json";
   scene["figure_files"] = {{"humanoid.json", json::parse(shipped("stimuli/humanoid.json"))}};
+  EXPECT_EQ(hold_mesh(scene, "head.obj", std::filesystem::path(source_folder()) / "stimuli"), "");
   return scene;
 }
 
