@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/swept_mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace impetus {
@@ -42,7 +44,8 @@ class BallMaker {
     }
   }
 
-  /// Two triangles, outward: the axes after `axis` turn anticlockwise seen from its end.
+  /// Two triangles, outward: the axes after `axis` turn anticlockwise seen from its end. Along the
+  /// diagonal that leaves no dent.
   void add_cell(int axis, int height, int row, int column) {
     const auto corner = [&](int across, int up) {
       CubePoint point{};
@@ -54,8 +57,18 @@ class BallMaker {
     const std::array<std::uint32_t, 4> round{corner(0, 0), corner(1, 0), corner(1, 1),
                                              corner(0, 1)};
     const bool flipped = height == 0;
-    add_triangle(round[0], round[1], round[2], flipped);
-    add_triangle(round[0], round[2], round[3], flipped);
+    const std::size_t from = is_convex(round, flipped) ? 0 : 1;
+    add_triangle(round[from], round[from + 1], round[from + 2], flipped);
+    add_triangle(round[from], round[from + 2], round[(from + 3) % 4], flipped);
+  }
+
+  /// Whether the last corner lies below the plane of the others, seen from outside, or in it.
+  [[nodiscard]] bool is_convex(const std::array<std::uint32_t, 4>& round, bool flipped) const {
+    const Vector3& first = mesh_.vertices[round[0]];
+    const Vector3 normal =
+        (mesh_.vertices[round[1]] - first).cross(mesh_.vertices[round[2]] - first);
+    const double height = normal.dot(mesh_.vertices[round[3]] - first);
+    return flipped ? height >= 0.0 : height <= 0.0;
   }
 
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool flipped) {
@@ -84,6 +97,19 @@ class BallMaker {
 };
 
 }  // namespace
+
+double swept_inner_radius_m(const TriangleMesh& mesh, const Vector3& half_u_m,
+                            const Vector3& half_v_m) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3& corner = mesh.vertices[a];
+    const Vector3 normal =
+        (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).normalized();
+    const double core_m = std::abs(normal.dot(half_u_m)) + std::abs(normal.dot(half_v_m));
+    least_m = std::min(least_m, normal.dot(corner) - core_m);
+  }
+  return least_m;
+}
 
 TriangleMesh swept_mesh(double half_x_m, double half_y_m, double radius_m, int cells) {
   assert(half_x_m >= 0.0 && half_y_m >= 0.0 && radius_m > 0.0 && cells > 0 && cells % 2 == 1);

@@ -4,7 +4,7 @@
 //    side
 //
 // No vertex of the ball lies on the cuts, so that every quarter moves whole and the cells that lie
-// across a cut become the flat sides. Inscribed: all vertices are on the swept surface.
+// across a cut become the flat sides. Convex, and inscribed: all vertices are on the swept surface.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,5 +17,10 @@ namespace impetus {
 /// The ball is a cube of `cells` by `cells` quadrangles a side, blown up: 12 cells² triangles;
 /// `cells` is odd.
 TriangleMesh swept_mesh(double half_x_m, double half_y_m, double radius_m, int cells);
+
+/// The greatest radius that stays within a convex mesh about the origin when it is swept along the
+/// core of these halves (metres): by the planes of the triangles.
+double swept_inner_radius_m(const TriangleMesh& mesh, const Vector3& half_u_m,
+                            const Vector3& half_v_m);
 
 }  // namespace impetus

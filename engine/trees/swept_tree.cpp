@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/swept_tree.hpp"
 
+#include <variant>
+
+#include "engine/shapes/swept_mesh.hpp"
 #include "engine/trees/node_description.hpp"
 #include "engine/trees/volume_fits.hpp"
 
@@ -10,14 +13,23 @@ namespace {
 /// Share of the volume's size by which it may grow against rounding.
 constexpr double kMargin = 1e-12;
 
+double inner_radius_m(const TriangleMesh& solid, const Volume& volume) {
+  if (const auto* line = std::get_if<LineSwept>(&volume)) {
+    return swept_inner_radius_m(solid, line->half_axis, Vector3::Zero());
+  }
+  if (const auto* rectangle = std::get_if<RectangleSwept>(&volume)) {
+    return swept_inner_radius_m(solid, rectangle->half_u, rectangle->half_v);
+  }
+  return swept_inner_radius_m(solid, Vector3::Zero(), Vector3::Zero());
+}
+
 /// Nodes and the first of each level, one level after the other.
 class Levels {
  public:
-  void add_alone(const Volume& volume, const NodeDescription& description,
-                 const SurfacePart& surface) {
+  void add_alone(const Volume& volume, const NodeSurface& surface) {
     link_last(1);
     starts_.push_back(size());
-    nodes_.push_back({volume, 0, 0, description.of(volume, surface)});
+    nodes_.push_back({volume, 0, 0, surface});
   }
 
   /// All levels of a tree but its root, below what there is.
@@ -74,13 +86,18 @@ VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const Swe
   const std::vector<Vector3>& corners = solid.vertices;
   const double margin_m = kMargin * bounding_sphere(volume).radius_m;
   const Volume exact = grown_to_hold(volume, corners, margin_m);
+  // No point of a volume with this radius about the core, or about the centre, is farther away.
+  const double within_m = inner_radius_m(solid, volume);
   Levels built;
+  const auto add = [&](const Volume& whole) {
+    const double fit_error_m = cored(whole).radius_m - within_m;
+    built.add_alone(whole, description.of(whole, surface, fit_error_m));
+  };
   if (levels.sphere_first) {
-    built.add_alone(grown_to_hold(Volume(bounding_sphere(exact)), corners, margin_m), description,
-                    surface);
+    add(grown_to_hold(Volume(bounding_sphere(exact)), corners, margin_m));
   }
   if (!levels.sphere_first || levels_to_build(settings) > 0) {
-    built.add_alone(exact, description, surface);
+    add(exact);
   }
   if (finer != nullptr) {
     built.add_below_root(*finer);

@@ -13,7 +13,7 @@ std::optional<Vector3> free_place(const std::vector<BodyState>& placed, const Ro
                                   double radius_m, RandomStream& stream) {
   constexpr int kMostDraws = 10'000;
   for (int draw = 0; draw < kMostDraws; ++draw) {
-    const Vector3 place = random_place(room, stream);
+    const Vector3 place = draw_place(room, stream);
     if (room.walls != nullptr && reaches_wall(*room.walls, Sphere{place, radius_m})) {
       continue;
     }
@@ -45,9 +45,9 @@ std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>&
     }
     BodyState state;
     state.pose.position = *place;
-    state.pose.orientation = random_orientation(stream);
-    state.linear_momentum = start.speed_m_s / model.inverse_mass * random_direction(stream);
-    const Vector3 spin = start.spin_rad_s * random_direction(stream);
+    state.pose.orientation = draw_orientation(stream);
+    state.linear_momentum = start.speed_m_s / model.inverse_mass * draw_direction(stream);
+    const Vector3 spin = start.spin_rad_s * draw_direction(stream);
     state.angular_momentum = angular_momentum_at(model, state.pose.orientation, spin);
     states.push_back(state);
   }

@@ -78,7 +78,7 @@ std::optional<Posture> random_posture(const Figure& figure, const std::vector<Bo
     for (const Hinge& hinge : figure.hinges) {
       angles.push_back(random_angle(hinge, stream));
     }
-    const Pose root{Vector3::Zero(), random_orientation(stream)};
+    const Pose root{Vector3::Zero(), draw_orientation(stream)};
     Posture posture = posture_of(figure, models, poses_of(figure, root, angles));
     if (is_apart_from_itself(figure, posture)) {
       return posture;
@@ -105,7 +105,7 @@ class Placer {
   std::optional<Posture> place(const Figure& figure, RandomStream& stream) {
     const auto posture = random_posture(figure, *models_, stream);
     for (int draw = 0; posture && draw < kMostDraws; ++draw) {
-      Posture there = moved(figure, *models_, *posture, random_place(room_, stream));
+      Posture there = moved(figure, *models_, *posture, draw_place(room_, stream));
       if (is_free(there)) {
         placed_.push_back(there);
         return there;
@@ -142,8 +142,8 @@ std::optional<std::vector<BodyState>> figure_crowd_states(const std::vector<Figu
     if (!posture) {
       return std::nullopt;
     }
-    const Vector3 velocity_m_s = start.speed_m_s * random_direction(stream);
-    const Vector3 spin_rad_s = start.spin_rad_s * random_direction(stream);
+    const Vector3 velocity_m_s = start.speed_m_s * draw_direction(stream);
+    const Vector3 spin_rad_s = start.spin_rad_s * draw_direction(stream);
     const std::vector<BodyState> parts =
         states_of(figure, models, posture->poses, velocity_m_s, spin_rad_s);
     states.insert(states.end(), parts.begin(), parts.end());

@@ -6,14 +6,14 @@
 
 namespace impetus {
 
-double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
+double draw_symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
 
 // By rejection: no trigonometry.
-Vector3 random_direction(RandomStream& stream) {
+Vector3 draw_direction(RandomStream& stream) {
   while (true) {
-    const double x = symmetric(stream);
-    const double y = symmetric(stream);
-    const Vector3 point(x, y, symmetric(stream));
+    const double x = draw_symmetric(stream);
+    const double y = draw_symmetric(stream);
+    const Vector3 point(x, y, draw_symmetric(stream));
     const double square = point.squaredNorm();
     if (square > 1e-4 && square <= 1.0) {
       return point / std::sqrt(square);
@@ -22,12 +22,12 @@ Vector3 random_direction(RandomStream& stream) {
 }
 
 // A unit quaternion by rejection.
-Quaternion random_orientation(RandomStream& stream) {
+Quaternion draw_orientation(RandomStream& stream) {
   while (true) {
-    const double w = symmetric(stream);
-    const double x = symmetric(stream);
-    const double y = symmetric(stream);
-    const double z = symmetric(stream);
+    const double w = draw_symmetric(stream);
+    const double x = draw_symmetric(stream);
+    const double y = draw_symmetric(stream);
+    const double z = draw_symmetric(stream);
     const double square = w * w + x * x + y * y + z * z;
     if (square > 1e-4 && square <= 1.0) {
       const double scale = 1.0 / std::sqrt(square);
@@ -48,10 +48,10 @@ Room room_within(const Enclosure& enclosure, double radius_m) {
   return {box.center(), 0.5 * box.sizes(), &enclosure};
 }
 
-Vector3 random_place(const Room& room, RandomStream& stream) {
-  const double x = symmetric(stream);
-  const double y = symmetric(stream);
-  const Vector3 share(x, y, symmetric(stream));
+Vector3 draw_place(const Room& room, RandomStream& stream) {
+  const double x = draw_symmetric(stream);
+  const double y = draw_symmetric(stream);
+  const Vector3 share(x, y, draw_symmetric(stream));
   return room.centre + room.half_extents_m.cwiseProduct(share);
 }
 

@@ -9,13 +9,13 @@
 namespace impetus {
 
 /// Uniform from -1 to 1.
-double symmetric(RandomStream& stream);
+double draw_symmetric(RandomStream& stream);
 
 /// Uniform over the unit sphere.
-Vector3 random_direction(RandomStream& stream);
+Vector3 draw_direction(RandomStream& stream);
 
 /// Uniform over rotations.
-Quaternion random_orientation(RandomStream& stream);
+Quaternion draw_orientation(RandomStream& stream);
 
 /// Where the middles of balls may be that are within the walls: a box about `centre`, or less.
 struct Room {
@@ -27,6 +27,6 @@ struct Room {
 Room room_within(const Enclosure& enclosure, double radius_m);
 
 /// Uniform over the room's box.
-Vector3 random_place(const Room& room, RandomStream& stream);
+Vector3 draw_place(const Room& room, RandomStream& stream);
 
 }  // namespace impetus

@@ -37,6 +37,14 @@ StepReport stepped(World& world, const StagedScene& scene) {
   return world.step({1.0 / scene.step_hz, scene.viewer}, meter);
 }
 
+/// Parts of one figure fold onto each other by their hinge: alone they would not.
+bool are_of_one_figure(const World& world, const BodyPair& pair) {
+  const std::vector<Figure>& figures = world.settings().figures;
+  return std::any_of(figures.begin(), figures.end(), [&](const Figure& figure) {
+    return figure.has_part(pair.a) && figure.has_part(pair.b);
+  });
+}
+
 /// The scene's bodies that collide first, and the step in which they do.
 struct FirstCollision {
   BodyPair bodies;
@@ -48,6 +56,9 @@ std::optional<FirstCollision> first_collision(World world, const StagedScene& sc
   std::optional<FirstCollision> with_wall;
   for (std::int64_t step = 1; step <= steps; ++step) {
     for (const CollisionReport& collision : stepped(world, scene).collisions) {
+      if (are_of_one_figure(world, collision.bodies)) {
+        continue;
+      }
       if (!is_wall(collision.bodies.b)) {
         return FirstCollision{collision.bodies, step};
       }
@@ -108,6 +119,7 @@ World alone(const Approach& approach, const StagedScene& scene, int level) {
   settings.schedule = only_level(level);
   settings.imposed_hold_s = 0.0;
   settings.imposed_spin.reset();
+  settings.figures.clear();
   if (approach.bodies.size() > 1) {
     settings.enclosure.reset();
   }

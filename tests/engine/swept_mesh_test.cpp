@@ -10,10 +10,14 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
+#include "engine/shapes/point_in_solid.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "engine/shapes/swept_mesh.hpp"
 #include "engine/trees/build_tree.hpp"
 #include "engine/trees/coverage.hpp"
 #include "engine/trees/swept_tree.hpp"
+#include "engine/volumes/rounded_box.hpp"
+#include "tests/engine/builders.hpp"
 
 namespace impetus {
 namespace {
@@ -64,6 +68,38 @@ TEST(SweptMesh, ApproachesTheVolumeFromWithin) {
   }
 }
 
+TEST(SweptMesh, IsConvex) {
+  for (const auto& [x, y] : kCores) {
+    for (const int cells : {1, 3, 5, 9, 21}) {
+      const TriangleMesh mesh = swept_mesh(x, y, kRadius_m, cells);
+      for (const auto& [a, b, c] : mesh.triangles) {
+        const Vector3& corner = mesh.vertices[a];
+        const Vector3 normal =
+            (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).normalized();
+        for (const Vector3& vertex : mesh.vertices) {
+          ASSERT_LT(normal.dot(vertex - corner), 1e-14) << x << " " << y << " " << cells;
+        }
+      }
+    }
+  }
+}
+
+// Points of the volume's surface, as far from the mesh as the tree says at most.
+TEST(SweptMesh, HoldsTheSameCoreSweptByItsInnerRadius) {
+  RandomStream random(41, "swept");
+  for (const auto& [x, y] : kCores) {
+    const TriangleMesh mesh = swept_mesh(x, y, kRadius_m, 5);
+    const double inner_m = swept_inner_radius_m(mesh, x * Vector3::UnitX(), y * Vector3::UnitY());
+    EXPECT_GT(inner_m, 0.94 * kRadius_m);
+    EXPECT_LT(inner_m, kRadius_m);
+    for (int draw = 0; draw < 500; ++draw) {
+      const Vector3 core(uniform_in(random, -x, x), uniform_in(random, -y, y), 0.0);
+      const Vector3 point = core + (1.0 - 1e-9) * inner_m * random_direction(random);
+      ASSERT_TRUE(contains(mesh, point)) << point.transpose();
+    }
+  }
+}
+
 TEST(SweptMesh, IsAsLongAsItsVolumeAndLiesAboutItsCentreOfMass) {
   const TriangleMesh mesh = swept_mesh(kHalfX_m, kHalfY_m, kRadius_m, 5);
   Eigen::AlignedBox3d bounds;
@@ -73,6 +109,19 @@ TEST(SweptMesh, IsAsLongAsItsVolumeAndLiesAboutItsCentreOfMass) {
   EXPECT_LT(bounds.sizes().x(), 2.0 * (kHalfX_m + kRadius_m));
   EXPECT_GT(bounds.sizes().x(), 2.0 * (kHalfX_m + 0.95 * kRadius_m));
   EXPECT_LT(solid_of(mesh, 1.0).centre.norm(), 1e-15);
+}
+
+/// The greatest distance found at points of the volume's surface.
+double sampled_reach_m(const Volume& volume, const SurfaceDistance& solid) {
+  RandomStream random(42, "reach");
+  const RoundedBox form = rounded_box(volume);
+  double worst_m = 0.0;
+  for (int draw = 0; draw < 3'000; ++draw) {
+    const Vector3 core = random_in_cube(random, 1.0).cwiseProduct(form.half_extents_m);
+    const Vector3 point = form.placed(core + form.radius_m * random_direction(random));
+    worst_m = std::max(worst_m, solid.signed_distance_m(point));
+  }
+  return worst_m;
 }
 
 class SweptTree : public ::testing::Test {
@@ -136,10 +185,15 @@ TEST_F(SweptTree, KeepsTheLevelsOfTheBuiltTree) {
 
 TEST_F(SweptTree, TellsHowFarItReaches) {
   const VolumeTree whole = tree({true, false}, {TreeKind::kOctree, 1});
-  // The sphere reaches beyond the thin side by nearly its radius, the volume by its cells' arcs.
-  EXPECT_GT(whole.fit_error_m(0), kHalfX_m - kRadius_m);
+  // The sphere reaches farthest beyond the flat side, the volume by its cells' arcs.
+  const double sphere_m = std::hypot(kHalfX_m, kHalfY_m) + kRadius_m;
+  EXPECT_NEAR(whole.fit_error_m(0), sphere_m - kRadius_m, 0.06 * kRadius_m);
   EXPECT_LT(whole.fit_error_m(1), 0.06 * kRadius_m);
   EXPECT_GT(whole.fit_error_m(1), 0.0);
+  const SurfaceDistance distance(mesh_);
+  for (const int level : {0, 1}) {
+    EXPECT_GE(whole.fit_error_m(level), sampled_reach_m(whole.volume(level), distance)) << level;
+  }
 }
 
 }  // namespace

@@ -254,7 +254,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"distractors\", "
         "\"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"imposed\", \"meeting\", \"meshes\", \"schema_version\", \"source\", "
+        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"imposed\", \"meeting\", "
+        "\"meshes\", \"schema_version\", \"source\", "
         "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
