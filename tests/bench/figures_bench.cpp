@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 
 #include "experiments/protocol/scene_loading.hpp"
@@ -37,7 +38,7 @@ struct Measured {
 
 StagedScene staged_humanoids() {
   ShapeLibrary library;
-  const JsonDocument scene = load_scene(source_folder() / "stimuli/humanoids-in-a-cube.json");
+  const JsonDocument scene = load_scene(source_folder() + "/stimuli/humanoids-in-a-cube.json");
   return build_scene(scene.value, assumed_screen(), 0.0, library);
 }
 
