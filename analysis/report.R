@@ -22,7 +22,7 @@ main <- function(words) {
     write_report_data(arguments$studies, data)
   }
   write_study_report(arguments$out)
-  say(file.path(arguments$out, "report.html"))
+  say_progress("wrote report.html, figures/ and tables/")
 }
 
 # The folder of this script, as Rscript was called with it ("~+~" is how it writes a space).

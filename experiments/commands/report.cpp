@@ -70,7 +70,7 @@ int report(const ReportOptions& options) {
   fs::remove_all(folder.path() / "study");
   if (status == kNoRscript) {
     throw InputError(
-        "report: expected R, got no Rscript on the path (apt-get install r-base-core)");
+        "expected R, got no Rscript on the path (apt-get install r-base-core)");
   }
   if (status == kCouldNotRun) {
     return kCouldNotRun;  // R has said why, in one sentence
