@@ -132,8 +132,12 @@ column_theme <- function() {
 
 factor_figure_caption <- function(part, factor, measure) {
   shown <- nrow(complete_participants(participant_means(part$trials, factor, measure$of)))
+  who <- who_words(part$all_simulated)
+  if (participant_count(part$trials) == 1) {
+    return(sprintf("%s by %s: one %s.", measure$title, name_and_unit(factor), who))
+  }
   paste0(measure$title, " by ", name_and_unit(factor), ". Grey: ",
-    count_of(participant_count(part$trials), who_words(part$all_simulated)),
+    count_of(participant_count(part$trials), who),
     ", shifted sideways a little to keep them apart; black: the mean",
     if (shown > 1) " and its within-participant 95 % interval (Cousineau–Morey)" else "", ".")
 }

@@ -69,8 +69,7 @@ int report(const ReportOptions& options) {
       run_r_script({script.string(), study.string(), "--out", folder.path().string()});
   fs::remove_all(folder.path() / "study");
   if (status == kNoRscript) {
-    throw InputError(
-        "expected R, got no Rscript on the path (apt-get install r-base-core)");
+    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
   }
   if (status == kCouldNotRun) {
     return kCouldNotRun;  // R has said why, in one sentence
