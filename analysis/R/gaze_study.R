@@ -63,7 +63,7 @@ with_collisions <- function(study) {
   study
 }
 
-is_wall <- function(name) startsWith(name, "wall ")
+is_wall <- function(name) startsWith(as.character(name), "wall ")
 
 # Adds study$gaze, the samples of each trial counted.
 with_gaze <- function(study) {

@@ -89,6 +89,11 @@ is_realised_hold <- function(trials, axis, levels) {
 
 click_part <- function(path, protocol) {
   part <- read_trials(path, protocol, "clicked_trial", "main trials with clicks")
+  part$trials <- trials_with_exposure(part$trials)
+  if (nrow(part$trials) == 0) {
+    refuse(part$files[1], ": expected frames of the trials with clicks, got none, so how long one could",
+      " click is not known and clicks are not analysed")
+  }
   part$response <- "clicks"
   with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
