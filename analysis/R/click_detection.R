@@ -169,7 +169,7 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
       mean_of("difference"), tested, mean_of("baseline")),
     if (!is.na(alone[["d_prime"]])) sprintf(paste("For one bad event alone in a second that",
       "makes d′ = %.2f, criterion %.2f."), alone[["d_prime"]], alone[["criterion"]]),
-    vapply(seq_len(nrow(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
+    vapply(seq_len(NROW(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
       sentence_case(tracked$effect[i]), tracked$effect_size[i], tracked$interval_low[i],
       tracked$interval_high[i], p_words(tracked$p_holm[i])), "")
   )

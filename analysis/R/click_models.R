@@ -107,10 +107,12 @@ has_cell_without_clicks <- function(trials) {
 
 # The full model and, for each tested term, the model without it, by the first of kCountAttempts
 # that converges for all: list(full, reduced, distribution, random, remarks), or failure and remarks.
-fit_count_family <- function(trials, terms, tested, kind = "mixed model of clicks") {
-  trials$scheduling <- droplevels(trials$scheduling)
-  trials$bodies <- droplevels(trials$bodies)
-  trials$slope <- as.numeric(scale(values_of(trials$scheduling)))
+# `slope_of`: the factor whose effect may differ between participants.
+fit_count_family <- function(trials, terms, tested, kind = "mixed model of clicks",
+                             slope_of = "scheduling") {
+  factors <- unique(c(slope_of, unlist(strsplit(terms, ":", fixed = TRUE))))
+  trials[factors] <- lapply(trials[factors], droplevels)
+  trials$slope <- as.numeric(scale(values_of(trials[[slope_of]])))
   remarks <- character()
   for (attempt in kCountAttempts) {
     fit <- function(terms) fit_count_model(trials, terms, attempt[2], attempt[1])

@@ -110,14 +110,14 @@ axis_of_factor <- function(trials, factor) {
     expand = ggplot2::expansion(mult = 0.08))
 }
 
-# The whole scale, always; its ends in the words that participants saw.
-axis_of_rating <- function(scale, words) {
+# The whole scale, always; its ends in the words that participants saw, in lines of `width` letters.
+axis_of_rating <- function(scale, words, width = 20) {
   ends <- c(scale$rating_minimum, scale$rating_maximum)
   breaks <- seq(ends[1], ends[2])
   labels <- as.character(breaks)
   if (words) {
     anchors <- vapply(c(scale$low_anchor, scale$high_anchor), function(anchor) {
-      paste(strwrap(anchor, 20), collapse = "\n")
+      paste(strwrap(anchor, width), collapse = "\n")
     }, "")
     at <- c(1, length(labels))
     labels[at] <- trimws(paste0(anchors, "  ", labels[at]))

@@ -18,17 +18,8 @@ kInteractionFamily <- "mixed model, ratios of odds ratios"
 # participants, or none. `interactions`: "a:b" of two factors, tested beside.
 mixed_model_tests <- function(trials, factors, slope_of = character(),
                               interactions = character()) {
-  if (participant_count(trials) < 3) {
-    remark <- "The mixed model needs three participants or more and was not fitted."
-    return(outcome(remarks = remark))
-  }
-  separated <- factors[vapply(factors, function(f) separates(trials, f), logical(1))]
-  if (length(separated) > 0) {
-    return(outcome(remarks = paste0(
-      "The levels of ", paste(separated, collapse = " and "), " separate the ratings completely, ",
-      "so the mixed model has no finite odds ratio and was not fitted; see the other tests."
-    )))
-  }
+  reason <- why_no_mixed_model(trials, factors)
+  if (!is.null(reason)) return(outcome(remarks = reason))
   trials$rating <- factor(trials$rating, ordered = TRUE)
   trials[factors] <- lapply(trials[factors], droplevels)
   models <- fit_family_or_fall_back(trials, factors, slope_of)
@@ -36,6 +27,19 @@ mixed_model_tests <- function(trials, factors, slope_of = character(),
   if (length(interactions) == 0 || !is.null(models$failure)) return(result)
   beside <- interaction_tests(trials, factors, slope_of, interactions)
   outcome(rbind(result$rows, beside$rows), c(result$remarks, beside$remarks))
+}
+
+# Why no cumulative-link mixed model is fitted, in a sentence; NULL where one can be.
+why_no_mixed_model <- function(trials, factors) {
+  if (participant_count(trials) < 3) {
+    return("The mixed model needs three participants or more and was not fitted.")
+  }
+  separated <- factors[vapply(factors, function(f) separates(trials, f), logical(1))]
+  if (length(separated) == 0) return(NULL)
+  paste0(
+    "The levels of ", paste(separated, collapse = " and "), " separate the ratings completely, ",
+    "so the mixed model has no finite odds ratio and was not fitted; see the other tests."
+  )
 }
 
 # Likelihood-ratio tests of each interaction and ratios of odds ratios, as an outcome.
@@ -118,9 +122,9 @@ fit_family <- function(trials, terms, random, tested = terms) {
 # One fit: list(model) or list(failure = words). `like`: a fitted model with the same random part,
 # whose variances are the starting place; it is faster, and cold starts miss the optimum when the
 # slope has to stand in for the fixed effect that was dropped.
-fit_rating_model <- function(trials, factors, random, like = NULL) {
+fit_rating_model <- function(trials, factors, random, like = NULL, link = "logit") {
   formula <- stats::reformulate(c(factors, random), "rating")
-  arguments <- list(formula = formula, data = trials)
+  arguments <- list(formula = formula, data = trials, link = link)
   if (!is.null(like)) {
     fixed <- if (length(factors) > 0) stats::reformulate(factors, "rating") else rating ~ 1
     start <- listen_to(stats::coef(ordinal::clm(fixed, data = trials)))$value

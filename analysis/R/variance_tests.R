@@ -39,9 +39,10 @@ repeated_measures_tests <- function(trials, factors) {
 }
 
 # One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares.
-fit_anova <- function(trials, factors) {
+# `between`: factors of which each participant has one level.
+fit_anova <- function(trials, factors, between = NULL) {
   model <- afex::aov_ez("participant", "rating", trials,
-    within = unname(factors), fun_aggregate = mean,
+    within = unname(factors), between = between, fun_aggregate = mean,
     anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE
   )
   table <- model$anova_table

@@ -26,6 +26,7 @@ void add_extremes(CLI::App& app, Command& chosen);
 void add_merge(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
+void add_report(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);
 void add_sessions(CLI::App& app, Command& chosen);
 void add_mesh(CLI::App& app, Command& chosen);

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   impetus::add_merge(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);
+  impetus::add_report(app, chosen);
   impetus::add_screen(app, chosen);
   impetus::add_sessions(app, chosen);
   impetus::add_timing(app, chosen);

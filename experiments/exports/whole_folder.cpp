@@ -18,25 +18,30 @@ bool is_export(const fs::path& folder) {
   return fs::exists(folder / "codebook.json") || fs::exists(folder / "dataset_description.json");
 }
 
-void require_free(const fs::path& target, bool replace) {
-  const std::string name = target.string();
+void require_free(const fs::path& target, const FolderCheck& check) {
   if (!fs::exists(target)) {
     return;
   }
   if (!fs::is_directory(target)) {
-    throw InputError("--out: expected a folder, but " + name + " is a file");
+    throw InputError("--out: expected a folder, but " + target.string() + " is a file");
   }
-  if (fs::is_empty(target)) {
-    return;
+  if (!fs::is_empty(target)) {
+    check(target);
   }
-  if (!replace) {
-    throw InputError(name + ": holds files already and is not overwritten without --force");
-  }
-  if (!is_export(target)) {
-    throw InputError(name +
-                     ": expected an earlier export to overwrite, got a folder of other "
-                     "files, which --force leaves alone");
-  }
+}
+
+FolderCheck export_check(bool replace) {
+  return [replace](const fs::path& target) {
+    const std::string name = target.string();
+    if (!replace) {
+      throw InputError(name + ": holds files already and is not overwritten without --force");
+    }
+    if (!is_export(target)) {
+      throw InputError(name +
+                       ": expected an earlier export to overwrite, got a folder of other "
+                       "files, which --force leaves alone");
+    }
+  };
 }
 
 fs::path without_last_slash(const fs::path& path) {
@@ -47,8 +52,11 @@ fs::path without_last_slash(const fs::path& path) {
 }  // namespace
 
 WholeFolder::WholeFolder(const fs::path& target, bool replace)
+    : WholeFolder(target, export_check(replace)) {}
+
+WholeFolder::WholeFolder(const fs::path& target, const FolderCheck& check)
     : target_(without_last_slash(target)) {
-  require_free(target_, replace);
+  require_free(target_, check);
   std::error_code error;
   fs::create_directories(target_.parent_path(), error);
   std::string pattern = target_.string() + ".partial-XXXXXX";

@@ -6,14 +6,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 namespace impetus {
+
+/// Asked about a target that is a folder of files: throws InputError when that is to stay.
+using FolderCheck = std::function<void(const std::filesystem::path&)>;
 
 class WholeFolder {
  public:
   /// `target` must not exist, or be an empty folder; with `replace` it may be an earlier export.
   /// Throws InputError otherwise, or when the folder beside it cannot be made.
   WholeFolder(const std::filesystem::path& target, bool replace);
+  /// A target that holds files is replaced when `check` lets it be.
+  WholeFolder(const std::filesystem::path& target, const FolderCheck& check);
   ~WholeFolder();  ///< removes what was not put in place
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;

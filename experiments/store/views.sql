@@ -21,7 +21,7 @@ SELECT participant.pseudonym AS participant,
        rating.low_anchor AS low_anchor,
        rating.high_anchor AS high_anchor,
        rating.device AS device,
-       (rating.arrived_ns - rating.question_shown_ns) / 1e6 AS reaction_time_ms,
+       (rating.arrived_ns - rating.question_shown_ns) / 1e6 AS reaction_time_ms,  -- from question to rating
        attempt.intended_hold_ms AS intended_hold_ms,
        attempt.realised_hold_ms AS realised_hold_ms,
        attempt.timed_frames AS timed_frames,
@@ -70,7 +70,7 @@ SELECT participant.pseudonym AS participant,
        response.detail AS detail,
        response.device AS device,
        response.timed_out AS timed_out,
-       (response.arrived_ns - response.question_shown_ns) / 1e6 AS reaction_time_ms,
+       (response.arrived_ns - response.question_shown_ns) / 1e6 AS reaction_time_ms,  -- from question to answer
        attempt.realised_hold_ms AS realised_hold_ms,
        attempt.late_timed_frames AS late_timed_frames,
        attempt.sync_overridden AS sync_overridden
@@ -209,10 +209,10 @@ SELECT participant.pseudonym AS participant,
        trial.phase AS phase,
        trial.repetition AS repetition,
        trial.condition AS condition,
-       (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,
+       (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,  -- all of them
        (SELECT max(frame.shown_time_s) FROM frame WHERE frame.attempt_id = attempt.id)
-         AS exposure_s,
-       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms
+         AS exposure_s,  -- how much of the stimulus was shown; NULL: no frame was recorded
+       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms  -- NULL: none
 FROM attempt
 JOIN trial ON trial.id = attempt.trial_id
 JOIN enrolment ON enrolment.id = trial.enrolment_id
@@ -228,8 +228,8 @@ SELECT participant.pseudonym AS participant,
        trial.id AS trial,
        trial.phase AS phase,
        click.number AS number,
-       (click.arrived_ns - attempt.onset_ns) / 1e9 AS time_s,
-       click.arrival_uncertainty_ns / 1e6 AS uncertainty_ms,
+       (click.arrived_ns - attempt.onset_ns) / 1e9 AS time_s,  -- of the stimulus
+       click.arrival_uncertainty_ns / 1e6 AS uncertainty_ms,  -- may be this much earlier
        click.device AS device
 FROM click
 JOIN attempt ON attempt.id = click.attempt_id AND attempt.outcome = 'completed'
@@ -246,14 +246,14 @@ SELECT participant.pseudonym AS participant,
        trial.id AS trial,
        trial.phase AS phase,
        attempt.gaze_source AS gaze_source,
-       (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,
+       (gaze.taken_ns - attempt.onset_ns) / 1e9 AS time_s,  -- of the stimulus
        gaze.x_m AS x_m,
        gaze.y_m AS y_m,
        gaze.loss AS loss,
        coalesce(correction_x0_m + correction_xx * gaze.x_m + correction_xy * gaze.y_m, gaze.x_m)
-         AS corrected_x_m,
+         AS corrected_x_m,  -- right of the screen's centre, as a step used it
        coalesce(correction_y0_m + correction_yx * gaze.x_m + correction_yy * gaze.y_m, gaze.y_m)
-         AS corrected_y_m
+         AS corrected_y_m  -- above it
 FROM gaze
 JOIN attempt ON attempt.id = gaze.attempt_id AND attempt.outcome = 'completed'
 LEFT JOIN calibration ON calibration.id =
@@ -276,12 +276,12 @@ SELECT participant.pseudonym AS participant,
        step.step AS step,
        step.fixation_x_m AS fixation_x_m,
        step.fixation_y_m AS fixation_y_m,
-       step.fixation_age_ns / 1e6 AS fixation_age_ms,
+       step.fixation_age_ns / 1e6 AS fixation_age_ms,  -- of the sample used, at the step
        step.region_x_m AS region_x_m,
        step.region_y_m AS region_y_m,
        step.region_radius_deg AS region_radius_deg,
        step.shown_frame AS shown_frame,
-       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms
+       (shown.flipped_ns - step.fixation_taken_ns) / 1e6 AS sample_to_flip_ms  -- NULL: never shown
 FROM step
 JOIN attempt ON attempt.id = step.attempt_id AND attempt.outcome = 'completed'
 JOIN trial ON trial.id = attempt.trial_id
@@ -324,8 +324,8 @@ SELECT participant.pseudonym AS participant,
        frame.interval AS interval,
        frame.phase AS phase,
        frame.shown_time_s AS shown_time_s,
-       frame.scheduled_ns / 1e9 AS scheduled_s,
-       frame.flipped_ns / 1e9 AS flipped_s,
+       frame.scheduled_ns / 1e9 AS scheduled_s,  -- when the flip was due, of the monotonic clock
+       frame.flipped_ns / 1e9 AS flipped_s,  -- when it was on the screen, as far as known
        frame.missed_slots AS missed_slots,
        frame.patch AS code
 FROM frame
@@ -339,7 +339,9 @@ WHERE frame.patch IS NOT NULL;
 
 -- One row per trial and factor: the condition in long form. `level` keeps its type.
 CREATE VIEW trial_level AS
-SELECT trial.id AS trial, json_each.key AS factor, json_each.value AS level
+SELECT trial.id AS trial,
+       json_each.key AS factor,  -- its name in the design, with its unit
+       json_each.value AS level  -- number or text
 FROM trial, json_each(trial.condition);
 
 -- One row per participant and protocol: how far, how well timed.
@@ -351,18 +353,18 @@ SELECT participant.pseudonym AS participant,
        enrolment.planned_utc AS planned_utc,
        enrolment.finished_utc AS finished_utc,
        (SELECT count(*) FROM trial
-        WHERE trial.enrolment_id = enrolment.id AND trial.phase = 'main') AS planned_trials,
+        WHERE trial.enrolment_id = enrolment.id AND trial.phase = 'main') AS planned_trials,  -- main phase
        (SELECT count(*) FROM trial JOIN attempt ON attempt.trial_id = trial.id
         WHERE trial.enrolment_id = enrolment.id AND trial.phase = 'main'
-          AND attempt.outcome = 'completed') AS completed_trials,
-       (SELECT count(*) FROM session WHERE session.enrolment_id = enrolment.id) AS sessions,
+          AND attempt.outcome = 'completed') AS completed_trials,  -- main phase
+       (SELECT count(*) FROM session WHERE session.enrolment_id = enrolment.id) AS sessions,  -- sittings
        (SELECT sum(attempt.timed_frames) FROM trial JOIN attempt ON attempt.trial_id = trial.id
-        WHERE trial.enrolment_id = enrolment.id) AS timed_frames,
+        WHERE trial.enrolment_id = enrolment.id) AS timed_frames,  -- of all phases and attempts
        (SELECT sum(attempt.late_timed_frames)
         FROM trial JOIN attempt ON attempt.trial_id = trial.id
-        WHERE trial.enrolment_id = enrolment.id) AS late_timed_frames,
+        WHERE trial.enrolment_id = enrolment.id) AS late_timed_frames,  -- of these, shown late
        (SELECT max(session.sync_overridden) FROM session
-        WHERE session.enrolment_id = enrolment.id) AS sync_overridden
+        WHERE session.enrolment_id = enrolment.id) AS sync_overridden  -- 1: in a sitting
 FROM enrolment
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
@@ -392,8 +394,8 @@ SELECT participant.pseudonym AS participant,
        session.rounding_allowed AS rounding_allowed,
        session.sync_tries AS sync_tries,
        session.sync_valid_flips AS sync_valid_flips,
-       session.sync_mean_interval_ns / 1e6 AS sync_mean_interval_ms,
-       session.sync_sd_interval_ns / 1e6 AS sync_sd_interval_ms,
+       session.sync_mean_interval_ns / 1e6 AS sync_mean_interval_ms,  -- NULL: not measured
+       session.sync_sd_interval_ns / 1e6 AS sync_sd_interval_ms,  -- NULL: not measured
        session.sync_passed AS sync_passed,
        session.sync_overridden AS sync_overridden,
        session.gaze_source AS gaze_source,

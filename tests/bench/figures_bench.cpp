@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <utility>
 
 #include "experiments/protocol/scene_loading.hpp"
@@ -37,7 +38,7 @@ struct Measured {
 
 StagedScene staged_humanoids() {
   ShapeLibrary library;
-  const JsonDocument scene = load_scene(source_folder() / "stimuli/humanoids-in-a-cube.json");
+  const JsonDocument scene = load_scene(source_folder() + "/stimuli/humanoids-in-a-cube.json");
   return build_scene(scene.value, assumed_screen(), 0.0, library);
 }
 
@@ -100,7 +101,7 @@ void print(const char* name, const Measured& measured, const Measured& coarsest)
 
 void run(const BenchOptions& options) {
   const StagedScene scene = staged_humanoids();
-  const int steps = options.steps_of(options.quick ? kSteps / 10 : kSteps);
+  const int steps = options.steps_of(kSteps);
   std::printf("%zu figures, %zu parts, %d steps of %g Hz\n", scene.world.settings().figures.size(),
               scene.world.models().size(), steps, scene.step_hz);
   std::printf("%-24s %7s %7s %7s %8s %9s %9s %10s %9s %9s %9s\n", "", "ms", "p99", "longest",

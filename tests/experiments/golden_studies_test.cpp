@@ -22,6 +22,7 @@ constexpr Recording kRecordings[] = {
     {"causality-thresholds-quest", 21U},
     {"crowd", 7U},                   // trees of medial spheres, 50 and 100 creatures
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
+    {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
     {"scheduler-distribution", 7U},  // nobody takes part
 };

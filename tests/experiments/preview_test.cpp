@@ -326,7 +326,8 @@ TEST(SceneLoading, TheShippedScenesAreAccepted) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(source_folder()) / "stimuli")) {
     const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == ".json" && name.find("schema") == std::string::npos) {
+    if (entry.path().extension() == ".json" && name.find("schema") == std::string::npos &&
+        name != "humanoid.json") {  // a figure, which scenes name
       EXPECT_EQ(refusal([&] { load_scene(entry.path()); }), "accepted") << name;
     }
   }

@@ -25,6 +25,8 @@ TEST(JsonText, IsAsLongAsTenThousandBytesAndNoLonger) {
             "a.json:/a/1: expected at most 10000 bytes of text, got 10001");
   EXPECT_EQ(json_refusal("{\"" + std::string(10'001, 'x') + "\": 1}"),
             "a.json:/a key: expected at most 10000 bytes of text, got 10001");
+  // A mesh that a stored scene holds is no text.
+  EXPECT_EQ(json_refusal("{\"base64\": \"" + std::string(1'000'000, 'A') + "\"}"), "accepted");
 }
 
 TEST(JsonText, HasNoControlCharactersButLineBreaksAndTabs) {

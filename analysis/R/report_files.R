@@ -1,0 +1,100 @@
+# A study file as tables of CSV, and back: the report is made of these tables alone.
+#
+#   study.sqlite ─ documented views, one transaction ─> data/VIEW.csv, data/columns.csv
+#   data/ ─────────────────────────────────────────> a file with the same views, for the analysis
+#
+# So what was read is one state of the study, also while it is written to; and whoever has the folder
+# gets the same report from it. An empty cell is a value that is missing.
+# SPDX-License-Identifier: MIT
+
+# What is kept of each view: its columns, and which rows. Free words of participants are not data.
+kReportViews <- list(
+  enrolment_summary = list(), rated_trial = list(), trial_level = list(), excluded = list(),
+  trial_response = list(where = "kind <> 'free_text'"), interrupted_attempt = list(),
+  set_aside_attempt = list(), click_trial = list(), trial_click = list(),
+  seen_collision = list(columns = c("participant", "protocol", "trial", "phase", "step", "body_a",
+    "body_b", "level", "stopped", "imposed_hold_ms", "eccentricity_deg", "gap_arcmin",
+    "hidden_share", "time_s", "gaze_eccentricity_deg")),
+  popped_step = list(), gaze_calibration = list(), session_provenance = list())
+
+# Columns of words among those that a view computes; all others that it computes are numbers.
+kComputedWords <- c("trial_level.factor", "trial_level.level")
+
+# Writes the tables of the study at `path` to `folder`.
+write_report_data <- function(path, folder) {
+  study <- open_study(path, names(kReportViews))
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbExecute(study, "BEGIN")
+  columns <- do.call(rbind, lapply(names(kReportViews), function(view) {
+    write_view(study, view, folder)
+  }))
+  DBI::dbExecute(study, "COMMIT")
+  utils::write.csv(columns, file.path(folder, "columns.csv"), row.names = FALSE)
+  utils::write.csv(data.frame(study = basename(path),
+    read_utc = format(Sys.time(), "%Y-%m-%d %H:%M UTC", tz = "UTC")), file.path(folder, "study.csv"),
+    row.names = FALSE)
+  invisible(folder)
+}
+
+write_view <- function(study, view, folder) {
+  declared <- DBI::dbGetQuery(study, sprintf("SELECT name, type FROM pragma_table_info('%s')", view))
+  kept <- kReportViews[[view]]$columns
+  if (!is.null(kept)) declared <- declared[declared$name %in% kept, ]
+  name <- paste(view, declared$name, sep = ".")
+  type <- ifelse(declared$type != "", declared$type, ifelse(name %in% kComputedWords, "TEXT", "REAL"))
+  # A cast keeps an R column from taking the type of its first row.
+  ask <- sprintf("CAST(\"%s\" AS %s) AS \"%s\"", declared$name, type, declared$name)
+  where <- kReportViews[[view]]$where
+  rows <- DBI::dbGetQuery(study, sprintf("SELECT %s FROM %s%s", paste(ask, collapse = ", "), view,
+    if (is.null(where)) "" else paste(" WHERE", where)))
+  utils::write.csv(rows, file.path(folder, paste0(view, ".csv")), row.names = FALSE, na = "",
+    fileEncoding = "UTF-8")
+  data.frame(view = view, column = declared$name, type = type)
+}
+
+# The tables of an earlier report, as they are.
+copy_report_data <- function(from, to) {
+  if (!file.exists(file.path(from, "columns.csv"))) {
+    refuse(from, ": expected the data of a report, found no columns.csv in it")
+  }
+  file.copy(list.files(from, "[.]csv$", full.names = TRUE), to, overwrite = TRUE)
+}
+
+# A new study file with the views of `folder`, named as the study was; its path.
+study_of_report_data <- function(folder) {
+  columns <- utils::read.csv(file.path(folder, "columns.csv"))
+  name <- utils::read.csv(file.path(folder, "study.csv"), colClasses = "character")$study
+  path <- file.path(tempfile("study"), basename(name))
+  dir.create(dirname(path))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  for (view in unique(columns$view)) {
+    mine <- columns[columns$view == view, ]
+    class <- c(INTEGER = "numeric", REAL = "numeric", TEXT = "character")[mine$type]
+    rows <- utils::read.csv(file.path(folder, paste0(view, ".csv")), colClasses = unname(class),
+      na.strings = "", check.names = FALSE, encoding = "UTF-8")
+    DBI::dbWriteTable(study, paste0(view, "_rows"), rows,
+      field.types = stats::setNames(mine$type, mine$column))
+    DBI::dbExecute(study, sprintf("CREATE VIEW %s AS SELECT * FROM %s_rows", view, view))
+  }
+  DBI::dbExecute(study, kClickedTrialSql)
+  path
+}
+
+# Trials with clicks as other trials are described, from the rating of the same trial where there was
+# one: a protocol may ask for clicks alone.
+kClickedTrialSql <- "CREATE VIEW clicked_trial AS SELECT clicked.*,
+  coalesce(rated.protocol_hash, '') AS protocol_hash, coalesce(rated.catch, 0) AS catch,
+  CASE clicked.simulated WHEN 1 THEN 'simulated' ELSE 'mouse' END AS device,
+  coalesce(rated.timed_frames, 0) AS timed_frames,
+  coalesce(rated.late_timed_frames, 0) AS late_timed_frames,
+  coalesce(rated.sync_overridden, 0) AS sync_overridden, coalesce(rated.gaze_late, 0) AS gaze_late
+  FROM click_trial AS clicked LEFT JOIN rated_trial AS rated USING (trial)"
+
+# All rows of a view for one protocol.
+rows_of_view <- function(path, view, protocol) {
+  study <- open_study(path, view)
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbGetQuery(study, sprintf("SELECT * FROM %s WHERE protocol = ?", view),
+    params = list(protocol))
+}

@@ -1,0 +1,132 @@
+# What a protocol asked of its participants, found in the views alone: any protocol, any factors.
+#
+#   rated_trial ─────────────────────────────> a part "rating"      ordinal
+#   trial_response: yes_no, two_interval ────> "threshold"          a level chosen trial by trial, or
+#                                                                   four numbers or more
+#                                           └> "answer"             binary
+#   click_trial ─────────────────────────────> "clicks"             counts in a time
+#
+# A part is a study as read_studies gives it, with `response`, `factors` (every factor of the design
+# that varies, in columns of `trials`) and `noun`. Where a part cannot be read its `why` says it.
+# SPDX-License-Identifier: MIT
+
+kFewestThresholdLevels <- 4
+# Columns that models make themselves.
+kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file")
+
+protocols_of <- function(path) {
+  study <- open_study(path, "enrolment_summary")
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbGetQuery(study, "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol
+}
+
+# Every part of a protocol that has answers in the main phase, and list(why) of those refused.
+parts_of_protocol <- function(path, protocol) {
+  answers <- rows_of_view(path, "trial_response", protocol)
+  kinds <- unique(answers$kind[answers$phase == "main" & answers$kind %in% kThresholdKinds])
+  ratings <- rows_of_view(path, "rated_trial", protocol)
+  clicks <- rows_of_view(path, "click_trial", protocol)
+  parts <- c(
+    if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
+    lapply(kinds, function(kind) read_part(answer_part(path, protocol, kind))),
+    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol)))
+  )
+  Filter(Negate(is.null), parts)
+}
+
+# A refusal becomes list(why), for the page to say.
+read_part <- function(part) {
+  tryCatch(part, refusal = function(condition) list(why = conditionMessage(condition)))
+}
+
+rating_part <- function(path, protocol) {
+  part <- with_every_factor(read_trials(path, protocol, "rated_trial", "rated main trials"))
+  part$scale <- one_scale(rbind(part$trials[kScaleColumns], part$catch[kScaleColumns]))
+  part$response <- "rating"
+  with_factors_that_vary(keep_people_apart(part))
+}
+
+answer_part <- function(path, protocol, kind) {
+  part <- read_trials(path, protocol, "trial_response", "answered main trials",
+    where = sprintf("kind = '%s' AND positive IS NOT NULL AND timed_out = 0", kind))
+  part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+  part$kind <- kind
+  axis <- threshold_factor(part)
+  part$response <- if (is.null(axis)) "answer" else "threshold"
+  if (is.null(axis)) return(part)
+  part$factors <- c(level = axis, stats::setNames(nm = setdiff(part$factors, axis)))
+  levels <- as.numeric(as.character(part$trials[[axis]]))
+  part$log10 <- all(levels > 0) && max(levels) >= 10 * min(levels)
+  with_scale_and_condition(part, realised_hold = is_realised_hold(part$trials, axis, levels))
+}
+
+# The factor whose levels make a threshold: the one that tracks choose, or numbers of four levels or
+# more (the factor with the most); NULL where there is none.
+threshold_factor <- function(part) {
+  trials <- part$trials
+  numbers <- part$factors[vapply(part$factors, function(f) is_number(trials[[f]]), NA)]
+  tracked <- trials[!is.na(trials$track), ]
+  if (nrow(tracked) > 0) {
+    within <- vapply(numbers, function(f) {
+      each <- tapply(as.character(tracked[[f]]), paste(tracked$participant, tracked$track),
+        function(x) length(unique(x)))
+      mean(each > 1)
+    }, 0)
+    if (any(within > 0)) return(unname(numbers[which.max(within)]))
+  }
+  counts <- vapply(numbers, function(f) nlevels(droplevels(trials[[f]])), 0L)
+  if (length(counts) == 0 || max(counts) < kFewestThresholdLevels) return(NULL)
+  unname(numbers[which.max(counts)])
+}
+
+is_number <- function(factor) !anyNA(suppressWarnings(as.numeric(levels(droplevels(factor)))))
+
+# Is this factor the freeze, whose realised value is recorded? Whole frames are no more than 20 ms off.
+is_realised_hold <- function(trials, axis, levels) {
+  hold <- trials$realised_hold_ms
+  endsWith(axis, "_ms") && !anyNA(hold) && any(hold > 0) && all(abs(hold - levels) < 20)
+}
+
+click_part <- function(path, protocol) {
+  part <- read_trials(path, protocol, "clicked_trial", "main trials with clicks")
+  part$response <- "clicks"
+  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+}
+
+# A column for each factor of any main trial, under its own name or, where that is taken,
+# factor_NAME: R factors with their levels in rising order.
+with_every_factor <- function(part) {
+  key <- function(rows) paste(rows$path, rows$trial)
+  mine <- part$levels[key(part$levels) %in% key(part$trials), ]
+  taken <- c(names(part$trials), kTakenColumns)
+  names <- unique(mine$factor)
+  if (length(names) == 0) refuse(part$files[1], ": expected a design with factors, got none")
+  part$factors <- stats::setNames(ifelse(names %in% taken, paste0("factor_", names), names), names)
+  for (name in names) {
+    mine_too <- mine[mine$factor == name, ]
+    mine_too$factor <- part$factors[[name]]
+    part$trials[[part$factors[[name]]]] <- factor_of_trials(part$trials, mine_too,
+      part$factors[[name]])
+  }
+  part
+}
+
+# part$factors: the columns of those that vary, named by themselves; part$constant: of the others.
+with_factors_that_vary <- function(part) {
+  columns <- unname(part$factors)
+  part$trials[columns] <- lapply(part$trials[columns], droplevels)
+  vary <- varying_factors(part$trials, columns)
+  part$constant <- setdiff(columns, vary)
+  part$factors <- stats::setNames(nm = vary)
+  part
+}
+
+# "rating", "answer" or "trial": what there is one of in each row.
+noun_of <- function(part) switch(part$response, rating = "rating", clicks = "trial", "answer")
+
+# The title of a part's section.
+title_of_part <- function(part) {
+  switch(part$response, rating = "Ratings", clicks = "Clicks",
+    threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
+    answer = if (part$kind == "two_interval") "Choices of an interval" else "Answers yes or no")
+}

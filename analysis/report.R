@@ -1,0 +1,39 @@
+#!/usr/bin/env Rscript
+# The report of any study: one page with figures, models, their words and the methods section, and
+# beside it the data and the code to repeat it. `impetus report` runs this.
+#
+#   study.sqlite ─> OUT/data/*.csv ─> OUT/report.html, OUT/figures/, OUT/tables/
+#
+# In place of a study file it takes the data/ of an earlier report.
+# SPDX-License-Identifier: MIT
+
+kUsage <- "Rscript analysis/report.R study.sqlite --out report/"
+
+main <- function(words) {
+  arguments <- read_arguments(words, kUsage)
+  need_packages(kReportPackages)
+  if (length(arguments$studies) > 1) refuse("expected one study file; usage: ", kUsage)
+  prepare_folder(arguments$out)
+  data <- file.path(arguments$out, "data")
+  prepare_folder(data)
+  if (dir.exists(arguments$studies)) {
+    copy_report_data(arguments$studies, data)
+  } else {
+    write_report_data(arguments$studies, data)
+  }
+  write_study_report(arguments$out)
+  say_progress("wrote report.html, figures/ and tables/")
+}
+
+# The folder of this script, as Rscript was called with it ("~+~" is how it writes a space).
+own_folder <- function() {
+  script <- sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)[1])
+  dirname(gsub("~+~", " ", script, fixed = TRUE))
+}
+
+# UTF-8 letters and one order of sorting, whatever the machine is set to.
+invisible(suppressWarnings(Sys.setlocale("LC_ALL", "C.UTF-8")))
+for (file in list.files(file.path(own_folder(), "R"), "[.]R$", full.names = TRUE)) {
+  source(file, encoding = "UTF-8")
+}
+or_exit_2("report.R", main(commandArgs(trailingOnly = TRUE)))

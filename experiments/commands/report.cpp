@@ -1,0 +1,103 @@
+// `impetus report`: a study as a page of figures, statistics and words, with all it takes to repeat
+// them.
+//
+//   study ─> a folder beside, with the scripts built into the program ─ Rscript ─> report.html
+//         ─> renamed to --out, whole or not at all
+//
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/r_program.hpp"
+#include "experiments/exports/report_scripts.hpp"
+#include "experiments/exports/study_copy.hpp"
+#include "experiments/exports/whole_folder.hpp"
+#include "experiments/session/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  std::string study;
+  std::string out{"report"};
+};
+
+/// Throws InputError unless the folder is an earlier report and holds nothing else.
+void require_earlier_report(const fs::path& folder) {
+  static const std::set<std::string> kParts{"analysis", "data", "figures", "report.html", "tables"};
+  const std::string expected =
+      folder.string() + ": expected a new folder, an empty one or an earlier report, got one ";
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (kParts.count(name) == 0) {
+      throw InputError(expected + "that holds " + name);
+    }
+  }
+  if (!fs::exists(folder / "report.html")) {
+    throw InputError(expected + "without report.html");
+  }
+}
+
+/// The file that R reads: the study itself, or a copy of this schema where it is of an older one.
+fs::path readable_study(const std::string& study, const fs::path& folder) {
+  StudyFile file = StudyFile::open_for_reading(study);
+  const bool in_memory = file.database()
+                             .execAndGet("SELECT coalesce(file, '') = '' FROM pragma_database_list")
+                             .getInt();
+  if (!in_memory) {
+    return fs::absolute(study);
+  }
+  const fs::path copy = folder / "study" / fs::path(study).filename();
+  fs::create_directories(copy.parent_path());
+  write_study_copy(file, copy);
+  return copy;
+}
+
+int report(const ReportOptions& options) {
+  StudyFile::open_for_reading(options.study);  // refused before anything is made
+  WholeFolder folder(options.out, FolderCheck(require_earlier_report));
+  const fs::path script = write_report_scripts(folder.path());
+  const fs::path study = readable_study(options.study, folder.path());
+  const int status =
+      run_r_script({script.string(), study.string(), "--out", folder.path().string()});
+  fs::remove_all(folder.path() / "study");
+  if (status == kNoRscript) {
+    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
+  }
+  if (status == kCouldNotRun) {
+    return kCouldNotRun;  // R has said why, in one sentence
+  }
+  const fs::path page = fs::path(options.out) / "report.html";
+  if (status != 0 || !fs::exists(folder.path() / "report.html")) {
+    throw std::runtime_error(page.string() + ": not written, for R ended with status " +
+                             std::to_string(status));
+  }
+  folder.put_in_place();
+  std::printf("%s: open it in a browser; beside it figures, tables, data and the code to repeat\n",
+              page.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report",
+      "Figures, statistics and a methods section of a study, as a page to repeat (needs R)");
+  command->add_option("study", options->study, "Study file; it is not changed")->required();
+  command
+      ->add_option("--out", options->out,
+                   "The folder to write to: new, empty, or an earlier report, which it replaces")
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
+}
+
+}  // namespace impetus
