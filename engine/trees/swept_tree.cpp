@@ -3,8 +3,9 @@
 
 #include <variant>
 
+#include "engine/numerics/rounding.hpp"
+#include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/swept_mesh.hpp"
-#include "engine/trees/node_description.hpp"
 #include "engine/trees/volume_fits.hpp"
 
 namespace impetus {
@@ -81,17 +82,19 @@ std::optional<TreeSettings> finer_settings(const SweptLevels& levels,
 
 VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const SweptLevels& levels,
                       const TreeSettings& settings, const VolumeTree* finer) {
-  const NodeDescription description(solid);
-  const SurfacePart surface = whole_surface(solid);
   const std::vector<Vector3>& corners = solid.vertices;
   const double margin_m = kMargin * bounding_sphere(volume).radius_m;
   const Volume exact = grown_to_hold(volume, corners, margin_m);
   // No point of a volume with this radius about the core, or about the centre, is farther away.
   const double within_m = inner_radius_m(solid, volume);
+  const double solid_m3 = solid_of(solid, 1.0).volume_m3;
   Levels built;
   const auto add = [&](const Volume& whole) {
-    const double fit_error_m = cored(whole).radius_m - within_m;
-    built.add_alone(whole, description.of(whole, surface, fit_error_m));
+    NodeSurface surface;  // of a closed surface opposite sides cancel: it faces no way
+    surface.occupancy = static_cast<float>(solid_m3 / content_m3(whole));
+    surface.group = 0;
+    surface.fit_error_m = rounded_up(cored(whole).radius_m - within_m);
+    built.add_alone(whole, surface);
   };
   if (levels.sphere_first) {
     add(grown_to_hold(Volume(bounding_sphere(exact)), corners, margin_m));

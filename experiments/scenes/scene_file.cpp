@@ -122,28 +122,15 @@ void set_timing(const json& scene, StagedScene& staged) {
   }
 }
 
-}  // namespace
-
-const json& scene_schema() {
-  static const json schema = json::parse(kSceneSchemaText);
-  return schema;
-}
-
-const std::vector<FrameBoundValue>& frame_bound_values() {
-  static const std::vector<FrameBoundValue> values{{"/meeting/lead_s", 1.0, false},
-                                                   {"/imposed/contact_hold_ms", 1e-3, true}};
-  return values;
-}
-
-StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
-                        ShapeLibrary& library, const std::string& start, std::uint64_t seed,
-                        int deepest_level) {
+/// All but the coarser meshes of a crowd, which only drawing needs.
+StagedScene staged_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+                         ShapeLibrary& library, const std::string& start, std::uint64_t seed,
+                         int deepest_level) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const json& engine = scene["engine"];
   const json imposed = scene.value("imposed", json::object());
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library, deepest_level);
-  add_coarser_meshes(bodies.looks, library);
   const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
@@ -180,6 +167,28 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   return staged;
 }
 
+}  // namespace
+
+const json& scene_schema() {
+  static const json schema = json::parse(kSceneSchemaText);
+  return schema;
+}
+
+const std::vector<FrameBoundValue>& frame_bound_values() {
+  static const std::vector<FrameBoundValue> values{{"/meeting/lead_s", 1.0, false},
+                                                   {"/imposed/contact_hold_ms", 1e-3, true}};
+  return values;
+}
+
+StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+                        ShapeLibrary& library, const std::string& start, std::uint64_t seed,
+                        int deepest_level) {
+  StagedScene staged =
+      staged_scene(scene, screen, round_hold_to_hz, library, start, seed, deepest_level);
+  add_coarser_meshes(staged.looks, library);
+  return staged;
+}
+
 bool crowd_has_room(const json& scene) {
   constexpr int kRoot = 0;  // it holds the whole body
   ShapeLibrary library;
@@ -198,7 +207,8 @@ bool crowd_has_room(const json& scene) {
 
 StartingOverlaps starting_overlaps_of(const json& scene) {
   ShapeLibrary library;
-  const StagedScene staged = build_scene(scene, screen_for_checks(), 0.0, library);
+  const StagedScene staged = staged_scene(scene, screen_for_checks(), 0.0, library, "check",
+                                          /*seed=*/1, kGreatestTreeDepth);
   const World& world = staged.world;
   int coarsest = kUnlimitedLevel;
   for (const PriorityList& list : world.settings().schedule.lists) {

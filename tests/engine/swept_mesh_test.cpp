@@ -15,6 +15,7 @@
 #include "engine/shapes/swept_mesh.hpp"
 #include "engine/trees/build_tree.hpp"
 #include "engine/trees/coverage.hpp"
+#include "engine/trees/node_description.hpp"
 #include "engine/trees/swept_tree.hpp"
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/builders.hpp"
@@ -180,6 +181,18 @@ TEST_F(SweptTree, KeepsTheLevelsOfTheBuiltTree) {
     EXPECT_EQ(whole.surface(node), built.surface(node));
     EXPECT_EQ(bounding_sphere(whole.volume(node)).centre,
               bounding_sphere(built.volume(node)).centre);
+  }
+}
+
+// The sampled occupancy is within about .03 of the truth.
+TEST_F(SweptTree, DescribesItsNodesAsABuilderWould) {
+  const VolumeTree whole = tree({true, false}, {TreeKind::kOctree, 1});
+  const NodeDescription description(mesh_);
+  for (const std::int32_t node : {0, 1}) {
+    const NodeSurface sampled = description.of(whole.volume(node), whole_surface(mesh_));
+    EXPECT_NEAR(whole.surface(node).occupancy, sampled.occupancy, 0.03F);
+    EXPECT_LE(whole.surface(node).occupancy, 1.0F);
+    EXPECT_EQ(whole.surface(node).density_normal, sampled.density_normal);
   }
 }
 
