@@ -74,6 +74,7 @@ struct Approach {
   std::vector<BodyState> states;
   std::int64_t step{0};
   std::int64_t contact_step{0};  ///< when they meet at the finest level
+  bool hinged{false};            ///< alone they fly a little otherwise, and may meet a little later
 };
 
 std::vector<BodyState> states_of(const World& world, const std::vector<std::size_t>& bodies) {
@@ -84,7 +85,16 @@ std::vector<BodyState> states_of(const World& world, const std::vector<std::size
   return states;
 }
 
-/// From where both fly undisturbed until they meet: the onset, or what either met last.
+/// Whether hinges disturb either in every step.
+bool are_hinged(const World& world, const BodyPair& pair) {
+  const std::vector<Figure>& figures = world.settings().figures;
+  return std::any_of(figures.begin(), figures.end(), [&](const Figure& figure) {
+    return figure.has_part(pair.a) || figure.has_part(pair.b);
+  });
+}
+
+/// From where both fly undisturbed until they meet: the onset, or what either met last; parts of
+/// figures for the last step alone.
 Approach approach_to(const FirstCollision& first, World world, const StagedScene& scene) {
   Approach approach;
   approach.contact_step = first.step;
@@ -93,6 +103,7 @@ Approach approach_to(const FirstCollision& first, World world, const StagedScene
     approach.bodies.push_back(at(first.bodies.b));
   }
   approach.states = states_of(world, approach.bodies);
+  approach.hinged = are_hinged(world, first.bodies);
   for (std::int64_t step = 1; step < first.step; ++step) {
     const StepReport report = stepped(world, scene);
     const bool disturbed =
@@ -102,7 +113,7 @@ Approach approach_to(const FirstCollision& first, World world, const StagedScene
                       return pair.a == first.bodies.a || pair.b == first.bodies.a ||
                              pair.a == first.bodies.b || pair.b == first.bodies.b;
                     });
-    if (disturbed) {
+    if (disturbed || approach.hinged) {
       approach.states = states_of(world, approach.bodies);
       approach.step = step;
     }
@@ -227,7 +238,7 @@ LevelCollision at_level(const Approach& approach, const StagedScene& scene, int 
   StepReport report;
   std::int64_t step = approach.step;
   while (report.collisions.empty()) {
-    if (++step > approach.contact_step) {
+    if (++step > approach.contact_step + (approach.hinged ? aside : 0)) {
       throw std::logic_error("what touches at the finest level was apart at a coarser one");
     }
     report = stepped(world, scene);

@@ -5,10 +5,12 @@
 
 #include <set>
 
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/session/level_collision.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
+#include "tests/places/places.hpp"
 
 #ifdef IMPETUS_PROGRAM_HAS_WINDOW
 #include "tests/experiments/read_png.hpp"
@@ -90,6 +92,13 @@ TEST(CollisionByLevel, ABodyAloneMeetsAWall) {
   EXPECT_EQ(collision.bodies, std::vector<std::size_t>{0});
   EXPECT_GT(collision.levels[0].moments[kBeforeContact].velocities[0].x(), 0.0);
   EXPECT_LT(collision.levels[0].moments[kAfterContact].velocities[0].x(), 0.0);
+}
+
+TEST(CollisionByLevel, APartOfAFigureMeetsWhatItsHingesBringItTo) {
+  const JsonDocument scene = load_scene(source_folder() + "/stimuli/figure-and-bodies.json");
+  const CollisionByLevel collision = collision_by_level(built(scene.value));
+  EXPECT_EQ(collision.bodies.size(), 2U);
+  EXPECT_GE(collision.levels.size(), 2U);
 }
 
 TEST(CollisionByLevel, ASceneInWhichNothingTouchesIsRefused) {
