@@ -12,8 +12,6 @@
 namespace impetus {
 namespace {
 
-constexpr std::uint64_t kSeed = 71;
-
 TreeSettings voxels(int depth, int branching) { return {TreeKind::kVoxel, depth, branching}; }
 
 std::vector<BuiltSolid> solids() {
