@@ -28,6 +28,13 @@ void add_imposed_problems(const json& scene, Problems& problems) {
   }
 }
 
+void add_response_problem(const json& scene, Problems& problems) {
+  if (scene["engine"].value("response", std::string()) == std::string("together")) {
+    problems.push_back(
+        {"/engine/response", "expected \"in-turn\" where there are figures, got \"together\""});
+  }
+}
+
 void add_angle_problems(const json& entry, const json& figure, const std::string& place,
                         Problems& problems) {
   const json angles = entry.value("angles_deg", json::object());
@@ -138,6 +145,7 @@ bool has_figures(const json& scene) {
 
 void add_figure_problems(const json& scene, Problems& problems) {
   add_imposed_problems(scene, problems);
+  add_response_problem(scene, problems);
   std::set<std::string> checked;
   for (const FigureFile& named : figure_files_of(scene)) {
     if (!scene.contains("figure_files") || !scene["figure_files"].contains(named.file)) {

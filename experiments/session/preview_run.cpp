@@ -98,6 +98,9 @@ void PreviewRun::restart() {
 
 void PreviewRun::apply_settings() {
   World& world = scene_.world;
+  if (!world.settings().figures.empty()) {
+    settings_.response = ResponseMethod::kInTurn;  // figures have no other
+  }
   world.set_contacts(contacts_of(settings_));
   world.set_tunnelling(settings_.tunnelling);
   world.set_response(settings_.response);

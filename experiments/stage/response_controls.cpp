@@ -80,7 +80,7 @@ bool draw_contact_controls(PreviewSettings& settings) {
   panel_tooltip("Of what the reduction leaves, those that span most torque.");
   changed |= chosen_of("response", settings.response, kResponses,
                        "in-turn: contact by contact. together: all of an island at once, after "
-                       "which nothing approaches.");
+                       "which nothing approaches. Where there are figures: in turn alone.");
   changed |= chosen_of("fast bodies", settings.tunnelling, kTunnelling,
                        "Bodies that move further in a step than they are thick. ignored: they may "
                        "pass through. capped: only levels thicker than the way. stop-at-entry: "

@@ -212,6 +212,8 @@ TEST(FigureRefusals, ContentThatBreaksTheFiguresSchemaIsRefusedInAStoredScene) {
 TEST(FigureRefusals, NothingIsImposedOnFiguresAndNoneMeet) {
   EXPECT_EQ(refused("/imposed", {{"contact_hold_ms", 0}}),
             "/imposed/contact_hold_ms: expected none with figures");
+  EXPECT_EQ(refused("/engine/response", "together"),
+            "/engine/response: expected \"in-turn\" where there are figures, got \"together\"");
   EXPECT_EQ(refused("/imposed", {{"no_spin", true}}),
             "/imposed/no_spin: expected none with figures");
   json meeting = json::parse(shipped("stimuli/two-l-blocks.json"));
