@@ -103,9 +103,8 @@ bool World::is_capped_by_speed(BodyPair bodies) const {
     return false;
   }
   return settings_.tunnelling == Tunnelling::kCapped ||
-         (settings_.tunnelling == Tunnelling::kStopAtEntry && is_of_figure(bodies)) ||
          (settings_.tunnelling == Tunnelling::kStopAtEntry &&
-          memory_.entries.result.lacked_tests(bodies));
+          (is_of_figure(bodies) || memory_.entries.result.lacked_tests(bodies)));
 }
 
 int World::level_capped_by_speed(BodyPair bodies, double dt_s, int greatest_level) const {

@@ -92,7 +92,6 @@ void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& m
                     falls.empty() ? falls : falls.subspan(first, count), rotation,
                     std::span(states).subspan(first, count)};
   const int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
-  hinge_error_ = 0.0;
   for (int i = 0; i < motion_parts; ++i) {
     advance_part(parts, dt_s / motion_parts);
   }
@@ -130,7 +129,6 @@ void FigureMotion::arrive_together(const Parts& parts, double dt_s) {
     impulses_ = best_;
     arrive(parts, dt_s);
   }
-  hinge_error_ = std::max(hinge_error_, least);
 }
 
 double FigureMotion::arrive(const Parts& parts, double dt_s) {

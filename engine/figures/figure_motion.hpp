@@ -49,10 +49,6 @@ class FigureMotion {
   /// Leaves nothing moving across a hinge, whatever did before.
   void stop_across_hinges(std::span<BodyState> parts);
 
-  /// The largest mismatch of a hinge that the last step's iterations left: of anchors over the
-  /// figure's size, or of axes (radians).
-  [[nodiscard]] double hinge_error() const { return hinge_error_; }
-
  private:
   /// A figure's own, of all that the world has.
   struct Parts {
@@ -73,7 +69,6 @@ class FigureMotion {
   HingeSolver solver_;
   HingeSolver middle_;  ///< half way of a step: how impulses at its beginning change its end
   double size_m_{0.0};
-  double hinge_error_{0.0};
   std::vector<BodyState> start_;
   std::vector<BodyState> half_way_;
   std::vector<PartImpulse> impulses_;

@@ -106,12 +106,4 @@ const ResponseResult& Figures::respond(const std::vector<Figure>& figures,
                             {figures, motions_, figure_of_}, states);
 }
 
-double Figures::hinge_error() const {
-  double error = 0.0;
-  for (const FigureMotion& motion : motions_) {
-    error = std::max(error, motion.hinge_error());
-  }
-  return error;
-}
-
 }  // namespace impetus

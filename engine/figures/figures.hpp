@@ -52,9 +52,6 @@ class Figures {
                                 double dt_s, const std::vector<BodyModel>& models,
                                 const FiniteStates& finite, std::vector<BodyState>& states);
 
-  /// The largest mismatch of a hinge in the last step (FigureMotion::hinge_error).
-  [[nodiscard]] double hinge_error() const;
-
  private:
   [[nodiscard]] bool is_out(const Figure& figure, const FiniteStates& finite) const {
     return finite.is_out(static_cast<std::size_t>(figure.first_part));

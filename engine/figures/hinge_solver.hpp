@@ -23,8 +23,7 @@ namespace impetus {
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// An impulse on a part, or its momentum: linear (N s) and angular about the centre of mass (N m
-/// s).
+/// An impulse on a part, or its momentum: linear (N s), angular about its centre of mass (N m s).
 struct PartImpulse {
   Vector3 linear{Vector3::Zero()};
   Vector3 angular{Vector3::Zero()};
