@@ -111,8 +111,10 @@ kAnalysisWords <- c(
 
 analysis_words <- function(parts) {
   kinds <- unique(vapply(parts, `[[`, "", "response"))
-  c(unname(kAnalysisWords[kinds]),
-    "The unit of every test is the participant; p is corrected after Holm within each family.",
+  people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
+  c(if (length(people) < 2) "One participant's data are described; no test across participants was made." else c(
+    unname(kAnalysisWords[kinds]),
+    "The unit of every test is the participant; p is corrected after Holm within each family."),
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
 }
 

@@ -143,6 +143,8 @@ test_that("one participant is described, without a test", {
   report <- made_report(small_study(few_trials(34, participants = 1)))
   expect_says(report, "One participant: the figure and the means describe; no inferential test was made.",
     "No test was made.", "Mean rating by delay (ms): 0: ")
+  expect_says(report, "data are described; no test across participants was made")
+  expect_false(grepl("cumulative-link mixed models (logit link", report$page, fixed = TRUE))
 })
 
 test_that("ratings that are all equal are a clear sentence", {
