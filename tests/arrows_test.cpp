@@ -48,11 +48,12 @@ const std::vector<Room> kRooms = {
      {"JSON", "valijson"}},
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
+    {"experiments/power", {"experiments/session"}, {"SQLite"}},
     {"experiments/exports", {"experiments/store", "experiments/tables"}, {"JSON", "SQLite"}},
     {"experiments/stage", {"experiments/session"}, {"PNG", "window"}},
     {"experiments/commands",
      {"experiments/study", "experiments/stage", "experiments/trade", "experiments/timing",
-      "experiments/extremes", "experiments/exports"},
+      "experiments/extremes", "experiments/exports", "experiments/power"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
     {"experiments", {"experiments/commands"}, {"CLI"}},
 };

@@ -9,10 +9,10 @@
 kAnswerFamily <- "mixed model of answers, effects"
 kAnswerOddsFamily <- "mixed model of answers, odds ratios"
 
-answer_factor_tests <- function(trials, factors) {
+answer_factor_tests <- function(trials, factors, tested = factors) {
   reason <- why_no_answer_model(trials, factors)
   if (!is.null(reason)) return(outcome(remarks = reason))
-  fit_each_factor(trials, factors, function(factor) {
+  fit_each_factor(trials, tested, function(factor) {
     models <- fit_answer_family(trials, factors, factor)
     if (!is.null(models$failure)) {
       return(list(models = models, tests = outcome(remarks = models$remarks)))

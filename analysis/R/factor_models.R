@@ -10,12 +10,12 @@
 # SPDX-License-Identifier: MIT
 
 # Ratings: likelihood-ratio tests and odds ratios of each factor, as an outcome with `models` (by
-# factor) and `trials` as they were fitted.
-rating_factor_tests <- function(trials, factors) {
+# factor) and `trials` as they were fitted. `tested`: those of the factors that are.
+rating_factor_tests <- function(trials, factors, tested = factors) {
   reason <- why_no_mixed_model(trials, factors)
   if (!is.null(reason)) return(outcome(remarks = reason))
   trials$rating <- factor(trials$rating, ordered = TRUE)
-  fit_each_factor(trials, factors, function(factor) {
+  fit_each_factor(trials, tested, function(factor) {
     models <- fit_family_or_fall_back(trials, factors, factor, tested = factor,
       kind = paste("mixed model for the test of", factor))
     list(models = models, tests = mixed_model_outcome(models, trials, factor))
@@ -23,11 +23,11 @@ rating_factor_tests <- function(trials, factors) {
 }
 
 # Clicks: the same with counts; rate ratios.
-click_factor_tests <- function(trials, factors) {
+click_factor_tests <- function(trials, factors, tested = factors) {
   known <- trials_with_exposure(trials)
   reason <- why_no_factor_of_clicks(known, factors)
   if (!is.null(reason)) return(outcome(remarks = reason))
-  fit_each_factor(known, factors, function(factor) {
+  fit_each_factor(known, tested, function(factor) {
     models <- fit_count_family(known, factors, factor, paste("mixed model of clicks, for the test of",
       factor), slope_of = factor)
     if (!is.null(models$failure)) return(list(models = models, tests = outcome(remarks = models$remarks)))

@@ -24,6 +24,7 @@ void add_exclude(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_extremes(CLI::App& app, Command& chosen);
 void add_merge(CLI::App& app, Command& chosen);
+void add_power(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_report(CLI::App& app, Command& chosen);

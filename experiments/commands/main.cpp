@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
   impetus::add_merge(app, chosen);
+  impetus::add_power(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_report(app, chosen);

@@ -14,7 +14,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/r_program.hpp"
-#include "experiments/exports/report_scripts.hpp"
+#include "experiments/exports/r_scripts.hpp"
 #include "experiments/exports/study_copy.hpp"
 #include "experiments/exports/whole_folder.hpp"
 #include "experiments/session/input_error.hpp"
@@ -63,7 +63,7 @@ fs::path readable_study(const std::string& study, const fs::path& folder) {
 int report(const ReportOptions& options) {
   StudyFile::open_for_reading(options.study);  // refused before anything is made
   WholeFolder folder(options.out, FolderCheck(require_earlier_report));
-  const fs::path script = write_report_scripts(folder.path());
+  const fs::path script = write_r_scripts(folder.path(), {"report.R"}) / "report.R";
   const fs::path study = readable_study(options.study, folder.path());
   const int status =
       run_r_script({script.string(), study.string(), "--out", folder.path().string()});

@@ -5,21 +5,16 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <utility>
 
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
-#include "experiments/commands/patch_corner.hpp"
-#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/run_part.hpp"
 #include "experiments/commands/simulated_group.hpp"
 #include "experiments/commands/unattended_run.hpp"
-#include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
-#include "experiments/protocol/protocol_scene_checks.hpp"
-#include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/study/stored_plan.hpp"
 
@@ -82,34 +77,6 @@ Text part_done(std::size_t part, std::size_t parts) {
       {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
 }
 
-ScreenCorner photodiode_corner(const RunOptions& options) {
-  if (options.simulated() && !options.show) {
-    throw InputError(
-        "--photodiode: expected a window to draw in; with --observer, give --show too");
-  }
-  return patch_corner("--photodiode", options.photodiode);
-}
-
-RunPart part_from(const std::filesystem::path& file, const std::string& observer,
-                  const RunOptions& options) {
-  RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
-  if (!observer.empty()) {
-    part.lab.observer = load_observer(observer, file);
-    check_observer(part.protocol, *part.lab.observer);
-  }
-  part.lab.show = options.show;
-  part.lab.screen_file = options.screen_file;
-  part.lab.window_size = options.window_size;
-  if (!options.photodiode.empty()) {
-    part.lab.photodiode = photodiode_corner(options);
-  }
-  const bool group = options.participants > 0;
-  plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
-           options.seed.value_or(1));
-  check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
-  return part;
-}
-
 std::vector<RunPart> parts_from(const Series& series, const RunOptions& options) {
   const std::size_t count = series.protocols.size();
   std::vector<RunPart> parts;
@@ -130,18 +97,6 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
     }
   }
   return parts;
-}
-
-void build_shapes(const RunPart& part) {
-  ProgressLine line("building the bodies");
-  part.shapes->tell([&line](double share) { line.tell(share); });
-  ProtocolScenes(part.protocol, 0.0, part.shapes).build_shapes(expected_screen(part.lab));
-  part.shapes->tell({});
-}
-
-void solve_what_is_asked(RunPart& part) {
-  ProgressLine line("solving what the plan needs");
-  part.solved = solve(part.protocol, *part.shapes, [&line](double share) { line.tell(share); });
 }
 
 /// One participant goes through the parts that are not finished, before one window.

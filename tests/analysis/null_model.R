@@ -24,25 +24,11 @@ null_trials <- function(seed, participants = 20, slope_sd = kNullSlopeSd) {
   plan
 }
 
-# p of a factor's effect in a repeated-measures ANOVA of `means` (participants by levels), corrected
-# after Greenhouse and Geisser (1959): with a complete design it is the main effect of the whole
-# factorial ANOVA, at a thousandth of its cost. epsilon = tr(S)^2 / ((k - 1) tr(S S)), S the
-# covariance of orthonormal contrasts.
-null_anova_p <- function(means) {
-  n <- nrow(means)
-  df <- ncol(means) - 1
-  contrasts <- means %*% qr.Q(qr(stats::contr.helmert(ncol(means))))
-  covariance <- stats::cov(contrasts)
-  F <- n * sum(colMeans(contrasts)^2) / sum(diag(covariance))
-  epsilon <- sum(diag(covariance))^2 / (df * sum(covariance^2))
-  stats::pf(F, df * epsilon, df * (n - 1) * epsilon, lower.tail = FALSE)
-}
-
 # One row: seed, p of the ANOVA on participants' means and of the pooled one over trials.
 null_means_row <- function(seed) {
   trials <- null_trials(seed)
   pooled <- stats::anova(stats::lm(rating ~ delay_ms, trials))
-  data.frame(seed = seed, anova_p = null_anova_p(participant_means(trials, "delay_ms")),
+  data.frame(seed = seed, anova_p = greenhouse_geisser_p(participant_means(trials, "delay_ms")),
     pooled_p = pooled[["Pr(>F)"]][1])
 }
 

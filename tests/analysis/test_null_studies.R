@@ -11,7 +11,7 @@ test_that("the quick ANOVA is the analysis's own main effect, Greenhouse and Gei
   for (seed in 1:3) {
     trials <- null_trials(seed)
     own <- repeated_measures_tests(trials, "delay_ms")$rows
-    expect_equal(null_anova_p(participant_means(trials, "delay_ms")), own$p, tolerance = 1e-6)
+    expect_equal(greenhouse_geisser_p(participant_means(trials, "delay_ms")), own$p, tolerance = 1e-6)
   }
 })
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "experiments/exports/report_scripts.hpp"
+#include "experiments/exports/r_scripts.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
@@ -96,7 +96,8 @@ TEST_F(ReportCommand, PassesOnWhyRRefusesAndLeavesNothingBehind) {
 
 TEST(ReportScripts, AreThoseOfTheRepository) {
   const TemporaryFolder folder;
-  const std::filesystem::path script = write_report_scripts(folder.path());
+  const std::filesystem::path script =
+      write_r_scripts(folder.path(), {"report.R"}) / "report.R";
   const std::filesystem::path source = std::filesystem::path(source_folder()) / "analysis";
   EXPECT_EQ(text_of(script), text_of(source / "report.R"));
   EXPECT_EQ(names_in(script.parent_path() / "R"), names_in(source / "R"));

@@ -1,0 +1,157 @@
+# A power analysis as one page of HTML, its figure and its table.
+#
+#   ledger ─> rates ─> power.html, power.svg, power.pdf, power.csv
+#
+# SPDX-License-Identifier: MIT
+
+write_power_page <- function(path, folder) {
+  ledger <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(ledger))
+  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  question <- power_question(ledger)
+  rates <- power_rates(ledger)
+  figure <- power_figure(rates, question)
+  svg <- write_column_figure(figure, file.path(folder, "power"))
+  write_table(rates, file.path(folder, "power.csv"))
+  writeLines(enc2utf8(power_page(ledger, question, rates, figure, svg)),
+    file.path(folder, "power.html"), useBytes = TRUE)
+  say(power_lines(rates))
+}
+
+# What the command says at its end: a line for each factor.
+power_lines <- function(rates) {
+  planted <- rates[rates$effect == 1, ]
+  vapply(unique(planted$factor), function(factor) {
+    mine <- planted[planted$factor == factor, ]
+    paste0(factor, ": ", paste(sprintf("%d participants %s", mine$participants,
+      rate_words(mine$rate, mine$low, mine$high)), collapse = "; "))
+  }, "")
+}
+
+power_page <- function(ledger, question, rates, figure, svg) {
+  title <- paste("Power of", question$protocol)
+  c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
+    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
+    "<body>", sprintf("<h1>%s</h1>", html_text(title)),
+    paste0("<p class=\"simulated\">SIMULATED: everything here follows from an observer model and its",
+      " assumptions, listed below. People may differ from it.</p>"),
+    html_paragraphs(c(paste(power_answers(rates), collapse = " "), type_one_words(rates))),
+    "<figure>", inline_svg(svg, "power", figure$caption),
+    sprintf("<figcaption>%s</figcaption>", html_text(figure$caption)), "</figure>",
+    "<h2>Rates</h2>", html_table(rates_shown(rates), kRatesHeads),
+    untested_lines(ledger),
+    "<h2>Method, in words</h2>", html_paragraphs(power_method(ledger, question, rates)),
+    "<h2>What was assumed of participants</h2>", html_table(assumptions_of(ledger, "observer"),
+      c("Parameter", "Value", "Unit", "Source")),
+    null_lines(ledger, question),
+    "<h2>How to repeat</h2>", html_paragraphs(power_repeat_words(ledger)), "</body>", "</html>")
+}
+
+# For each factor the least number whose power is .8 beyond Monte-Carlo error, or that none is.
+power_answers <- function(rates) {
+  planted <- rates[rates$effect == 1, ]
+  vapply(unique(planted$factor), function(factor) {
+    mine <- planted[planted$factor == factor, ]
+    enough <- mine[mine$low >= kWantedPower, ]
+    if (nrow(enough) == 0) {
+      best <- mine[nrow(mine), ]
+      return(sprintf(paste("The test of %s reaches a power of .8 at none of these numbers beyond",
+        "Monte-Carlo error; with %d participants it rejects in %s of %s."), name_and_unit(factor),
+        best$participants, rate_words(best$rate, best$low, best$high),
+        count_of(best$studies, "study")))
+    }
+    sprintf(paste("Of these numbers of participants, %d is the least at which the test of %s has a",
+      "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], name_and_unit(factor),
+      rate_words(enough$rate[1], enough$low[1], enough$high[1]))
+  }, "")
+}
+
+type_one_words <- function(rates) {
+  none <- rates[rates$effect == 0, ]
+  if (nrow(none) == 0) return("The type-I error was not simulated.")
+  off <- none[none$alone_low > kSignificance | none$alone_high < kSignificance, ]
+  of_all <- sprintf("With the effect set to zero, %d tests at %s were simulated",
+    sum(none$studies), count_of(nrow(none), "combination"))
+  of_all <- paste(of_all, "of factor and number of participants.")
+  if (nrow(off) == 0) {
+    return(paste(of_all, "At every one the interval of the type-I error holds .05."))
+  }
+  paste(of_all, sprintf("The interval of the type-I error does not hold .05 for %s.",
+    paste(sprintf("%s with %d participants (%s)", vapply(off$factor, name_and_unit, ""),
+      off$participants, rate_words(off$alone_rate, off$alone_low, off$alone_high)),
+      collapse = "; ")),
+    "Of many such intervals one in twenty misses by chance.")
+}
+
+kRatesHeads <- c("Factor", "Effect", "Participants", "Studies", "Rejects after Holm [95 %]",
+  "p < .05 alone [95 %]")
+
+rates_shown <- function(rates) {
+  data.frame(factor = vapply(rates$factor, label_of, ""),
+    effect = ifelse(rates$effect == 1, "as planted", "set to zero"),
+    participants = rates$participants, studies = rates$studies,
+    holm = rate_words(rates$rate, rates$low, rates$high),
+    alone = rate_words(rates$alone_rate, rates$alone_low, rates$alone_high))
+}
+
+# Why tests were not made, as often as they were not.
+untested_lines <- function(ledger) {
+  rows <- DBI::dbGetQuery(ledger, paste("SELECT factor, participants, remark, count(*) AS studies",
+    "FROM test WHERE p IS NULL GROUP BY factor, participants, remark ORDER BY 1, 2, 4 DESC"))
+  if (nrow(rows) == 0) return(NULL)
+  c("<h4>Tests that could not be made; they count as not rejecting</h4>",
+    html_table(rows, c("Factor", "Participants", "Why", "Studies")))
+}
+
+power_method <- function(ledger, question, rates) {
+  builds <- DBI::dbGetQuery(ledger, "SELECT DISTINCT build FROM study")$build
+  methods <- DBI::dbGetQuery(ledger, "SELECT DISTINCT method FROM test WHERE p IS NOT NULL")$method
+  counts <- unique(range(rates$studies[rates$effect == 1]))
+  paste0(
+    "Power was estimated by simulation: ", paste(counts, collapse = " to "), " whole studies of the",
+    " protocol ", question$protocol, " (hash ", substr(question$protocol_hash, 1, 16), ") with each of ",
+    and_words(as.character(sort(unique(rates$participants)))), " participants were run through the",
+    " platform itself: every session's plan, its trials' physics and the observer's answers to what",
+    " was shown. Studies of fewer participants are the first of those of more, so the points of",
+    " a curve depend on each other. Each study was tested as its report would: ", paste(methods,
+      collapse = "; or "), ", of ", switch(question$response, rating = "ratings",
+      clicks = "clicks per second", "answers"),
+    if (length(question$compared) > 0) sprintf(", in trials of %s %s and %s alone",
+      plain_name(question$compared[1]), question$compared[2], question$compared[3]), ". ",
+    if (power_family_size(rates) > 1) "Tests were corrected after Holm over the factors tested. ",
+    "Intervals are exact binomial ones over studies. Simulated by ", paste(builds, collapse = "; "),
+    ".")
+}
+
+# The parameters of an observer, as its file gives them.
+assumptions_of <- function(ledger, column) {
+  DBI::dbGetQuery(ledger, sprintf(paste("SELECT key AS parameter,",
+    "json_extract(each.value, '$.value') AS value, json_extract(each.value, '$.unit') AS unit,",
+    "json_extract(each.value, '$.source') AS source",
+    "FROM question, json_each(%s, '$.parameters') AS each"), column))
+}
+
+# What the observer of the studies without an effect has otherwise.
+null_lines <- function(ledger, question) {
+  if (question$null_observer == "") return(NULL)
+  planted <- assumptions_of(ledger, "observer")
+  none <- assumptions_of(ledger, "null_observer")
+  same <- paste(none$parameter, none$value) %in% paste(planted$parameter, planted$value)
+  changed <- none[!same, ]
+  html_paragraphs(if (nrow(changed) == 0) "Without the effect: the same participant." else
+    sprintf("Without the effect: %s; the rest as above.", paste(sprintf("%s %s", changed$parameter,
+      format_number(changed$value)), collapse = ", ")))
+}
+
+power_repeat_words <- function(ledger) {
+  seed <- DBI::dbGetQuery(ledger, paste("SELECT seed, participants FROM study WHERE effect = 1",
+    "ORDER BY number, participants LIMIT 1"))
+  c(sprintf(paste("`power.sqlite` holds every simulated study's seed and the p of each test. Any one",
+    "of them is simulated again, to be looked at or replayed, by `impetus run PROTOCOL --observer FILE",
+    "--participants %d --seed %s --db study.sqlite`."), seed$participants[1],
+    format(seed$seed[1], scientific = FALSE)),
+    paste("The same `impetus power` command goes on where this one ended, with more studies or",
+      "more numbers of participants if it is given them."))
+}

@@ -1,0 +1,158 @@
+# The tests of simulated studies, for a power analysis: those that the report of a real one makes.
+#
+#   study file ─> its part (ratings, answers, clicks) ─> its first N participants ─> p of each factor
+#
+#   model "means"   repeated-measures ANOVA of participants' means, Greenhouse–Geisser: the cheap one
+#         "mixed"   the mixed model of the response with the factor's slope for each participant
+#
+# Participants of a simulated study are S01, S02, ...; the study of N of them is the first N, so that
+# one simulation serves all sizes.
+# SPDX-License-Identifier: MIT
+
+power_packages <- function(model) {
+  c("RSQLite", "ggplot2", if (model == "mixed") c("ordinal", "lme4", "glmmTMB"))
+}
+
+# What a ledger asks, as a list; `factors` and `compared` as words.
+power_question <- function(ledger) {
+  question <- as.list(DBI::dbGetQuery(ledger, "SELECT * FROM question"))
+  for (list in c("factors", "compared")) {
+    question[[list]] <- DBI::dbGetQuery(ledger,
+      sprintf("SELECT value FROM question, json_each(%s) ORDER BY key", list))$value
+  }
+  question
+}
+
+# The part of a simulated study that the question is about.
+power_part <- function(path, question) {
+  part <- switch(question$response,
+    rating = rating_part(path, question$protocol),
+    clicks = click_part(with_clicked_trials(path), question$protocol),
+    answer = answer_part(path, question$protocol, answer_kind(path, question$protocol)))
+  with_levels_compared(with_click_rate(part), question$compared)
+}
+
+# Simulated studies are thrown away, so the view may be made in the file itself.
+with_clicked_trials <- function(path) {
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  on.exit(DBI::dbDisconnect(study))
+  DBI::dbExecute(study, kClickedTrialSql)
+  path
+}
+
+answer_kind <- function(path, protocol) {
+  answers <- rows_of_view(path, "trial_response", protocol)
+  intersect(kThresholdKinds, answers$kind)[1]
+}
+
+# Only the trials of two levels of a factor, where the question compares those.
+with_levels_compared <- function(part, compared) {
+  if (length(compared) == 0) return(part)
+  column <- part$factors[compared[1]]
+  if (is.na(column)) column <- compared[1]
+  part$trials <- part$trials[as.character(part$trials[[column]]) %in% compared[2:3], ]
+  part$trials[part$factors] <- lapply(part$trials[part$factors], droplevels)
+  part
+}
+
+# The part with the first `count` participants of a simulated study.
+first_participants <- function(part, count) {
+  number <- as.integer(sub("^S", "", as.character(part$trials$participant)))
+  part$trials <- part$trials[number <= count, ]
+  part
+}
+
+# One row per factor tested: factor, p (NA: no test could be made), method, remark.
+power_tests <- function(part, question) {
+  tested <- if (length(question$compared) > 0) question$compared[1] else
+    if (length(question$factors) > 0) question$factors else
+      if (part$response == "threshold") part$split else unname(part$factors)
+  if (length(tested) == 0) {
+    refuse(part$files[1], ": expected a factor between whose levels the ", part$response,
+      "s can be compared, got none")
+  }
+  rows <- if (part$response == "threshold") power_tests_of_thresholds(part, tested, question) else
+    if (question$model == "mixed") power_tests_of_models(part, tested) else
+      power_tests_of_means(part$trials, tested, measure_name(part))
+  do.call(rbind, rows)
+}
+
+power_row <- function(factor, p, method, remark = "") {
+  data.frame(factor = factor, p = p, method = method,
+    remark = if (is.na(p) && remark == "") "nothing varies" else remark)
+}
+
+measure_name <- function(part) switch(part$response, rating = "rating", clicks = "click_rate",
+  "positive")
+
+power_tests_of_means <- function(trials, tested, of) {
+  lapply(tested, function(factor) {
+    method <- "repeated-measures ANOVA of participants' means, Greenhouse–Geisser"
+    if (is.null(trials[[factor]])) return(power_row(factor, NA, method, "no such factor varies"))
+    trials[[factor]] <- droplevels(trials[[factor]])
+    means <- complete_participants(participant_means(trials, factor, of))
+    if (nrow(means) < 2 || ncol(means) < 2) {
+      return(power_row(factor, NA, method, "fewer than two participants with every level"))
+    }
+    power_row(factor, greenhouse_geisser_p(means), method)
+  })
+}
+
+power_tests_of_models <- function(part, tested) {
+  factors <- varying_factors(part$trials, unname(part$factors))
+  fit <- switch(part$response, rating = rating_factor_tests, clicks = click_factor_tests,
+    answer = answer_factor_tests)
+  result <- suppressMessages(fit(part$trials, factors, intersect(tested, factors)))
+  family <- response_families(part$response)
+  lapply(tested, function(factor) {
+    row <- result$rows[result$rows$family == family$effects & result$rows$effect == factor, ]
+    if (is.null(result$rows) || nrow(row) == 0) {
+      return(power_row(factor, NA, family$model, paste(c(result$remarks, "no test was made")[1])))
+    }
+    power_row(factor, row$p, row$method)
+  })
+}
+
+# Thresholds of each participant and condition, without intervals, as means are tested.
+power_tests_of_thresholds <- function(part, tested, question) {
+  if (question$model == "mixed") {
+    refuse("--model mixed: no mixed model tests thresholds between conditions; take --model means")
+  }
+  rows <- psychometric_functions(part, draws = 0)$rows
+  rows <- rows[rows$use, ]
+  result <- power_tests_of_means(rows, tested, "threshold")
+  lapply(result, function(row) {
+    row$method <- sub("participants' means", "participants' thresholds", row$method)
+    row
+  })
+}
+
+# Tests the studies listed in a table of files, and writes all that is found in one transaction.
+write_power_tests <- function(ledger_path, list_path) {
+  ledger <- DBI::dbConnect(RSQLite::SQLite(), ledger_path)
+  on.exit(DBI::dbDisconnect(ledger))
+  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  question <- power_question(ledger)
+  studies <- utils::read.delim(list_path, colClasses = c(file = "character", sizes = "character",
+    build = "character"))
+  found <- lapply(seq_len(nrow(studies)), function(i) {
+    study <- studies[i, ]
+    part <- power_part(file.path(dirname(list_path), study$file), question)
+    lapply(as.integer(strsplit(study$sizes, ",")[[1]]), function(size) {
+      key <- data.frame(effect = study$effect, number = study$number, participants = size)
+      list(
+        study = cbind(key, seed = study$seed, build = study$build, simulated_s = study$simulated_s),
+        test = cbind(key, power_tests(first_participants(part, size), question)))
+    })
+  })
+  found <- unlist(found, recursive = FALSE)
+  DBI::dbExecute(ledger, "BEGIN IMMEDIATE")
+  for (table in c("study", "test")) {
+    rows <- do.call(rbind, lapply(found, `[[`, table))
+    names <- names(rows)
+    DBI::dbExecute(ledger, sprintf("INSERT OR IGNORE INTO %s (%s) VALUES (%s)", table,
+      paste(names, collapse = ", "), paste0(":", names, collapse = ", ")), params = as.list(rows))
+  }
+  DBI::dbExecute(ledger, "COMMIT")
+  invisible(NULL)
+}

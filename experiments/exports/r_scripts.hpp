@@ -1,0 +1,16 @@
+// The scripts of analysis/ that commands run, as built into the program.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace impetus {
+
+/// Writes the scripts of these names ("report.R") and the functions that all of them share (R/) to
+/// `folder`/analysis; returns that. Throws StoreError when one cannot be written.
+std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
+                                      const std::set<std::string>& names);
+
+}  // namespace impetus
