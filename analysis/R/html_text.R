@@ -70,7 +70,7 @@ html_table <- function(rows, heads = names(rows)) {
   known <- !vapply(rows, function(column) all(is.na(column)), NA)
   rows <- rows[known]
   heads <- heads[known]
-  if (!is.null(rows$p) && is.numeric(rows$p)) rows$p <- p_cell(rows$p)
+  if (is.numeric(rows[["p"]])) rows$p <- p_cell(rows[["p"]])  # `$p` would find "participants"
   number <- vapply(rows, is.numeric, NA)
   class <- ifelse(number, " class=\"number\"", "")
   cells <- mapply(function(column, is_number, class) {

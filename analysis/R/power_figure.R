@@ -25,8 +25,8 @@ power_figure <- function(rates, question) {
     ggplot2::scale_shape_manual(NULL, values = kPowerShapes, labels = labels, drop = TRUE) +
     ggplot2::scale_x_continuous("Participants", breaks = sort(unique(shown$participants)),
       expand = ggplot2::expansion(mult = 0.08)) +
-    ggplot2::scale_y_continuous("Share of studies that reject", breaks = c(0, 0.05, 0.2, 0.4, 0.6, 0.8, 1),
-      labels = c("0", ".05", ".2", ".4", ".6", ".8", "1"), limits = c(0, 1)) +
+    ggplot2::scale_y_continuous("Share of studies that reject", breaks = c(0.05, 0.2, 0.4, 0.6, 0.8, 1),
+      labels = c(".05", ".2", ".4", ".6", ".8", "1"), limits = c(0, 1)) +
     ggplot2::facet_wrap("factor", ncol = 2) + column_theme() +
     ggplot2::theme(legend.position = "bottom")
   list(name = "power", plot = plot, caption = power_caption(rates, question),

@@ -58,9 +58,8 @@ power_answers <- function(rates) {
     if (nrow(enough) == 0) {
       best <- mine[nrow(mine), ]
       return(sprintf(paste("The test of %s reaches a power of .8 at none of these numbers beyond",
-        "Monte-Carlo error; with %d participants it rejects in %s of %s."), name_and_unit(factor),
-        best$participants, rate_words(best$rate, best$low, best$high),
-        count_of(best$studies, "study")))
+        "Monte-Carlo error; with %d participants it rejects in %s of the studies."),
+        name_and_unit(factor), best$participants, rate_words(best$rate, best$low, best$high)))
     }
     sprintf(paste("Of these numbers of participants, %d is the least at which the test of %s has a",
       "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], name_and_unit(factor),
@@ -72,13 +71,13 @@ type_one_words <- function(rates) {
   none <- rates[rates$effect == 0, ]
   if (nrow(none) == 0) return("The type-I error was not simulated.")
   off <- none[none$alone_low > kSignificance | none$alone_high < kSignificance, ]
-  of_all <- sprintf("With the effect set to zero, %d tests at %s were simulated",
-    sum(none$studies), count_of(nrow(none), "combination"))
-  of_all <- paste(of_all, "of factor and number of participants.")
+  of_all <- sprintf("With the effect set to zero, p was below .05 in %s of %s tests;",
+    format(sum(none$alone), big.mark = ","), format(sum(none$studies), big.mark = ","))
+  each <- "each factor and number of participants"
   if (nrow(off) == 0) {
-    return(paste(of_all, "At every one the interval of the type-I error holds .05."))
+    return(paste(of_all, "the interval of the type-I error holds .05 for", paste0(each, ".")))
   }
-  paste(of_all, sprintf("The interval of the type-I error does not hold .05 for %s.",
+  paste(of_all, sprintf("the interval of the type-I error does not hold .05 for %s.",
     paste(sprintf("%s with %d participants (%s)", vapply(off$factor, name_and_unit, ""),
       off$participants, rate_words(off$alone_rate, off$alone_low, off$alone_high)),
       collapse = "; ")),

@@ -94,7 +94,7 @@ TEST_F(ReportCommand, PassesOnWhyRRefusesAndLeavesNothingBehind) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST(ReportScripts, AreThoseOfTheRepository) {
+TEST(RScripts, AreThoseOfTheRepository) {
   const TemporaryFolder folder;
   const std::filesystem::path script =
       write_r_scripts(folder.path(), {"report.R"}) / "report.R";
