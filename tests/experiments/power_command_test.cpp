@@ -38,9 +38,9 @@ TEST(PowerCommand, RefusesWhatTheProtocolDoesNotHave) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
-  expect_power_refused(causality({"--response", "clicks"}),
-                       "--response: expected what " + file +
-                           " asks for ([\"rating\"]), got clicks");
+  expect_power_refused(
+      causality({"--response", "clicks"}),
+      "--response: expected what " + file + " asks for ([\"rating\"]), got clicks");
   expect_power_refused(causality({"--factor", "colour"}),
                        "--factor: expected a factor of " + file +
                            " (delay_ms, speed_deg_s, viewpoint_deg), got colour");
@@ -55,10 +55,9 @@ TEST(PowerCommand, RefusesWhatTheProtocolDoesNotHave) {
 }
 
 TEST(PowerCommand, RefusesAProtocolThatNobodyTakesPartIn) {
-  expect_power_refused(
-      power_of("scheduler-distribution.json", {"--observer", "causality"}),
-      protocol_file("scheduler-distribution.json") +
-          ": expected a protocol with participants, got one without");
+  expect_power_refused(power_of("scheduler-distribution.json", {"--observer", "causality"}),
+                       protocol_file("scheduler-distribution.json") +
+                           ": expected a protocol with participants, got one without");
 }
 
 TEST(PowerCommand, RefusesAnObserverWhoCannotDoWhatIsAsked) {

@@ -126,8 +126,8 @@ TEST_F(PowerLedgerTest, RefusesAnotherQuestionAndNamesWhatDiffers) {
     change(question);
     return refusal([&] { const PowerLedger ledger(path(), question); });
   };
-  const std::string expected = path().string() +
-                               ": expected a ledger of the same question, got one of another ";
+  const std::string expected =
+      path().string() + ": expected a ledger of the same question, got one of another ";
   EXPECT_EQ(refused([](PowerQuestion& one) { one.observer = "[]"; }),
             expected + "observer; give another --out");
   EXPECT_EQ(refused([](PowerQuestion& one) { one.model = "mixed"; }),
@@ -139,8 +139,9 @@ TEST_F(PowerLedgerTest, RefusesAnotherQuestionAndNamesWhatDiffers) {
 
 TEST_F(PowerLedgerTest, RefusesAFileThatIsNoLedger) {
   folder_.write("power.sqlite", "a diary");
-  EXPECT_NE(refusal([&] { const PowerLedger ledger(path(), a_question()); })
-                .find("expected a ledger of a power analysis that can be written"),
+  EXPECT_NE(refusal([&] {
+              const PowerLedger ledger(path(), a_question());
+            }).find("expected a ledger of a power analysis that can be written"),
             std::string::npos);
   SQLite::Database other((folder_ / "other.sqlite").string(),
                          SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);

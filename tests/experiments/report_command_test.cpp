@@ -96,8 +96,7 @@ TEST_F(ReportCommand, PassesOnWhyRRefusesAndLeavesNothingBehind) {
 
 TEST(RScripts, AreThoseOfTheRepository) {
   const TemporaryFolder folder;
-  const std::filesystem::path script =
-      write_r_scripts(folder.path(), {"report.R"}) / "report.R";
+  const std::filesystem::path script = write_r_scripts(folder.path(), {"report.R"}) / "report.R";
   const std::filesystem::path source = std::filesystem::path(source_folder()) / "analysis";
   EXPECT_EQ(text_of(script), text_of(source / "report.R"));
   EXPECT_EQ(names_in(script.parent_path() / "R"), names_in(source / "R"));
