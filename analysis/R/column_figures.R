@@ -72,10 +72,12 @@ pair_plot <- function(part, pair, measure) {
   count <- nlevels(droplevels(trials[[pair[2]]]))
   if (count > kMostLines) return(NULL)
   mean <- means_with_intervals(trials, pair, measure$of)
-  mean$level <- factor(mean[[pair[2]]], levels(droplevels(trials[[pair[2]]])))
-  mean$x <- position_on_axis(trials, pair[1], mean[[pair[1]]])
-  mean$x <- mean$x + (as.integer(mean$level) - (count + 1) / 2) * 0.09 * smallest_step(mean$x)
-  ggplot2::ggplot(mean, ggplot2::aes(x, mean, colour = level, shape = level)) +
+  series <- factor(mean[[pair[2]]], levels(droplevels(trials[[pair[2]]])))
+  at <- position_on_axis(trials, pair[1], mean[[pair[1]]])
+  # Apart from the factors, of which one may be called anything, such as level.
+  shown <- data.frame(series, mean = mean$mean, low = mean$low, high = mean$high,
+    x = at + (as.integer(series) - (count + 1) / 2) * 0.09 * smallest_step(at))
+  ggplot2::ggplot(shown, ggplot2::aes(x, mean, colour = series, shape = series)) +
     ggplot2::geom_line(linewidth = 0.4) +
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.6, na.rm = TRUE,
       show.legend = FALSE) +

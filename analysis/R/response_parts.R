@@ -12,7 +12,8 @@
 
 kFewestThresholdLevels <- 4
 # Columns that models make themselves.
-kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file")
+kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file", "cell", "mean",
+  "low", "high", "positive", "click_rate")
 
 protocols_of <- function(path) {
   study <- open_study(path, "enrolment_summary")

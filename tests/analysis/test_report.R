@@ -94,6 +94,24 @@ test_that("the report's tables hold what the views hold, and give it back", {
     c("007", "NA"))
 })
 
+test_that("a figure of two factors shows every cell, also where a factor is called level or mean", {
+  trials <- gap_trials(71, participants = 4, repetitions = 1)
+  trials$mean <- trials$speed_percent
+  trials$speed_percent <- NULL
+  path <- small_study(trials, protocol = "gap")
+  part <- parts_of_protocol(path, "gap")[[1]]
+  expect_setequal(part$factors, c("level", "viewpoint_deg", "factor_mean"))
+  expect_no_warning(figures <- figures_of_part(part))
+  for (figure in figures) {
+    for (layer in seq_along(figure$plot$layers)) {
+      expect_no_warning(drawn <- ggplot2::layer_data(figure$plot, layer))
+      expect_true(all(is.finite(drawn$x)), info = figure$name)
+    }
+    points <- ggplot2::layer_data(figure$plot, length(figure$plot$layers))
+    expect_equal(nrow(points), if (grepl("-and-", figure$name)) 9 else 3, info = figure$name)
+  }
+})
+
 test_that("a factorial study of ratings is recognised and reported whole", {
   trials <- few_trials(32, participants = 5, speeds = c(5, 15))
   trials$late_timed_frames <- ifelse(trials$participant == "P02" & trials$delay_ms == 0, 2, 0)
