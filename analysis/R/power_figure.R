@@ -17,7 +17,7 @@ power_figure <- function(rates, question) {
   plot <- ggplot2::ggplot(shown, ggplot2::aes(participants, rate, colour = series, shape = series)) +
     ggplot2::geom_hline(yintercept = c(kSignificance, kWantedPower), linewidth = 0.25,
       linetype = "22", colour = "grey55") +
-    ggplot2::geom_line(linewidth = 0.4) +
+    (if (length(unique(shown$participants)) > 1) ggplot2::geom_line(linewidth = 0.4)) +
     ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.7,
       show.legend = FALSE) +
     ggplot2::geom_point(size = 1.5) +

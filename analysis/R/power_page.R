@@ -114,7 +114,7 @@ power_method <- function(ledger, question, rates) {
     and_words(as.character(sort(unique(rates$participants)))), " participants were run through the",
     " platform itself: every session's plan, its trials' physics and the observer's answers to what",
     " was shown. Studies of fewer participants are the first of those of more, so the points of",
-    " a curve depend on each other. Each study was tested as its report would: ", paste(methods,
+    " a curve depend on each other. Each study was tested as a report of it does: ", paste(methods,
       collapse = "; or "), ", of ", switch(question$response, rating = "ratings",
       clicks = "clicks per second", "answers"),
     if (length(question$compared) > 0) sprintf(", in trials of %s %s and %s alone",
