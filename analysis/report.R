@@ -21,6 +21,7 @@ main <- function(words) {
   } else {
     write_report_data(arguments$studies, data)
   }
+  need_packages(packages_for_data(data))
   write_study_report(arguments$out)
   say_progress("wrote report.html, figures/ and tables/")
 }

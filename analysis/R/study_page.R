@@ -4,7 +4,12 @@
 #         ─> report.html, figures/*.svg, *.pdf, tables/*.csv
 # SPDX-License-Identifier: MIT
 
-kReportPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2", "glmmTMB")
+kReportPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
+
+# Those that the data in folder/data need beside: the models of clicks have a package of their own.
+packages_for_data <- function(data) {
+  if (nrow(utils::read.csv(file.path(data, "click_trial.csv"), nrows = 1)) > 0) "glmmTMB"
+}
 
 kPageStyle <- "
 body { font: 16px/1.5 'Source Sans 3', 'Segoe UI', 'Noto Sans', Arial, sans-serif; color: #1b1b1b;

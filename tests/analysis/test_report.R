@@ -277,3 +277,10 @@ test_that("what is no study and no data is refused in one sentence", {
   result <- run_script("report.R", tempdir(), "--out", new_folder())
   expect_match(result$stderr, "expected the data of a report, found no columns.csv in it")
 })
+
+test_that("only a study with clicks needs the package of their models", {
+  expect_null(packages_for_data(data_folder_of(small_study(few_trials(1, 2)))))
+  clicked <- write_gaze_study(tempfile(fileext = ".sqlite"), few_gaze_trials(1, 2))
+  expect_equal(packages_for_data(data_folder_of(clicked)), "glmmTMB")
+  expect_silent(need_packages(NULL))
+})
