@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
-#include <utility>
 
 #include "experiments/power/embedded_ledger.hpp"
 #include "experiments/power/process_mark.hpp"
@@ -142,7 +141,7 @@ void visit_missing(const PowerRequest& request, const DoneStudies& done, const V
           cell.sizes.push_back(size);
         }
       }
-      if (!cell.sizes.empty() && !visit(std::move(cell))) {
+      if (!cell.sizes.empty() && !visit(cell)) {
         return;
       }
     }
@@ -175,9 +174,9 @@ std::vector<PowerCell> PowerLedger::take(const PowerRequest& request, std::size_
   SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
   const DoneStudies taken = taken_cells(database_);
   std::vector<PowerCell> cells;
-  visit_missing(request, done_studies(database_), [&](PowerCell cell) {
+  visit_missing(request, done_studies(database_), [&](const PowerCell& cell) {
     if (taken.count({cell.number, 0, cell.effect}) == 0) {
-      cells.push_back(std::move(cell));
+      cells.push_back(cell);
     }
     return cells.size() < most;
   });
