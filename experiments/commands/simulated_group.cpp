@@ -91,7 +91,9 @@ class SimulatedGroup {
       }
       participant.run([&] { tell_saved(participant.planned_trials()); });
     }
-    finished_before_ += turn.owns_lock() ? 1 : 0;
+    if (turn.owns_lock()) {  // else another has the turn, and may count itself now
+      ++finished_before_;
+    }
   }
 
   bool finished(const RunPart& part, const std::string& participant) {
