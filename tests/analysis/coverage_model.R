@@ -209,6 +209,58 @@ coverage_gains_row <- function(seed, participants = 10) {
   each <- do.call(rbind, lapply(seq_len(participants), function(i) {
     click_gains(record_of(clicking_participant(bad[i], good[i], 0.1)))$gains
   }))
-  limits <- function(gain) t_interval(each[, gain])[2:3]
+  limits <- function(gain) as.list(t_interval(each[, gain])[c("low", "high")])
   data.frame(seed = seed, bad = limits("bad"), difference = limits("difference"))
 }
+
+# One row: limits of one participant's threshold, 110 ms, from 15 trials at each of seven delays,
+# spread 45 ms, lapse .02: answers yes or no with the guess rate fitted, and two intervals.
+kCoverageThresholdMs <- 110
+coverage_function_row <- function(seed) {
+  x <- rep(c(0, 33.333, 66.667, 100, 150, 200, 300), each = 15)
+  limits <- function(guess) {
+    set.seed(seed)
+    trials <- data.frame(participant = "P01", condition_of = "all", x = x,
+      positive = answers_at(x, kCoverageThresholdMs, 45, guess = if (is.null(guess)) 0 else guess))
+    one_function(trials, guess, kBootstrapDraws)$row[c("low", "high")]
+  }
+  data.frame(seed = seed, yes_no = limits(NULL), two_interval = limits(0.5))
+}
+
+# One row: limits of the mean threshold of 10 participants, 56 trials at seven gaps each, log10
+# thresholds N(1, .1), spread .2. `lapsed`: guesses .03 and lapses .02, as synthetic_thresholds.R
+# has them, and the interval over participants beside; `pure`: neither, as the hierarchical model
+# assumes.
+kCoverageGapArcmin <- 10
+coverage_threshold_means_row <- function(seed, participants = 10) {
+  study_of <- function(guess, lapse) {
+    set.seed(seed)
+    plan <- shuffled_plan(participants, expand.grid(gap_arcmin = kGapLevelsArcmin,
+      repetition = 1:8))
+    plan$x <- log10(plan$gap_arcmin)
+    own <- rnorm(participants, log10(kCoverageGapArcmin), 0.1)[factor(plan$participant)]
+    plan$positive <- answers_at(plan$x, own, 0.2, guess, lapse)
+    plan$condition_of <- factor("all")
+    list(trials = plan, split = character(), log10 = TRUE, axis = "gap_arcmin", kind = "yes_no")
+  }
+  wald <- function(study) {
+    rows <- hierarchical_thresholds(study)$rows
+    if (is.null(rows)) return(list(low = NA, high = NA))
+    list(low = rows$interval_low, high = rows$interval_high)
+  }
+  lapsed <- study_of(0.03, 0.02)
+  means <- threshold_means(lapsed, psychometric_functions(lapsed, draws = 0)$rows)
+  data.frame(seed = seed, t = means[c("low", "high")], lapsed = wald(lapsed),
+    pure = wald(study_of(0, 0)))
+}
+
+# The tables: how many studies each has, and how a row is made.
+kCoverageTables <- list(
+  means = list(studies = 2000, row_of = coverage_means_row),
+  odds = list(studies = 100, row_of = coverage_odds_row),
+  ratios = list(studies = 100, row_of = coverage_ratios_row),
+  bootstrap = list(studies = 1000, row_of = coverage_bootstrap_row),
+  gains = list(studies = 300, row_of = coverage_gains_row),
+  functions = list(studies = 100, row_of = coverage_function_row),
+  threshold_means = list(studies = 100, row_of = coverage_threshold_means_row)
+)
