@@ -257,9 +257,9 @@ coverage_threshold_means_row <- function(seed, participants = 10) {
 # The tables: how many studies each has, and how a row is made.
 kCoverageTables <- list(
   means = list(studies = 2000, row_of = coverage_means_row),
-  odds = list(studies = 100, row_of = coverage_odds_row),
+  odds = list(studies = 200, row_of = coverage_odds_row),
   ratios = list(studies = 100, row_of = coverage_ratios_row),
-  bootstrap = list(studies = 1000, row_of = coverage_bootstrap_row),
+  bootstrap = list(studies = 400, row_of = coverage_bootstrap_row),
   gains = list(studies = 300, row_of = coverage_gains_row),
   functions = list(studies = 100, row_of = coverage_function_row),
   threshold_means = list(studies = 100, row_of = coverage_threshold_means_row)

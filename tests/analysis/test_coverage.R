@@ -42,14 +42,15 @@ test_that("the integrated truths are those of many participants", {
 })
 
 test_that("the committed tables are those of their seeds", {
-  for (name in names(kCoverageTables)) {
-    expect_equal(coverage_table(name)$seed, seq_len(kCoverageTables[[name]]$studies), info = name)
-  }
   again <- function(name, seeds) for (seed in seeds) {
     expect_equal(unlist(kCoverageTables[[name]]$row_of(seed)),
       unlist(coverage_table(name)[seed, ]), tolerance = 1e-5, info = paste(name, seed))
   }
-  again("means", c(1, 77, kCoverageTables$means$studies))
+  for (name in names(kCoverageTables)) {
+    rows <- coverage_table(name)
+    expect_equal(rows$seed, seq_len(nrow(rows)), info = name)
+  }
+  again("means", c(1, 77, nrow(coverage_table("means"))))
   again("bootstrap", 2)
   again("gains", 3)
 })
@@ -66,4 +67,40 @@ test_that("t intervals over participants, and bars of compound symmetry, hold .9
   expect_true(all(rates$rate >= 0.93 & rates$rate <= 0.97), info = coverage_lines(rates))
   equivalence <- rates_of("means", "equivalence")$rate
   expect_true(equivalence >= 0.88 && equivalence <= 0.92)  # of .90
+})
+
+test_that("intervals of eta squared, of nominal .90, hold .87 to .93", {
+  rates <- rates_of("means", c("eta_between", "eta_even", "eta_sloped"))
+  expect_true(all(rates$rate >= 0.87 & rates$rate <= 0.93), info = coverage_lines(rates))
+})
+
+test_that("bars are for comparisons that differ equally between participants, and for no others", {
+  rates <- rates_of("means", c("bar_population", "bar_sloped_100", "bar_sloped_300"))
+  expect_lt(rates$rate_high[1], 0.93)
+  expect_gt(rates$rate_low[2], 0.97)
+  # Wide enough by chance: the errors of a trial's rating are a large share of each mean.
+  expect_true(rates$rate[3] >= 0.90 && rates$rate[3] <= 0.97)
+})
+
+# Fewer studies say less: what they show is not outside .93 to .97.
+expect_no_contradiction <- function(rates) {
+  expect_true(all(rates$rate_low <= 0.97 & rates$rate_high >= 0.93), info = coverage_lines(rates))
+}
+
+test_that("odds ratios, rate ratios and gains do not contradict .93 to .97", {
+  expect_gte(min(coverage_rates(folder)$studies[coverage_rates(folder)$table == "odds"]), 100)
+  expect_no_contradiction(rates_of("odds", c("100", "300")))
+  expect_no_contradiction(rates_of("gains", c("bad", "difference")))
+})
+
+test_that("the costly rows come out again (slow)", {
+  skip_if_not(run_slow, "--slow not given")
+  for (name in c("odds", "ratios", "functions", "threshold_means")) {
+    row <- kCoverageTables[[name]]$row_of(1)
+    numbers <- names(row)[vapply(row, is.numeric, NA)]
+    expect_equal(unlist(row[numbers]), unlist(coverage_table(name)[1, numbers]),
+      tolerance = 0.01, info = name)  # an optimiser's end
+  }
+  means <- coverage_table("means")
+  expect_equal(do.call(rbind, lapply(means$seed, coverage_means_row)), means)
 })
