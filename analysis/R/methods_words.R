@@ -95,19 +95,22 @@ kAnalysisWords <- c(
   rating = paste("Ratings were analysed with cumulative-link mixed models (logit link, Laplace",
     "approximation), each factor in a model with all factors as fixed effects and an intercept and a",
     "slope of that factor for each participant (an intercept alone where that did not converge),",
-    "tested by likelihood ratio; odds ratios have 95 % Wald intervals. Beside them stand a",
-    "repeated-measures ANOVA of participants' cell means (Greenhouse–Geisser correction, generalised",
-    "η²), Friedman's test, and equivalence tests (two one-sided t tests)."),
+    "tested by likelihood ratio; odds ratios have 95 % Wald intervals, which are too narrow for few",
+    "participants. Beside them stand a repeated-measures ANOVA of participants' cell means",
+    "(Greenhouse–Geisser correction, generalised η²), Friedman's test, and equivalence tests (two",
+    "one-sided t tests)."),
   answer = paste("Answers were analysed with binomial mixed models (logit link), each factor in a",
     "model with an intercept and a slope of that factor for each participant, tested by likelihood",
-    "ratio, and with a repeated-measures ANOVA of participants' shares."),
+    "ratio (odds ratios with 95 % Wald intervals, too narrow for few participants), and with a",
+    "repeated-measures ANOVA of participants' shares."),
   threshold = paste("A cumulative normal was fitted to each participant's answers in each condition",
     "by maximum likelihood, with a lapse rate; intervals are by parametric bootstrap. A hierarchical",
     "probit mixed model of all answers stands beside."),
   clicks = paste("Numbers of clicks were analysed with negative-binomial mixed models, the log of the",
     "exposure as offset (Poisson where that did not converge), each factor in a model with a slope of",
-    "its own. Where collisions of the coarsest level stood beside finer ones, the click rate was",
-    "regressed on the events before it."))
+    "its own; rate ratios have 95 % Wald intervals, which are too narrow for few participants. Where",
+    "collisions of the coarsest level stood beside finer ones, the click rate was regressed on the",
+    "events before it."))
 
 analysis_words <- function(parts) {
   kinds <- unique(vapply(parts, `[[`, "", "response"))

@@ -71,12 +71,33 @@ saturated_log_likelihood <- function(data) binomial_log_likelihood(data, data$po
 
 # Draws from a fit at the levels that were shown, each fitted again: threshold, spread, deviance as
 # columns, NA where a draw has no rise. A parametric bootstrap; uses the random numbers as they are.
+# Each draw starts at its own best place of a grid: started at `fit`, a draw from a steep function
+# would never leave it, for the likelihood is flat between two levels, and the interval would vanish.
 bootstrap_psychometric <- function(data, fit, guess, draws) {
   p <- psychometric_p(data$x, fit)
+  grid <- starting_grid(data, fit, guess)
   t(replicate(draws, {
     drawn <- data
     drawn$positive <- stats::rbinom(nrow(data), data$n, p)
-    again <- fit_psychometric(drawn, guess, start = fit)
+    again <- fit_psychometric(drawn, guess, start = best_start(grid, drawn))
     if (is.null(again)) c(NA, NA, NA) else c(again$threshold, again$spread, again$deviance)
   }))
+}
+
+# Functions all over the levels shown, and `fit`: list(points, log_p, log_q), a row for each function
+# and in log_p and log_q, of its p and 1 - p, a column for each level.
+starting_grid <- function(data, fit, guess) {
+  range <- diff(range(data$x))
+  points <- expand.grid(threshold = seq(min(data$x), max(data$x), length.out = 31),
+    spread = range * c(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8), lapse = c(0, 0.02, 0.05),
+    guess = if (is.null(guess)) c(0, 0.1, 0.25) else guess)
+  points <- rbind(as.data.frame(fit[names(points)]), points)
+  p <- vapply(data$x, function(x) psychometric_p(x, points), numeric(nrow(points)))
+  p <- pmin(pmax(p, 1e-9), 1 - 1e-9)
+  list(points = points, log_p = log(p), log_q = log1p(-p))
+}
+
+best_start <- function(grid, data) {
+  log_likelihood <- grid$log_p %*% data$positive + grid$log_q %*% (data$n - data$positive)
+  as.list(grid$points[which.max(log_likelihood), ])
 }

@@ -79,7 +79,8 @@ hierarchical_thresholds <- function(study) {
     if (!is.null(fit$value) && !any(poor) && lme4::fixef(fit$value)[["centred"]] > 0) {
       return(outcome(hierarchical_rows(study, fit$value, trials, random),
         c(remarks, paste("The hierarchical model has no lapses, no guesses but the two intervals'",
-          "and one slope for all conditions, so its thresholds differ from the functions'."))))
+          "and one slope for all conditions, so its thresholds differ from the functions', and its",
+          "Wald intervals do not allow for that."))))
     }
     remarks <- c(remarks, sprintf("The hierarchical model with %s was not fitted: %s.", random,
       if (is.null(fit$value)) first_words(fit$complaints) else

@@ -18,18 +18,7 @@ invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
 source(file.path(root, "tests/analysis/synthetic_study.R"))
 source(file.path(root, "tests/analysis/null_model.R"))
-
-# Adds the rows of seeds 1 to `count` that the file lacks, one by one; all rows.
-complete_table <- function(path, count, row_of) {
-  done <- if (file.exists(path)) read.csv(path)$seed
-  for (seed in setdiff(seq_len(count), done)) {
-    row <- row_of(seed)
-    row[] <- lapply(row, function(x) if (is.numeric(x)) signif(x, 6) else x)
-    write.table(row, path, sep = ",", append = file.exists(path), col.names = !file.exists(path),
-      row.names = FALSE)
-  }
-  read.csv(path)
-}
+source(file.path(root, "tests/analysis/seed_table.R"))
 
 folder <- file.path(root, "tests/analysis")
 means <- complete_table(file.path(folder, "null_studies.csv"), count_after("--means", 2000),

@@ -34,6 +34,25 @@ test_that("planted thresholds lie within two bootstrap standard errors nine time
   expect_gte(mean(inside), 0.72)
 })
 
+test_that("draws from a steep function are fitted as well as from many starts, and differ", {
+  # Two intervals, 15 trials a level: the best function is a step between 100 and 150 ms, where the
+  # likelihood is flat, so a search from there goes nowhere.
+  data <- data.frame(x = kDelaysTestedMs, n = 15, positive = c(7, 10, 8, 7, 15, 14, 14))
+  fit <- fit_psychometric(data, 0.5)
+  expect_lt(fit$spread, 2)
+  set.seed(511)
+  draws <- bootstrap_psychometric(data, fit, 0.5, 12)
+  expect_gt(diff(range(draws[, 1])), 30)
+  set.seed(511)
+  p <- psychometric_p(data$x, fit)
+  thorough <- replicate(12, {
+    drawn <- data
+    drawn$positive <- rbinom(nrow(data), data$n, p)
+    fit_psychometric(drawn, 0.5)$deviance
+  })
+  expect_lt(max(draws[, 3] - thorough), 0.05)  # a percent of 1.96 squared, which moves no limit
+})
+
 test_that("two intervals: the threshold comes back with the guess rate fixed at one half", {
   set.seed(503)
   x <- rep(kDelaysTestedMs, each = 20)
