@@ -89,7 +89,20 @@ expect_no_contradiction <- function(rates) {
   expect_true(all(rates$rate_low <= 0.97 & rates$rate_high >= 0.93), info = coverage_lines(rates))
 }
 
-test_that("odds ratios, rate ratios and gains do not contradict .93 to .97", {
+test_that("the bootstrap over participants holds .93 to .97", {
+  rates <- coverage_rates(folder)
+  rates <- rates[rates$table == "bootstrap", ]
+  expect_equal(rates$studies, c(400, 400))
+  expect_true(all(rates$rate >= 0.93 & rates$rate <= 0.97), info = coverage_lines(rates))
+})
+
+test_that("odds ratios, rate ratios, thresholds and gains do not contradict .93 to .97", {
+  for (table in c("ratios", "functions", "threshold_means")) {
+    rates <- coverage_rates(folder)
+    rates <- rates[rates$table == table, ]
+    expect_gte(min(rates$studies), 100)
+    expect_no_contradiction(rates)
+  }
   expect_gte(min(coverage_rates(folder)$studies[coverage_rates(folder)$table == "odds"]), 100)
   expect_no_contradiction(rates_of("odds", c("100", "300")))
   expect_no_contradiction(rates_of("gains", c("bad", "difference")))
