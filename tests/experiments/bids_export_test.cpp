@@ -170,7 +170,7 @@ TEST(TsvLine, WhatIsMissingIsSaidAndNothingBreaksTheLine) {
 TEST(Gzip, TheSameBytesGiveTheSameFileAndComeBack) {
   const TemporaryFolder folder;
   std::string bytes;
-  for (int i = 0; i < 300'000; ++i) {
+  for (std::int64_t i = 0; i < 300'000; ++i) {
     bytes += static_cast<char>((i * i) % 251);
   }
   for (const std::string& each : {std::string(), std::string("a"), bytes}) {

@@ -40,10 +40,19 @@ inline std::int64_t acknowledged(const TemporaryFolder& folder) {
   }
 }
 
-/// Starts a session, kills it after the delay and returns how many trials were acknowledged.
-inline std::int64_t kill_session_after(const TemporaryFolder& folder,
+/// Starts a session, kills it a delay after so many trials were acknowledged, and returns how many
+/// were then: however slow the machine, the kill comes where it was meant to.
+inline std::int64_t kill_session_after(const TemporaryFolder& folder, std::int64_t trials,
                                        std::chrono::microseconds delay) {
+  const auto start = std::chrono::steady_clock::now();
   const pid_t child = start_program(folder, simulated_run({"--participant", "S01"}));
+  while (acknowledged(folder) < trials) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::minutes(2)) {
+      ADD_FAILURE() << "a session that saves nothing";
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   std::this_thread::sleep_for(delay);
   const std::int64_t count = acknowledged(folder);
   kill(child, SIGKILL);
@@ -98,15 +107,19 @@ inline CrashSummary kill_and_resume(int kills, std::uint32_t seed) {
   EXPECT_EQ(run_program(unharmed, simulated_run({"--participant", "S01"})).status, 0);
   const auto duration = std::chrono::duration_cast<std::chrono::microseconds>(
       std::chrono::steady_clock::now() - start);
-  std::uniform_int_distribution<std::int64_t> moment_us(0, duration.count());
+  std::uniform_int_distribution<std::int64_t> trials(0, kTrialsPlanned - 1);
+  // Within a trial, or the next one; before the first, within what it takes to begin.
+  std::uniform_int_distribution<std::int64_t> within_us(0, 2 * duration.count() / kTrialsPlanned);
+  std::uniform_int_distribution<std::int64_t> beginning_us(0, duration.count() / 4);
 
   CrashSummary summary;
   for (int number = 0; number < kills; ++number) {
-    const std::chrono::microseconds delay(moment_us(random));
-    SCOPED_TRACE("kill " + std::to_string(number) + " after " + std::to_string(delay.count()) +
-                 " us");
+    const std::int64_t after = trials(random);
+    const std::chrono::microseconds delay(after > 0 ? within_us(random) : beginning_us(random));
+    SCOPED_TRACE("kill " + std::to_string(number) + ", " + std::to_string(delay.count()) +
+                 " us after " + std::to_string(after) + " trials");
     const TemporaryFolder folder;
-    const std::int64_t before_kill = kill_session_after(folder, delay);
+    const std::int64_t before_kill = kill_session_after(folder, after, delay);
     expect_nothing_lost(folder, before_kill);
     summary.in_mid_session += before_kill > 0 && before_kill < kTrialsPlanned ? 1 : 0;
     const ProgramResult again = run_program(folder, simulated_run({"--participant", "S01"}));
