@@ -160,5 +160,9 @@ write_column_figure <- function(figure, stem) {
     print(figure$plot)
     grDevices::dev.off()
   }
-  paste0(stem, ".svg")
+  # Cairo counts the pictures of a process: the same figure is to be the same file.
+  svg <- paste0(stem, ".svg")
+  lines <- readLines(svg, encoding = "UTF-8")
+  writeLines(sub("id=\"surface[0-9]+\"", "id=\"surface\"", lines), svg, useBytes = TRUE)
+  svg
 }

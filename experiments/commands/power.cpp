@@ -178,7 +178,8 @@ class Scratch {
     for (const auto& entry : fs::directory_iterator(out)) {
       const std::string name = entry.path().filename().string();
       if (name.rfind(kScratch, 0) == 0 && !still_runs(name.substr(std::string(kScratch).size()))) {
-        fs::remove_all(entry.path());
+        std::error_code ignored;  // another process may be at it, too
+        fs::remove_all(entry.path(), ignored);
       }
     }
     fs::create_directories(folder_);
