@@ -88,7 +88,7 @@ TEST(FitError, SeesAHollowInTheMiddleOfAVolume) {
 
 TEST(FitError, BoundsWhatSamplesFindAndIsTightForEveryKind) {
   RandomStream random(kSeed, "kinds");
-  const SurfaceDistance creature(creature_mesh(2.0, 12));
+  const SurfaceDistance creature(creature_mesh(2.0, 16));
   int reaching = 0;
   int tight = 0;
   for (int trial = 0; trial < 25; ++trial) {
@@ -130,7 +130,7 @@ TEST(FitError, IsTightForRoundNodesThatLieMostlyWithinTheSolid) {
 
 TEST(FitError, StillBoundsWhenTheWorkRunsOut) {
   RandomStream random(kSeed, "short of work");
-  const SurfaceDistance creature(creature_mesh(2.0, 12));
+  const SurfaceDistance creature(creature_mesh(2.0, 16));
   for (int trial = 0; trial < 10; ++trial) {
     for (const Volume& volume : one_of_each_kind(random, random_in_cube(random, 0.6), 0.4)) {
       const double found_m = sampled_m(volume, creature, random, 300);
@@ -147,7 +147,7 @@ TEST(FitError, StillBoundsWhenTheWorkRunsOut) {
 
 TEST(FitError, BelowWhatIsIndifferentItStopsEarlyAndAboveItIsTheSame) {
   RandomStream random(kSeed, "indifferent");
-  const SurfaceDistance creature(creature_mesh(2.0, 12));
+  const SurfaceDistance creature(creature_mesh(2.0, 16));
   for (int trial = 0; trial < 10; ++trial) {
     for (const Volume& volume : one_of_each_kind(random, random_in_cube(random, 0.6), 0.4)) {
       const double bound_m = fit_error_m(volume, creature);
@@ -178,7 +178,7 @@ TEST(TriangleInBox, AgreesWithCuttingTheTriangleByTheFaces) {
 
 TEST(SurfaceDistance, TrianglesNearAPointAreAllThatComeWithin) {
   RandomStream random(kSeed, "near");
-  const TriangleMesh mesh = creature_mesh(2.0, 12);
+  const TriangleMesh mesh = creature_mesh(2.0, 16);
   const SurfaceDistance distance(mesh);
   for (int trial = 0; trial < 50; ++trial) {
     const Vector3 point = random_in_cube(random, 1.0);

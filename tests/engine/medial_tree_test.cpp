@@ -96,7 +96,7 @@ TEST(MedialTree, EveryNodeHoldsItsPartAndThePartsOfChildrenTileTheirParents) {
 }
 
 TEST(MedialTree, NoNodeHasMoreChildrenThanAskedAndEachLevelFitsBetter) {
-  const TriangleMesh mesh = about_centre_of_mass(creature_mesh(1.0, 10));
+  const TriangleMesh mesh = about_centre_of_mass(creature_mesh(1.0, 16));
   for (const int branching : {2, 5}) {
     const VolumeTree tree = medial_tree(mesh, medial(2, branching)).tree;
     EXPECT_EQ(tree.level_count(), 3);
@@ -110,7 +110,7 @@ TEST(MedialTree, NoNodeHasMoreChildrenThanAskedAndEachLevelFitsBetter) {
 }
 
 TEST(MedialTree, FitsTighterThanTheOctreeAtEveryLevel) {
-  const TriangleMesh mesh = about_centre_of_mass(creature_mesh(1.0, 10));
+  const TriangleMesh mesh = about_centre_of_mass(creature_mesh(1.0, 16));
   const VolumeTree medial_spheres = build_tree(mesh, medial(2));
   const VolumeTree octree_spheres = build_tree(mesh, {TreeKind::kOctree, 2, 8});
   for (int level = 0; level < 3; ++level) {

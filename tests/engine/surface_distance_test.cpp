@@ -21,7 +21,7 @@ constexpr std::uint64_t kSeed = 53;
 TEST(SurfaceDistance, EqualsBruteForceAndHasTheSignOfTheWindingNumber) {
   RandomStream random(kSeed, "distance");
   const std::vector<TriangleMesh> solids{l_block_mesh(2.0, 0.7), knot_mesh(0.6, 0.14, 48, 6),
-                                         creature_mesh(2.0, 12)};
+                                         creature_mesh(2.0, 16)};
   for (std::size_t solid = 0; solid < solids.size(); ++solid) {
     const TriangleMesh& mesh = solids[solid];
     const SurfaceDistance distance(mesh);
@@ -41,7 +41,7 @@ TEST(SurfaceDistance, EqualsBruteForceAndHasTheSignOfTheWindingNumber) {
 
 TEST(SurfaceDistance, ANearestPointLiesOnItsTriangle) {
   RandomStream random(kSeed, "nearest");
-  const TriangleMesh mesh = creature_mesh(2.0, 12);
+  const TriangleMesh mesh = creature_mesh(2.0, 16);
   const SurfaceDistance distance(mesh);
   for (int trial = 0; trial < 200; ++trial) {
     const Vector3 point = random_in_cube(random, 1.2);
