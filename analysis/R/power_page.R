@@ -29,12 +29,7 @@ power_lines <- function(rates) {
 }
 
 power_page <- function(ledger, question, rates, figure, svg) {
-  title <- paste("Power of", question$protocol)
-  c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
-    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
-    "<body>", sprintf("<h1>%s</h1>", html_text(title)),
+  html_page(paste("Power of", question$protocol), c(
     paste0("<p class=\"simulated\">SIMULATED: everything here follows from an observer model and its",
       " assumptions, listed below. People may differ from it.</p>"),
     html_paragraphs(c(paste(power_answers(rates), collapse = " "), type_one_words(rates))),
@@ -46,7 +41,7 @@ power_page <- function(ledger, question, rates, figure, svg) {
     "<h2>What was assumed of participants</h2>", html_table(assumptions_of(ledger, "observer"),
       c("Parameter", "Value", "Unit", "Source")),
     null_lines(ledger, question),
-    "<h2>How to repeat</h2>", html_paragraphs(power_repeat_words(ledger)), "</body>", "</html>")
+    "<h2>How to repeat</h2>", html_paragraphs(power_repeat_words(ledger))))
 }
 
 # For each factor the least number whose power is .8 beyond Monte-Carlo error, or that none is.

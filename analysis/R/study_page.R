@@ -43,17 +43,21 @@ write_study_report <- function(folder) {
 }
 
 page_of <- function(about, protocols, body) {
-  title <- paste("Report of", about$study)
-  c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
-    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
-    "<body>", sprintf("<h1>%s</h1>", html_text(title)),
+  html_page(paste("Report of", about$study), c(
     sprintf("<p class=\"note\">The study as it was on %s. %s</p>", html_text(about$read_utc),
       "Figures are also files in <code>figures/</code>, tables in <code>tables/</code>."),
     "<nav><ul>", sprintf("<li><a href=\"#%s\">%s</a></li>", anchor_of(protocols),
       html_text(protocols)), "<li><a href=\"#repeat\">How to repeat</a></li>", "</ul></nav>",
-    body, repeat_lines(), "</body>", "</html>")
+    body, repeat_lines()))
+}
+
+# A page of its own: it fetches nothing and runs nothing. `body`: lines below its heading.
+html_page <- function(title, body) {
+  c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
+    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
+    "<body>", sprintf("<h1>%s</h1>", html_text(title)), body, "</body>", "</html>")
 }
 
 anchor_of <- function(...) gsub("[^A-Za-z0-9_-]+", "-", paste(..., sep = "-"))
