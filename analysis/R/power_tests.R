@@ -105,9 +105,9 @@ power_tests_of_models <- function(part, tested) {
   result <- suppressMessages(fit(part$trials, factors, intersect(tested, factors)))
   family <- response_families(part$response)
   lapply(tested, function(factor) {
-    row <- result$rows[result$rows$family == family$effects & result$rows$effect == factor, ]
-    if (is.null(result$rows) || nrow(row) == 0) {
-      return(power_row(factor, NA, family$model, paste(c(result$remarks, "no test was made")[1])))
+    row <- if (!is.null(result$rows)) tests_of(result, family$effects, factor)
+    if (NROW(row) == 0) {
+      return(power_row(factor, NA, family$model, c(result$remarks, "no test was made")[1]))
     }
     power_row(factor, row$p, row$method)
   })

@@ -84,7 +84,7 @@ void stretch(TriangleMesh& mesh, double length_m) {
 }  // namespace
 
 TriangleMesh creature_mesh(double length_m, int cells) {
-  assert(length_m > 0.0 && cells >= 16 && cells <= 48 && cells % 4 == 0);
+  assert(length_m > 0.0 && cells >= 8 && cells <= 48 && cells % 4 == 0);
   const double cell = 1.0 / cells;
   const Vector3 least(-0.52, -0.39, -0.25);
   const Vector3 most(0.52, 0.47, 0.20);

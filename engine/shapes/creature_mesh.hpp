@@ -15,7 +15,7 @@ namespace impetus {
 
 /// A closed outward mesh that is `length_m` long along x, about the middle of the trunk. Its
 /// triangles lie on a grid of `cells` along that length and number about 11 · cells². Precondition:
-/// `cells` a multiple of 4 from 16 to 48; other grids may join the feet or lose a horn.
+/// `cells` a multiple of 4 from 8 to 48; fewer than 16 may join the feet or part a horn.
 TriangleMesh creature_mesh(double length_m, int cells);
 
 }  // namespace impetus

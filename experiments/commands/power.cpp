@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <optional>
 #include <string>
 #include <thread>
-#include <utility>
+#include <vector>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/power_studies.hpp"
@@ -197,15 +197,6 @@ class Scratch {
   fs::path folder_;
 };
 
-/// False when R has said why not. Throws InputError when there is no R.
-bool r_succeeds(const std::vector<std::string>& words) {
-  const int status = run_r_script(words);
-  if (status == kNoRscript) {
-    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
-  }
-  return status == 0;
-}
-
 PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
                           const std::string& response, const std::optional<ObserverFile>& without) {
   PowerQuestion question;
@@ -263,8 +254,8 @@ int power(const PowerOptions& options) {
   fs::create_directories(options.out);
   const Scratch scratch(options.out);
   const fs::path scripts = write_r_scripts(scratch.folder(), {"power-fits.R", "power.R"});
-  if (!r_succeeds({(scripts / "power-fits.R").string(), "--check", options.model})) {
-    return kCouldNotRun;
+  if (run_needed_r_script({(scripts / "power-fits.R").string(), "--check", options.model}) != 0) {
+    return kCouldNotRun;  // R has said why
   }
   work.ledger = fs::path(options.out) / kLedgerName;
   PowerLedger ledger(work.ledger, question);
@@ -281,7 +272,8 @@ int power(const PowerOptions& options) {
   work.script = scripts / "power-fits.R";
   work.scratch = scratch.folder();
   do_power_studies(work, ledger);
-  if (!r_succeeds({(scripts / "power.R").string(), work.ledger.string(), "--out", options.out})) {
+  const std::string page = (scripts / "power.R").string();
+  if (run_needed_r_script({page, work.ledger.string(), "--out", options.out}) != 0) {
     return kCouldNotRun;
   }
   std::printf("%s: open it in a browser\n", (fs::path(options.out) / "power.html").c_str());

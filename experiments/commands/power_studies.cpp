@@ -4,7 +4,6 @@
 #include <SQLiteCpp/Database.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +13,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "build_info.hpp"
@@ -124,7 +122,7 @@ class PowerStudies {
     if (has_failed()) {
       return;
     }
-    const int status = run_r_script(
+    const int status = run_needed_r_script(
         {work_.script.string(), work_.ledger.string(), (folder / "studies.tsv").string()});
     if (status != 0) {
       throw std::runtime_error("the tests of simulated studies ended with status " +

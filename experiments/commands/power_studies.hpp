@@ -32,7 +32,7 @@ std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number);
 
 /// Simulates and tests what is missing, until nothing is, whoever did it; says how long it will
 /// take, and how far it is, on standard error. Throws the first error once the other threads have
-/// done what they had begun.
+/// stopped; what they had begun is begun again next time.
 void do_power_studies(const PowerWork& work, PowerLedger& ledger);
 
 }  // namespace impetus

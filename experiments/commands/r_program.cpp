@@ -7,6 +7,8 @@
 
 #include <cerrno>
 
+#include "experiments/session/input_error.hpp"
+
 extern char** environ;
 
 namespace impetus {
@@ -33,6 +35,14 @@ int run_r_script(const std::vector<std::string>& words) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int run_needed_r_script(const std::vector<std::string>& words) {
+  const int status = run_r_script(words);
+  if (status == kNoRscript) {
+    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
+  }
+  return status;
 }
 
 }  // namespace impetus

@@ -13,4 +13,7 @@ inline constexpr int kNoRscript = 127;
 /// Its exit status; kNoRscript when there is no Rscript; −1 when a signal ended it.
 int run_r_script(const std::vector<std::string>& words);
 
+/// The same for what cannot be done without R: throws InputError when there is no Rscript.
+int run_needed_r_script(const std::vector<std::string>& words);
+
 }  // namespace impetus

@@ -66,11 +66,8 @@ int report(const ReportOptions& options) {
   const fs::path script = write_r_scripts(folder.path(), {"report.R"}) / "report.R";
   const fs::path study = readable_study(options.study, folder.path());
   const int status =
-      run_r_script({script.string(), study.string(), "--out", folder.path().string()});
+      run_needed_r_script({script.string(), study.string(), "--out", folder.path().string()});
   fs::remove_all(folder.path() / "study");
-  if (status == kNoRscript) {
-    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
-  }
   if (status == kCouldNotRun) {
     return kCouldNotRun;  // R has said why, in one sentence
   }

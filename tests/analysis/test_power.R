@@ -197,3 +197,13 @@ test_that("a table's column that begins like p is not taken for it", {
   shown <- html_table(data.frame(participants = c(5, 10), rate = c(".1", ".2")))
   expect_length(gregexpr("<th", paste(shown, collapse = ""))[[1]], 3)  # thead, and two heads
 })
+
+test_that("a model that cannot be fitted is no test, and its reason is kept", {
+  trials <- as_simulated(few_power_trials(6))
+  trials <- trials[trials$participant %in% c("S01", "S02"), ]
+  part <- rating_part(write_study(tempfile(fileext = ".sqlite"), trials), "causality")
+  question <- list(response = "rating", model = "mixed", factors = "delay_ms", compared = character())
+  mine <- power_tests(part, question)
+  expect_true(is.na(mine$p))
+  expect_match(mine$remark, "needs three participants or more", fixed = TRUE)
+})

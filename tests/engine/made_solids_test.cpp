@@ -191,6 +191,15 @@ TEST(CreatureMesh, IsOneClosedSurfaceWithoutHandlesAtEveryResolution) {
   }
 }
 
+TEST(CreatureMesh, IsClosedAlsoWhereItsGridIsTooCoarseForItsHorns) {
+  for (const int cells : {8, 12}) {
+    SCOPED_TRACE(cells);
+    const TriangleMesh mesh = creature_mesh(0.5, cells);
+    EXPECT_TRUE(closed_and_oriented(mesh));
+    EXPECT_GT(solid_of(mesh, 1.0).volume_m3, 0.0);
+  }
+}
+
 TEST(CreatureMesh, NeverCrossesItself) { EXPECT_EQ(self_crossings(creature_mesh(1.0, 16)), 0); }
 
 TEST(CreatureMesh, IsAsLongAsAskedAndConcave) {

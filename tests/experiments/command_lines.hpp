@@ -5,7 +5,6 @@
 #include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/experiments/program.hpp"
@@ -66,16 +65,6 @@ inline std::string order_of(const TemporaryFolder& folder, const std::string& pa
                   "ON participant.id = participant_id WHERE pseudonym = '" +
                       participant + "' ORDER BY slot)",
                   file);
-}
-
-inline std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    lines.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return lines;
 }
 
 }  // namespace impetus

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -69,6 +70,26 @@ inline ProgramResult run_program(const TemporaryFolder& folder,
                                  const std::vector<std::string>& arguments,
                                  const std::function<void()>& before = {}) {
   return wait_for(folder, start_program(folder, arguments, before));
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return lines;
+}
+
+/// What the program said on stderr but for its progress, such as "simulating 8 %", which a slow
+/// machine makes it tell.
+inline std::string complaints_of(const ProgramResult& result) {
+  std::string complaints;
+  for (const std::string& line : lines_of(result.errors)) {
+    complaints += line.ends_with(" %") ? "" : line + "\n";
+  }
+  return complaints;
 }
 
 /// The shipped protocol.

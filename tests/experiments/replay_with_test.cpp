@@ -31,7 +31,7 @@ json outcome_of(const Copied& study, const std::vector<std::string>& with) {
     words.insert(words.end(), {"--with", each});
   }
   const ProgramResult result = study.replay_with(words);
-  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(complaints_of(result), "");
   EXPECT_EQ(result.status, 0);
   return json::parse(text_of(study.folder / "what-if.json"), nullptr, false);
 }
@@ -97,7 +97,7 @@ TEST(ReplayWith, SaysTheSameEachTimeAndLeavesTheStudyAsItIs) {
 TEST(ReplayWith, WritesARowForEachStimulus) {
   const Copied study("gap");
   const ProgramResult result = study.replay_with({"--with", "level=1", "--out", "rows.csv"});
-  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(complaints_of(result), "");
   const std::vector<std::string> rows = lines_of(text_of(study.folder / "rows.csv"));
   ASSERT_EQ(rows.size(), 34U);  // of names, and 33 trials
   EXPECT_TRUE(rows[0].starts_with("participant,trial,slot,attempt,interval,condition,"));

@@ -100,7 +100,7 @@ TEST(Resume, AtABlocksStartKeepsWhatWasDoneSetAsideAndEndsWithTheWholePlan) {
   const TemporaryFolder folder;
   const std::string protocol = blocked_protocol(folder, {{"at", "block"}});
   leave_after_trial_50(folder, protocol, "-2 hours");
-  EXPECT_EQ(run_program(folder, run_of(protocol)).errors, "");
+  EXPECT_EQ(complaints_of(run_program(folder, run_of(protocol))), "");
   EXPECT_EQ(value_of(folder,
                      "SELECT count(*) || ' from ' || min(slot) || ' to ' || max(slot) "
                      "FROM attempt JOIN trial ON trial.id = trial_id "

@@ -77,7 +77,7 @@ TEST(Run, AnObserversSessionIsRecordedWhole) {
   const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}));
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.output, "Saved in a.sqlite\n");
-  EXPECT_EQ(result.errors, "");
+  EXPECT_EQ(complaints_of(result), "");
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "81");
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'practice'"), "6");
   EXPECT_EQ(value_of(folder, "SELECT ending FROM session"), "finished");

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,21 +21,12 @@ ProgramResult build(const TemporaryFolder& folder, std::vector<std::string> word
   return run_program(folder, words);
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
 TEST(TreeCommand, EveryShapeBecomesATreeFileWithARowForEachLevel) {
   const TemporaryFolder folder;
   for (const std::string& shape : shape_names()) {
     const ProgramResult result =
         build(folder, {shape, "--kind", "octree", "--depth", "2", "-o", shape + ".tree"});
-    EXPECT_EQ(result.errors, "") << shape;
+    EXPECT_EQ(complaints_of(result), "") << shape;
     EXPECT_EQ(result.status, 0) << shape;
     const StoredTree stored = load_tree(folder / (shape + ".tree"));
     EXPECT_EQ(stored.name, shape);

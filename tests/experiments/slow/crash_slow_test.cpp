@@ -6,7 +6,8 @@ namespace {
 
 TEST(CrashSlow, AHundredAndFiftyKillsLoseNoAcknowledgedTrialAndEverySessionIsCompleted) {
   const CrashSummary summary = kill_and_resume(150, std::random_device{}());
-  EXPECT_GE(summary.in_mid_session, 45);  // Of moments drawn uniformly, most fall among the trials.
+  // Kills are drawn by the trials saved: most fall among them.
+  EXPECT_GE(summary.in_mid_session, 100);
 }
 
 }  // namespace
