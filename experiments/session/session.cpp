@@ -39,9 +39,10 @@ class Session {
   }
 
  private:
+  /// Who was interrupted before consenting has begun nothing to come back to.
   bool welcome() {
-    const Text& text =
-        history_.resumed ? welcome_back(standing_.completed_count()) : script_.welcome;
+    const bool back = history_.resumed && history_.answered.contains(kConsentId);
+    const Text& text = back ? welcome_back(standing_.completed_count()) : script_.welcome;
     return ask(text_page(text, progress())).has_value();
   }
 

@@ -137,6 +137,15 @@ TEST(Session, QuitThenResumeContinuesAtTheNextTrialInThePlannedOrder) {
   EXPECT_EQ(second.recorder.attempts[2].slot, 7);
 }
 
+TEST(Session, WhoNeverConsentedIsWelcomedAsAnyone) {
+  SessionHistory history;
+  history.resumed = true;  // the first session ended before a page was answered
+  TestLab lab;
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1), history).ending, SessionEnding::kFinished);
+  EXPECT_FALSE(showed(lab, "Welcome back"));
+  EXPECT_TRUE(showed(lab, "Your consent"));
+}
+
 TEST(Session, AClosedDisplayEndsItWithTheAttemptKept) {
   TestLab lab;
   lab.input.on_frame = [](std::int64_t frame) {
