@@ -73,15 +73,17 @@ inline std::vector<std::string> scene_seeds() {
 /// As fuzz_study() takes them: changes of values that a replay reads, and a whole file.
 inline std::vector<std::string> study_seeds() {
   std::vector<std::string> seeds;
-  for (char base = 0; base < 4; ++base) {
+  for (std::size_t base = 0; base < small_studies().size(); ++base) {
     for (const char* change :
          {"UPDATE trial SET condition='{\"delay_ms\":1e300}'", "UPDATE trial SET solved='[1]'",
           "UPDATE session SET refresh_hz=-1,screen_width_px=0,recording_format=3",
           "UPDATE session SET viewing_distance_m=0", "UPDATE step SET digests=x'00',hash=1",
           "UPDATE step SET work_granted=-9223372036854775808,region_x_m=1e300",
           "UPDATE protocol SET scene_json='{}'", "UPDATE protocol SET protocol_json='['",
-          "UPDATE gaze SET loss='a'", "UPDATE attempt SET trial_id=1;DELETE FROM protocol"}) {
-      seeds.push_back(std::string(1, base) + change);
+          "UPDATE gaze SET loss='a'", "UPDATE gaze SET x_m=1e308,y_m=NULL,taken_ns=-1",
+          "UPDATE click SET device='',arrived_ns=-9223372036854775808,interval=9",
+          "UPDATE attempt SET trial_id=1;DELETE FROM protocol"}) {
+      seeds.push_back(std::string(1, static_cast<char>(base)) + change);
     }
   }
   seeds.push_back(kWholeFile + small_studies().front());

@@ -19,8 +19,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kRecordings[] = {"causality-thresholds", "far-and-fast", "gap",
-                                       "causality-thresholds-quest"};
+/// One with gaze and clicks among them, whose scene is too heavy to replay. Of far-and-fast the
+/// checks of its scene alone would take seconds with the fuzzers' instruments.
+constexpr const char* kRecordings[] = {"causality-thresholds", "gap", "causality-thresholds-quest",
+                                       "gaze-contingent-yoked"};
 
 std::filesystem::path recording(const std::string& name) {
   return std::filesystem::path(source_folder()) / "tests/recordings" / (name + ".sqlite");
@@ -33,6 +35,11 @@ std::string cut(const std::string& name) {
                              std::filesystem::copy_options::overwrite_existing);
   {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
+    if (database.tableExists("click")) {  // not in studies of schema 1
+      database.exec(
+          "UPDATE click SET attempt_id = 1; DELETE FROM response WHERE attempt_id > 2;"
+          "DELETE FROM gaze WHERE attempt_id > 2 OR sample > 8");
+    }
     database.exec(
         "DELETE FROM step WHERE attempt_id > 2 OR step > 8; DELETE FROM collision;"
         "DELETE FROM frame; DELETE FROM rating WHERE attempt_id > 2;"
