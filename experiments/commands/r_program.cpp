@@ -9,14 +9,13 @@
 
 #include "experiments/session/input_error.hpp"
 
-extern char** environ;
-
 namespace impetus {
 
 int run_r_script(const std::vector<std::string>& words) {
   std::vector<std::string> all{"Rscript", "--vanilla"};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
   for (std::string& word : all) {
     pointers.push_back(word.data());
   }

@@ -54,7 +54,7 @@ fs::path readable_study(const std::string& study, const fs::path& folder) {
   if (!in_memory) {
     return fs::absolute(study);
   }
-  const fs::path copy = folder / "study" / fs::path(study).filename();
+  fs::path copy = folder / "study" / fs::path(study).filename();
   fs::create_directories(copy.parent_path());
   write_study_copy(file, copy);
   return copy;

@@ -79,6 +79,7 @@ struct Approach {
 
 std::vector<BodyState> states_of(const World& world, const std::vector<std::size_t>& bodies) {
   std::vector<BodyState> states;
+  states.reserve(bodies.size());
   for (const std::size_t body : bodies) {
     states.push_back(world.states()[body]);
   }

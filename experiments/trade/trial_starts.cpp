@@ -24,7 +24,7 @@ Vector3 in_unit_ball(RandomStream& random) {
     const double x = between_minus_one_and_one(random);
     const double y = between_minus_one_and_one(random);
     const double z = between_minus_one_and_one(random);
-    const Vector3 point(x, y, z);
+    Vector3 point(x, y, z);
     if (point.squaredNorm() <= 1.0) {
       return point;
     }
