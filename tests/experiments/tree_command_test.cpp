@@ -105,7 +105,7 @@ TEST(TreeCommand, WhatCannotBeBuiltIsRefusedInOneSentence) {
   };
   for (const Case& each : cases) {
     const ProgramResult result = build(folder, each.words);
-    EXPECT_EQ(result.errors, "impetus: " + each.sentence + "\n");
+    EXPECT_EQ(complaints_of(result), "impetus: " + each.sentence + "\n");
     EXPECT_EQ(result.status, each.status) << each.sentence;
   }
   EXPECT_EQ(text_of(folder / "there.tree"), "mine");
