@@ -170,7 +170,7 @@ std::string problem_of(const Figure& figure, const std::vector<BodyModel>& model
 std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models) {
   std::int32_t first_free = 0;
   for (const Figure& figure : figures) {
-    const std::string problem = problem_of(figure, models);
+    std::string problem = problem_of(figure, models);
     if (!problem.empty()) {
       return problem;
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,8 +9,10 @@
 #include "build_info.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
+#include "experiments/models/atomic_file.hpp"
 #include "experiments/session/input_error.hpp"
 
 namespace impetus {
@@ -96,21 +97,12 @@ Length length_of(const ExtremesOptions& options) {
   return options.quick ? Length::kQuick : options.takes_long ? Length::kLong : Length::kUsual;
 }
 
-std::ofstream opened(const std::string& file) {
-  std::ofstream out;
-  if (!file.empty()) {
-    out.open(file);
-    if (!out) {
-      throw InputError("--json: expected a file that can be written, got " + file);
-    }
-  }
-  return out;
-}
-
 int ask_extremes(const ExtremesOptions& options) {
   using Seconds = std::chrono::duration<double>;
   const std::vector<ExtremeCase> cases = chosen_cases(options.only);
-  std::ofstream out = opened(options.json_file);
+  if (!options.json_file.empty()) {
+    require_new_file(options.json_file);
+  }
   json report{{"build", kBuild}, {"machine", machine_name()}, {"cases", json::array()}};
   std::printf("%s\n%s\n\n  %-19s %-10s %-10s\n", kBuild, machine_name().c_str(), "case", "measured",
               "at most");
@@ -138,8 +130,8 @@ int ask_extremes(const ExtremesOptions& options) {
     }
   }
   std::printf("\n%d promises, %d not kept\n", asked, broken);
-  if (out.is_open()) {
-    out << report.dump(2) << "\n";
+  if (!options.json_file.empty()) {
+    write_whole_file(options.json_file, report.dump(2) + "\n");
   }
   return broken == 0 ? kDone : kFound;
 }

@@ -2,7 +2,6 @@
 // first collision becomes a picture, level by level.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -11,6 +10,7 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/chosen_screen.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/scenes/scene_file.hpp"
@@ -45,9 +45,7 @@ int picture_px(const char* name, int given, int usual) {
 }
 
 void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
-  if (std::filesystem::exists(options.strip)) {
-    throw InputError(options.strip + ": expected no such file, for a picture, but there is one");
-  }
+  require_new_file(options.strip);
   const PictureSize size{picture_px("--width", options.width_px, 480),
                          picture_px("--height", options.height_px, 360)};
   ShapeLibrary shapes;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/replayed_trial.hpp"
 #include "experiments/commands/what_if_files.hpp"
@@ -14,12 +14,6 @@
 
 namespace impetus {
 namespace {
-
-void require_new_file(const char* option, const std::string& file) {
-  if (!file.empty() && std::filesystem::exists(file)) {
-    throw InputError(std::string(option) + ": expected no such file yet, but there is a " + file);
-  }
-}
 
 bool follows_gaze(const std::vector<StepRecord>& steps) {
   return std::any_of(steps.begin(), steps.end(),
@@ -92,8 +86,11 @@ std::string words_of_setting_keys() {
 
 int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                 const ReplayWithOptions& options) {
-  require_new_file("--out", options.csv_file);
-  require_new_file("--json", options.json_file);
+  for (const std::string& file : {options.csv_file, options.json_file}) {
+    if (!file.empty()) {
+      require_new_file(file);
+    }
+  }
   std::vector<SettingChange> changes;
   for (const std::string& given : options.with) {
     changes.push_back(setting_change(given));

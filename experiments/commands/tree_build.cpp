@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/tree_commands.hpp"
 #include "experiments/models/mesh_file.hpp"
@@ -50,12 +51,6 @@ TriangleMesh mesh_of(const BuildOptions& options) {
   return load_mesh(options.what);
 }
 
-void refuse_to_overwrite(const BuildOptions& options) {
-  if (!options.force && std::filesystem::exists(options.out)) {
-    throw InputError(options.out + ": exists already and is not overwritten without --force");
-  }
-}
-
 double diagonal_m(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d bounds;
   for (const Vector3& vertex : mesh.vertices) {
@@ -83,7 +78,7 @@ void print_levels(const StoredTree& stored) {
 
 int build(const BuildOptions& options) {
   const TreeSettings settings = settings_of(options);
-  refuse_to_overwrite(options);
+  require_new_file(options.out, options.force);
   const TriangleMesh given = mesh_of(options);
   const std::string problem = refusal(report_mesh(given));
   if (!problem.empty()) {

@@ -10,6 +10,7 @@
 #include "experiments/session/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/session/steady_clock.hpp"
 #include "experiments/stage/tree_pictures.hpp"
@@ -83,6 +84,14 @@ PictureSize size_of(const ShowOptions& options, int usual_px) {
   return {checked("--width", options.width_px), checked("--height", options.height_px)};
 }
 
+void require_new_pictures(const ShowOptions& options) {
+  for (const std::string& file : {options.png, options.strip}) {
+    if (!file.empty()) {
+      require_new_file(file);
+    }
+  }
+}
+
 void write_pictures(const ShowOptions& options, const ShownTree& shown, const TreeLook& look) {
   if (!options.png.empty()) {
     const PictureSize size = size_of(options, kUsualPicturePx);
@@ -101,6 +110,7 @@ void write_pictures(const ShowOptions& options, const ShownTree& shown, const Tr
 }
 
 int show(const ShowOptions& options) {
+  require_new_pictures(options);
   const ShownTree shown = shown_from(load_tree(options.file));
   const TreeLook look = look_of(options, shown.tree);
   if (!options.png.empty() || !options.strip.empty()) {

@@ -98,6 +98,7 @@ std::string anonymised_words() {
 std::vector<CodebookColumn> describe_columns(const RowQuery& query,
                                              const std::map<std::string, std::string>& factors) {
   std::vector<CodebookColumn> columns;
+  columns.reserve(static_cast<std::size_t>(query.columns()));
   for (int i = 0; i < query.columns(); ++i) {
     columns.push_back(describe(query, i, factors));
   }
@@ -106,18 +107,18 @@ std::vector<CodebookColumn> describe_columns(const RowQuery& query,
 
 const std::vector<std::string>& reading_rules() {
   static const std::vector<std::string> kRules{
-      "Comma-separated values (RFC 4180) in UTF-8; lines end with a line feed, names stand in the "
-      "first line.",
-      "An empty cell is a value that is missing (NULL); two quotes with nothing between are a text "
-      "that is empty. Every text is in quotes.",
+      ("Comma-separated values (RFC 4180) in UTF-8; lines end with a line feed, names stand in the "
+       "first line."),
+      ("An empty cell is a value that is missing (NULL); two quotes with nothing between are a "
+       "text that is empty. Every text is in quotes."),
       "Numbers have as many digits as it takes to read back the same double.",
-      "Seeds, hashes and bytes are the letter x and hexadecimal digits: of a seed or a hash the 64 "
-      "bits, which a number of most programs would round.",
-      "Times in ns are of a clock that only ever goes forward, alike within a session and never "
-      "to be compared between sessions.",
+      ("Seeds, hashes and bytes are the letter x and hexadecimal digits: of a seed or a hash the "
+       "64 bits, which a number of most programs would round."),
+      ("Times in ns are of a clock that only ever goes forward, alike within a session and never "
+       "to be compared between sessions."),
       "Lengths on the screen are from its centre, x to the right and y upwards.",
-      "A text that begins with = + - or @ is what somebody typed, and data: import columns of text "
-      "as text where a program would take it for a formula."};
+      ("A text that begins with = + - or @ is what somebody typed, and data: import columns of "
+       "text as text where a program would take it for a formula.")};
   return kRules;
 }
 

@@ -22,6 +22,7 @@ class CsvWriter {
   void write(RowQuery& query, const std::vector<CodebookColumn>& columns, const std::string& name) {
     OutputFile file(folder_ / name);
     std::vector<std::string> names;
+    names.reserve(columns.size());
     for (const CodebookColumn& column : columns) {
       names.push_back(column.name);
     }

@@ -90,7 +90,7 @@ std::vector<ExtremeScene> needles_and_plates(Length length) {
 std::vector<ExtremeScene> struck(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
-    for (ExtremeScene scene :
+    for (const ExtremeScene& scene :
          {tumbling("needle", {1.0, 1e-3, 1e-3}, 480), tumbling("plate", {1.0, 1.0, 1e-3}, 480)}) {
       for (const bool in_tree : {false, true}) {
         ExtremeScene each = scene;

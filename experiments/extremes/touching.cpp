@@ -83,7 +83,8 @@ std::vector<ExtremeScene> squeezed_pile(Length length) {
   scene.name = std::to_string(side * side * side) + " balls";
   const double middle = 0.5 * (side - 1);
   for (int i = 0; i < side * side * side; ++i) {
-    const Vector3 cell(i % side - middle, i / side % side - middle, i / side / side - middle);
+    const int layer = i / (side * side);
+    const Vector3 cell(i % side - middle, i / side % side - middle, layer - middle);
     scene.bodies.push_back(ball(kRadius_m, kSpacing_m * cell));
   }
   scene.settings.enclosure = ClosedCube{0.5 * kSpacing_m * side};

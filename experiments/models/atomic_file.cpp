@@ -14,6 +14,10 @@
 namespace impetus {
 namespace {
 
+[[noreturn]] void refuse(const std::filesystem::path& file, int error) {
+  throw std::runtime_error(file.string() + ": cannot be written (" + std::strerror(error) + ")");
+}
+
 /// A temporary file beside `file`, removed again unless it was put in its place.
 class Beside {
  public:
@@ -58,8 +62,7 @@ class Beside {
  private:
   void require(bool fine) const {
     if (!fine) {
-      const std::string reason = std::strerror(errno);
-      throw std::runtime_error(file_.string() + ": cannot be written (" + reason + ")");
+      refuse(file_, errno);
     }
   }
 
@@ -75,6 +78,13 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
   Beside beside(file);
   beside.write_all(bytes);
   beside.put_in_place();
+}
+
+void require_writable(const std::filesystem::path& file) {
+  const Beside beside(file);
+  if (std::filesystem::is_directory(file)) {
+    refuse(file, EISDIR);
+  }
 }
 
 }  // namespace impetus

@@ -15,4 +15,8 @@ namespace impetus {
 /// nothing has changed.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Throws as write_whole_file() would where that can be known before the bytes are: no such folder,
+/// one that is closed, a folder in the file's place. Nothing changes.
+void require_writable(const std::filesystem::path& file);
+
 }  // namespace impetus

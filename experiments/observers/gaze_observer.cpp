@@ -131,14 +131,16 @@ std::vector<double> GazeObserver::draw_events_s(const AttemptRecord& shown,
 std::vector<double> GazeObserver::draw_clicks_s(const std::vector<double>& events_s,
                                                 double stimulus_s) {
   std::vector<double> wanted_s;
+  wanted_s.reserve(events_s.size());
   for (const double event_s : events_s) {
     wanted_s.push_back(event_s + draw_lognormal(click_stream_, parameters_.click_median_ms / 1e3,
                                                 parameters_.click_sigma_log));
   }
   const double rate = parameters_.false_clicks_per_s;
-  for (double at_s = draw_waiting(click_stream_, rate); at_s <= stimulus_s;
-       at_s += draw_waiting(click_stream_, rate)) {
-    wanted_s.push_back(at_s);
+  double false_s = draw_waiting(click_stream_, rate);
+  while (false_s <= stimulus_s) {
+    wanted_s.push_back(false_s);
+    false_s += draw_waiting(click_stream_, rate);
   }
   std::sort(wanted_s.begin(), wanted_s.end());
   std::vector<double> clicks_s;

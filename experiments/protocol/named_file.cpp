@@ -21,7 +21,7 @@ fs::path named_file(const JsonDocument& document, const fs::path& path, const st
                     const std::string& what) {
   const nlohmann::json& name = document.value.at(nlohmann::json::json_pointer(pointer));
   const fs::path given = name.get<std::string>();
-  const fs::path file = (path.parent_path() / given).lexically_normal();
+  fs::path file = (path.parent_path() / given).lexically_normal();
   const fs::path widest = widest_folder(path);
   const std::string outside = "expected " + what + " within " + widest.string() +
                               ", seen from this one, got " + name.dump();

@@ -29,6 +29,7 @@ JointWave wave_from(const json& entry) {
 std::vector<JointWave> waves_of(const json& figure, const json& entries,
                                 const std::vector<double>& angles_rad) {
   std::vector<JointWave> waves;
+  waves.reserve(angles_rad.size());
   for (const double angle_rad : angles_rad) {
     waves.push_back({angle_rad, 0.0});
   }

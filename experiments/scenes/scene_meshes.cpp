@@ -58,7 +58,7 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
   if (scene.contains("meshes") && scene["meshes"].contains(file)) {
     return "";
   }
-  const std::string misplaced = problem_of_place(file, folder);
+  std::string misplaced = problem_of_place(file, folder);
   if (!misplaced.empty()) {
     return misplaced;
   }

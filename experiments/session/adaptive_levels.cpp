@@ -19,6 +19,7 @@ std::size_t index_of(const std::vector<LevelValue>& levels, const LevelValue& le
 
 std::vector<double> numbers(const std::vector<LevelValue>& levels) {
   std::vector<double> numbers;
+  numbers.reserve(levels.size());
   for (const LevelValue& level : levels) {
     numbers.push_back(std::get<double>(level));
   }

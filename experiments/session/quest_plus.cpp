@@ -50,6 +50,7 @@ std::vector<PsychometricParameters> candidates_of(const QuestPlus& method) {
 std::shared_ptr<const PsychometricTable> table_of(const QuestPlus& method,
                                                   const std::vector<double>& levels) {
   std::vector<double> places;
+  places.reserve(levels.size());
   for (const double level : levels) {
     places.push_back(on_scale(method.scale, level));
   }

@@ -63,6 +63,7 @@ void ReplayPicture::paint(const ReplayMoment& moment, const ReplayLook& look) {
   std::vector<ColouredVolume> volumes;
   if (look.volumes) {
     std::vector<int> levels;
+    levels.reserve(details.size());
     for (const BodyDetail& detail : details) {
       levels.push_back(detail.level);
     }

@@ -54,6 +54,7 @@ class WatchedPatch final : public Display {
 
 std::vector<Flip> flips_of(const std::vector<FrameRecord>& frames) {
   std::vector<Flip> flips;
+  flips.reserve(frames.size());
   for (const FrameRecord& frame : frames) {
     flips.push_back(frame.flip);
   }

@@ -35,6 +35,7 @@ std::vector<double> ones(std::size_t count) { return std::vector<double>(count, 
 template <typename Steps, typename Value>
 std::vector<double> each(const Steps& steps, const Value& value) {
   std::vector<double> values;
+  values.reserve(steps.size());
   for (const auto& step : steps) {
     values.push_back(static_cast<double>(value(step)));
   }

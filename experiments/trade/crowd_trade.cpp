@@ -120,7 +120,8 @@ class References {
     for (std::size_t i = 0; i < curves.size(); ++i) {
       mean.*kErrors[i % kErrors.size()] += curves[i].removed(work);
     }
-    const double count = static_cast<double>(curves.size() / kErrors.size());
+    const std::size_t of_each = curves.size() / kErrors.size();
+    const auto count = static_cast<double>(of_each);
     return {mean.gap / count, mean.bound / count};
   }
 

@@ -17,6 +17,7 @@ double known(double time_s) {
 
 Estimate median_of(const std::vector<PartedTrial>& trials, double PartedTrial::*time_s) {
   std::vector<double> times;
+  times.reserve(trials.size());
   for (const PartedTrial& trial : trials) {
     times.push_back(trial.*time_s);
   }
@@ -64,6 +65,7 @@ std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
     });
     add("not_parted", "1", "share", share_of(together, static_cast<std::int64_t>(trials.size())));
     std::vector<double> shares;
+    shares.reserve(trials.size());
     for (const PartedTrial& trial : trials) {
       shares.push_back(trial.share_together);
     }

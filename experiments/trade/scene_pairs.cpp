@@ -45,6 +45,7 @@ std::vector<ScenePair> pairs_that_met(const TradeBodies& bodies, const SceneDema
     ++place->second.meetings;
   }
   std::vector<ScenePair> pairs;
+  pairs.reserve(met.size());
   for (auto& [of, pair] : met) {
     pairs.push_back(std::move(pair));
   }

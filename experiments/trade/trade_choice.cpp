@@ -32,7 +32,7 @@ TradeChoice choice_for(double budget_ms, const std::vector<TradeOption>& options
     if (too_slow.contains(bounds)) {
       continue;
     }
-    const TradeChoice choice = choice_of(option, budget_ms, pairs, run_scene);
+    TradeChoice choice = choice_of(option, budget_ms, pairs, run_scene);
     if (choice.keeps) {
       return choice;
     }
@@ -71,6 +71,7 @@ std::vector<TradeChoice> choices_for(const std::vector<double>& budgets_ms,
                                      const std::vector<TradeOption>& options, double pairs,
                                      const RunScene& run_scene) {
   std::vector<TradeChoice> choices;
+  choices.reserve(budgets_ms.size());
   for (const double budget_ms : budgets_ms) {
     choices.push_back(choice_for(budget_ms, options, pairs, run_scene));
   }

@@ -149,8 +149,7 @@ TEST_F(CollisionStrip, WhatCannotBePicturedIsRefused) {
             "impetus: --width: expected from 1 to 8192 pixels, got 9000\n");
   folder_.write("a.png", "mine");
   const ProgramResult result = strip(free_scene());
-  EXPECT_EQ(result.errors,
-            "impetus: a.png: expected no such file, for a picture, but there is one\n");
+  EXPECT_EQ(result.errors, "impetus: a.png: exists already and is not overwritten\n");
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(text_of(folder_ / "a.png"), "mine");
 }

@@ -26,6 +26,22 @@ TEST(ExtremesCommand, PrintsWhatIsPromisedAndMeasuredAndWritesItAsJson) {
   EXPECT_TRUE(one["promises"][0]["kept"].get<bool>());
 }
 
+TEST(ExtremesCommand, RefusesAFileThatIsThereOrCannotBeWrittenBeforeItBegins) {
+  const TemporaryFolder folder;
+  folder.write("there.json", "mine");
+  const auto refusal = [&](const std::string& file) {
+    const ProgramResult ran =
+        run_program(folder, {"extremes", "--quick", "--only", "speeds-balls", "--json", file});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_EQ(ran.output, "");
+    return ran.errors;
+  };
+  EXPECT_EQ(refusal("there.json"), "impetus: there.json: exists already and is not overwritten\n");
+  EXPECT_EQ(refusal("none/a.json"),
+            "impetus: none/a.json: cannot be written (No such file or directory)\n");
+  EXPECT_EQ(text_of(folder / "there.json"), "mine");
+}
+
 TEST(ExtremesCommand, RefusesACaseThatThereIsNoneOf) {
   const TemporaryFolder folder;
   const ProgramResult ran = run_program(folder, {"extremes", "--only", "luck"});

@@ -145,7 +145,9 @@ TEST(ReplayWith, RefusesInOneSentence) {
   expect_refused(study.folder, {"replay", "a.sqlite", "--out", "rows.csv"},
                  "--out: expected --with beside it, which is missing");
   expect_refused(study.folder, {"replay", "a.sqlite", "--with", "level=0", "--out", "there.csv"},
-                 "--out: expected no such file yet, but there is a there.csv");
+                 "there.csv: exists already and is not overwritten");
+  expect_refused(study.folder, {"replay", "a.sqlite", "--with", "level=0", "--json", "none/a.json"},
+                 "none/a.json: cannot be written (No such file or directory)");
 }
 
 // ------------------------------------------------------------- changed scenes

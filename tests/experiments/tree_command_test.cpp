@@ -68,6 +68,7 @@ TEST(TreeCommand, WhatCannotBeBuiltIsRefusedInOneSentence) {
   const TemporaryFolder folder;
   folder.write("open.obj", std::string(kTetrahedron).substr(0, 56));
   folder.write("there.tree", "mine");
+  std::filesystem::create_directory(folder / "folder.tree");
   struct Case {
     std::vector<std::string> words;
     int status;
@@ -99,9 +100,12 @@ TEST(TreeCommand, WhatCannotBeBuiltIsRefusedInOneSentence) {
       {{"box", "-o", "there.tree"},
        2,
        "there.tree: exists already and is not overwritten without --force"},
-      {{"box", "-o", "none/a.tree"},
+      {{"open.obj", "-o", "none/a.tree"},  // before the mesh is looked at
        2,
        "none/a.tree: cannot be written (No such file or directory)"},
+      {{"open.obj", "--force", "-o", "folder.tree"},
+       2,
+       "folder.tree: cannot be written (Is a directory)"},
   };
   for (const Case& each : cases) {
     const ProgramResult result = build(folder, each.words);
@@ -110,6 +114,9 @@ TEST(TreeCommand, WhatCannotBeBuiltIsRefusedInOneSentence) {
   }
   EXPECT_EQ(text_of(folder / "there.tree"), "mine");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.tree"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_FALSE(entry.path().filename().string().starts_with("folder.tree.")) << "left behind";
+  }
   EXPECT_EQ(build(folder, {"box", "--force", "-o", "there.tree"}).status, 0);
   EXPECT_EQ(load_tree(folder / "there.tree").name, "box");
 }
@@ -150,7 +157,9 @@ class TreePictures : public ::testing::Test {
     words.insert(words.begin(), {"tree", "show", "a.tree", option, "a.png"});
     const ProgramResult result = run_program(folder_, words);
     EXPECT_EQ(result.status, 0) << result.errors;
-    return text_of(folder_ / "a.png");
+    std::string bytes = text_of(folder_ / "a.png");
+    std::filesystem::remove(folder_ / "a.png");
+    return bytes;
   }
 
   TemporaryFolder folder_;
@@ -180,6 +189,16 @@ TEST_F(TreePictures, LevelsColoursAndTheMeshMakeDifferentPictures) {
 TEST_F(TreePictures, AStripHasAllLevelsSideBySide) {
   EXPECT_EQ(size_of_png(picture({"--width", "100", "--height", "90"}, "--strip")),
             std::pair(400U, 90U));
+}
+
+TEST_F(TreePictures, NothingIsOverwritten) {
+  const std::string before = text_of(folder_ / "a.tree");
+  for (const std::string option : {"--png", "--strip"}) {
+    const ProgramResult result = run_program(folder_, {"tree", "show", "a.tree", option, "a.tree"});
+    EXPECT_EQ(result.errors, "impetus: a.tree: exists already and is not overwritten\n");
+    EXPECT_EQ(result.status, 2);
+  }
+  EXPECT_EQ(text_of(folder_ / "a.tree"), before);
 }
 
 TEST_F(TreePictures, WhatCannotBePicturedIsRefused) {
