@@ -55,20 +55,25 @@ json json_of(const SeenCollision& collision) {
                        {"gap_at_gaze_arcmin", collision.at_gaze_arcmin}});
 }
 
+json collision_or_null(const Course& course, const std::optional<std::size_t>& place) {
+  return place ? json_of(course.collisions[*place]) : json();
+}
+
 json collisions_of(const ComparedStimulus& each) {
+  const Course& then = each.outcome.then;
+  const Course& now = each.outcome.now;
   const auto name = [&each](std::int32_t body) {
     return is_wall(body) ? wall_name(body, each.walls)
                          : each.bodies[static_cast<std::size_t>(body)];
   };
   json collisions = json::array();
   for (const CollisionMatch& match : each.outcome.matches) {
-    const auto* then = match.then ? &each.outcome.then.collisions[*match.then] : nullptr;
-    const auto* now = match.now ? &each.outcome.now.collisions[*match.now] : nullptr;
-    const BodyPair bodies = (then != nullptr ? then : now)->bodies;
-    collisions.push_back(json::object({{"body_a", name(bodies.a)},
-                                       {"body_b", name(bodies.b)},
-                                       {"then", then != nullptr ? json_of(*then) : json()},
-                                       {"now", now != nullptr ? json_of(*now) : json()}}));
+    const SeenCollision& either =
+        match.then ? then.collisions[*match.then] : now.collisions[match.now.value()];
+    collisions.push_back(json::object({{"body_a", name(either.bodies.a)},
+                                       {"body_b", name(either.bodies.b)},
+                                       {"then", collision_or_null(then, match.then)},
+                                       {"now", collision_or_null(now, match.now)}}));
   }
   return collisions;
 }
