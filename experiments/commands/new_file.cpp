@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/new_file.hpp"
 
+#include <unistd.h>
+
+#include <system_error>
+
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/session/input_error.hpp"
 
@@ -25,6 +29,29 @@ void require_new_file(const std::filesystem::path& file, bool force) {
     require_none(file, " without --force");
   }
   require_writable(file);
+}
+
+void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                       bool force) {
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder)) {
+    throw InputError("--out: expected a folder, but " + folder.string() + " is a file");
+  }
+  if (!force) {
+    for (const std::string& name : names) {
+      require_none(folder / name, " without --force");
+    }
+  }
+}
+
+void make_out_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError("--out: expected a folder to write to, could not make " + folder.string());
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw InputError("--out: expected a folder to write to, got " + folder.string());
+  }
 }
 
 }  // namespace impetus

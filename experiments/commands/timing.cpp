@@ -13,6 +13,7 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/window_lab.hpp"
@@ -44,22 +45,6 @@ void require(bool right, const std::string& sentence) {
   if (!right) {
     throw InputError(sentence);
   }
-}
-
-/// Before anything is opened.
-void require_writable(const std::filesystem::path& folder, bool force) {
-  require(!std::filesystem::exists(folder) || std::filesystem::is_directory(folder),
-          "--out: expected a folder, but " + folder.string() + " is a file");
-  for (const char* name : {"timing.html", "timing.json"}) {
-    require(force || !std::filesystem::exists(folder / name),
-            (folder / name).string() + ": exists already and is not overwritten without --force");
-  }
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  require(!error, "--out: expected a folder to write to, could not make " + folder.string());
 }
 
 /// What takes long, before the window opens.
@@ -120,16 +105,16 @@ int report_timing(const TimingOptions& options) {
   const ScreenCorner corner = patch_corner("--patch", options.patch);
   static_cast<void>(window_options(options.window_size));
   const std::filesystem::path folder = options.out;
-  require_writable(folder, options.force);
+  require_new_files(folder, {"timing.html", "timing.json"}, options.force);
   static_cast<void>(display_refresh_hz());
   const ScreenGeometry screen = chosen_screen(options.screen_file);
   ShapeLibrary shapes;
   const TimingScenes scenes(options.seconds, shapes);
   build_bodies(scenes, screen, shapes);
+  make_out_folder(folder);
   const TimingReport report = measured(options, corner, screen, scenes);
   const std::vector<TimingVerdict> verdicts = timing_verdicts(report);
   const std::string json = timing_json(report).dump(2) + "\n";
-  make_folder(folder);
   write_whole_file(folder / "timing.html", timing_page(report));
   write_whole_file(folder / "timing.json", json);
   if (options.json) {

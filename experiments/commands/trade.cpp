@@ -17,6 +17,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/scheduled_trade.hpp"
 #include "experiments/commands/trade_figure.hpp"
@@ -58,6 +59,8 @@ constexpr int kUsualDepth = 3;
 constexpr int kGreatestSceneDepth = 6;
 constexpr std::size_t kMostPairs = 6;
 constexpr double kExactHold = 0.0;
+const std::vector<std::string> kTradeFiles{"trade.csv",   "trade.R",    "trade.svg",   "trade.pdf",
+                                           "choices.csv", "choices.md", "choices.json"};
 
 void require(bool fulfilled, const std::string& sentence) {
   if (!fulfilled) {
@@ -102,18 +105,6 @@ void check(const TradeOptions& options) {
     require(budget_ms > 0.0,
             "--budgets-ms: expected milliseconds above 0, got " + csv_number(budget_ms));
   }
-}
-
-/// Before anything is measured. Throws InputError.
-void prepare_folder(const std::filesystem::path& folder, bool force) {
-  require(!std::filesystem::exists(folder) || std::filesystem::is_directory(folder),
-          "--out: expected a folder, but " + folder.string() + " is a file");
-  require(
-      force || !std::filesystem::exists(folder / "trade.csv"),
-      (folder / "trade.csv").string() + ": exists already and is not overwritten without --force");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  require(!error, "--out: expected a folder to write to, could not make " + folder.string());
 }
 
 /// What the parts work on.
@@ -322,7 +313,8 @@ int trade(const TradeOptions& options) {
               build_scene(scene.value, screen, kExactHold, shapes),
               {}};
   check(options.scheduled, trade.staged);
-  prepare_folder(folder, options.force);
+  require_new_files(folder, kTradeFiles, options.force);
+  make_out_folder(folder);
   {
     ProgressLine line("simulating the scene");
     trade.demand = demand_of(trade.staged, [&line](double share) { line.tell(share); });

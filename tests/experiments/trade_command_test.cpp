@@ -112,14 +112,19 @@ TEST(TradeCommand, DoesNotOverwriteAResultUnlessAsked) {
   const TemporaryFolder folder;
   const std::string scene = stimulus("two-l-blocks");
   std::filesystem::create_directory(folder / "out");
-  folder.write("out/trade.csv", "mine");
-  EXPECT_EQ(trade(folder, scene, {}).errors,
-            kAssumedScreen +
-                "impetus: out/trade.csv: exists already and is not overwritten without --force\n");
-  EXPECT_EQ(text_of(folder / "out/trade.csv"), "mine");
+  const auto refused = [&](const std::string& out, const std::string& sentence) {
+    EXPECT_EQ(run_program(folder, {"trade", scene, "--out", out}).errors,
+              kAssumedScreen + "impetus: " + sentence + "\n");
+  };
+  for (const std::string file : {"out/trade.csv", "out/trade.R", "out/choices.json"}) {
+    folder.write(file, "mine");
+    refused("out", file + ": exists already and is not overwritten without --force");
+    EXPECT_EQ(text_of(folder / file), "mine");
+    std::filesystem::remove(folder / file);
+  }
   folder.write("file", "mine");
-  EXPECT_EQ(run_program(folder, {"trade", scene, "--out", "file"}).errors,
-            kAssumedScreen + "impetus: --out: expected a folder, but file is a file\n");
+  refused("file", "--out: expected a folder, but file is a file");
+  refused("file/below", "--out: expected a folder to write to, could not make file/below");
 }
 
 // ---------------------------------------------------------------- settings to paste
