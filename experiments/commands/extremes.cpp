@@ -100,9 +100,7 @@ Length length_of(const ExtremesOptions& options) {
 int ask_extremes(const ExtremesOptions& options) {
   using Seconds = std::chrono::duration<double>;
   const std::vector<ExtremeCase> cases = chosen_cases(options.only);
-  if (!options.json_file.empty()) {
-    require_new_file(options.json_file);
-  }
+  require_new_file(options.json_file);
   json report{{"build", kBuild}, {"machine", machine_name()}, {"cases", json::array()}};
   std::printf("%s\n%s\n\n  %-19s %-10s %-10s\n", kBuild, machine_name().c_str(), "case", "measured",
               "at most");

@@ -20,8 +20,10 @@ void require_none(const std::filesystem::path& file, const char* unless) {
 }  // namespace
 
 void require_new_file(const std::filesystem::path& file) {
-  require_none(file, "");
-  require_writable(file);
+  if (!file.empty()) {
+    require_none(file, "");
+    require_writable(file);
+  }
 }
 
 void require_new_file(const std::filesystem::path& file, bool force) {

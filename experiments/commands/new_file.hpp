@@ -10,7 +10,7 @@ namespace impetus {
 
 /// Throws InputError, in one sentence that names the file, when it is there already, and
 /// std::runtime_error when it could not be written: its folder is missing or closed. Nothing
-/// changes.
+/// changes. "" is a file that nobody asked for.
 void require_new_file(const std::filesystem::path& file);
 
 /// The same for a command with the option --force, which replaces what is there.

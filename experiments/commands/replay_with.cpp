@@ -86,11 +86,8 @@ std::string words_of_setting_keys() {
 
 int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                 const ReplayWithOptions& options) {
-  for (const std::string& file : {options.csv_file, options.json_file}) {
-    if (!file.empty()) {
-      require_new_file(file);
-    }
-  }
+  require_new_file(options.csv_file);
+  require_new_file(options.json_file);
   std::vector<SettingChange> changes;
   for (const std::string& given : options.with) {
     changes.push_back(setting_change(given));

@@ -84,14 +84,6 @@ PictureSize size_of(const ShowOptions& options, int usual_px) {
   return {checked("--width", options.width_px), checked("--height", options.height_px)};
 }
 
-void require_new_pictures(const ShowOptions& options) {
-  for (const std::string& file : {options.png, options.strip}) {
-    if (!file.empty()) {
-      require_new_file(file);
-    }
-  }
-}
-
 void write_pictures(const ShowOptions& options, const ShownTree& shown, const TreeLook& look) {
   if (!options.png.empty()) {
     const PictureSize size = size_of(options, kUsualPicturePx);
@@ -110,7 +102,8 @@ void write_pictures(const ShowOptions& options, const ShownTree& shown, const Tr
 }
 
 int show(const ShowOptions& options) {
-  require_new_pictures(options);
+  require_new_file(options.png);
+  require_new_file(options.strip);
   const ShownTree shown = shown_from(load_tree(options.file));
   const TreeLook look = look_of(options, shown.tree);
   if (!options.png.empty() || !options.strip.empty()) {
