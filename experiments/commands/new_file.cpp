@@ -17,6 +17,16 @@ void require_none(const std::filesystem::path& file, const char* unless) {
   }
 }
 
+/// Whether `folder` can be made, if it is not there, and written to.
+bool can_hold_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::path there = std::filesystem::absolute(folder, error);
+  while (!there.empty() && !std::filesystem::exists(there)) {
+    there = there.parent_path();
+  }
+  return std::filesystem::is_directory(there) && access(there.c_str(), W_OK | X_OK) == 0;
+}
+
 }  // namespace
 
 void require_new_file(const std::filesystem::path& file) {
@@ -43,6 +53,9 @@ void require_new_files(const std::filesystem::path& folder, const std::vector<st
       require_none(folder / name, " without --force");
     }
   }
+  if (!can_hold_files(folder)) {
+    throw InputError("--out: expected a folder to write to, got " + folder.string());
+  }
 }
 
 void make_out_folder(const std::filesystem::path& folder) {
@@ -50,9 +63,6 @@ void make_out_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) {
     throw InputError("--out: expected a folder to write to, could not make " + folder.string());
-  }
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw InputError("--out: expected a folder to write to, got " + folder.string());
   }
 }
 

@@ -16,13 +16,13 @@ void require_new_file(const std::filesystem::path& file);
 /// The same for a command with the option --force, which replaces what is there.
 void require_new_file(const std::filesystem::path& file, bool force);
 
-/// The same for several files of `folder`, which may not be there yet. Throws InputError, also when
-/// it is a file. Nothing changes.
+/// The same for several files of `folder`, the option --out, which may not be there yet. Throws
+/// InputError, also when it is a file or could not be made. Nothing changes.
 void require_new_files(const std::filesystem::path& folder, const std::vector<std::string>& names,
                        bool force);
 
 /// Makes the folder of the option --out unless it is there. Throws InputError when it cannot be
-/// made or written to.
+/// made.
 void make_out_folder(const std::filesystem::path& folder);
 
 }  // namespace impetus

@@ -111,10 +111,10 @@ int report_timing(const TimingOptions& options) {
   ShapeLibrary shapes;
   const TimingScenes scenes(options.seconds, shapes);
   build_bodies(scenes, screen, shapes);
-  make_out_folder(folder);
   const TimingReport report = measured(options, corner, screen, scenes);
   const std::vector<TimingVerdict> verdicts = timing_verdicts(report);
   const std::string json = timing_json(report).dump(2) + "\n";
+  make_out_folder(folder);
   write_whole_file(folder / "timing.html", timing_page(report));
   write_whole_file(folder / "timing.json", json);
   if (options.json) {

@@ -293,6 +293,7 @@ TEST(TimingCommand, WhatCannotBeIsRefusedAndNothingIsWritten) {
        "--window 9x9: expected WIDTHxHEIGHT of at least 640x480 pixels"},
       {{"timing", "--seconds", "0"}, "--seconds: Value 0 not in range 1.000000 to 3600.000000"},
       {{"timing", "--out", "file"}, "--out: expected a folder, but file is a file"},
+      {{"timing", "--out", "file/below"}, "--out: expected a folder to write to, got file/below"},
       {{"timing", "--out", "old"},
        "old/timing.json: exists already and is not overwritten without --force"}};
   for (const auto& [arguments, sentence] : cases) {

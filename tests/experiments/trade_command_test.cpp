@@ -124,7 +124,7 @@ TEST(TradeCommand, DoesNotOverwriteAResultUnlessAsked) {
   }
   folder.write("file", "mine");
   refused("file", "--out: expected a folder, but file is a file");
-  refused("file/below", "--out: expected a folder to write to, could not make file/below");
+  refused("file/below", "--out: expected a folder to write to, got file/below");
 }
 
 // ---------------------------------------------------------------- settings to paste
