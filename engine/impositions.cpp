@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
-
-std::size_t at(std::int32_t body) { return static_cast<std::size_t>(body); }
 
 void hold(double hold_s, CollisionReport& collision, std::vector<BodyState>& states) {
   if (!collision.began || !(collision.impulse_Ns > 0.0) || !(hold_s > 0.0)) {

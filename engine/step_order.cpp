@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// For a body and a wall, both are that body.
 void find_motion(PairBounds& pair, const Measuring& by) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/collision_reports.hpp"
+#include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/relative_acuity.hpp"
 #include "engine/world_checks.hpp"
@@ -21,8 +22,6 @@ void require(bool condition, const char* message) {
     throw std::invalid_argument(message);
   }
 }
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/collision/all_pairs.hpp"
+#include "engine/numerics/at.hpp"
 #include "engine/volumes/wall_reach.hpp"
 #include "engine/world.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 
 /// So few are sooner all tested against each other than put in order; the pairs are the same.
 constexpr std::size_t kFewBodies = 24;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

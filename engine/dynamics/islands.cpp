@@ -7,7 +7,7 @@
 namespace impetus {
 namespace {
 
-constexpr auto kNone = std::numeric_limits<std::size_t>::max();
+constexpr auto kNoIsland = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
@@ -15,10 +15,10 @@ constexpr auto kNone = std::numeric_limits<std::size_t>::max();
 std::size_t Islands::island_of(const ContactArms& contact, const ContactBodies& bodies) {
   const std::int32_t mover = bodies.moves(contact.a) ? contact.a : contact.b;
   if (!bodies.moves(mover)) {
-    return kNone;
+    return kNoIsland;
   }
   std::size_t& island = island_of_set_[sets_.name_of(static_cast<std::size_t>(mover))];
-  if (island == kNone) {
+  if (island == kNoIsland) {
     island = count();
     first_.push_back(0);
   }
@@ -33,14 +33,14 @@ void Islands::find(const ContactBodies& bodies) {
       sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     }
   }
-  island_of_set_.assign(bodies.body_count(), kNone);
+  island_of_set_.assign(bodies.body_count(), kNoIsland);
   island_of_contact_.clear();
   first_.assign(1, 0);
   for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
     const std::size_t island = bodies.is_like_the_last(i) ? island_of_contact_.back()
                                                           : island_of(bodies.contact(i), bodies);
     island_of_contact_.push_back(island);
-    if (island != kNone) {
+    if (island != kNoIsland) {
       ++first_[island + 1];
     }
   }
@@ -50,7 +50,7 @@ void Islands::find(const ContactBodies& bodies) {
   members_.resize(first_.back());
   next_ = first_;
   for (std::size_t i = 0; i < island_of_contact_.size(); ++i) {
-    if (island_of_contact_[i] != kNone) {
+    if (island_of_contact_[i] != kNoIsland) {
       members_[next_[island_of_contact_[i]]++] = i;
     }
   }

@@ -14,7 +14,7 @@ namespace {
 /// squared: first finely, and where rounding then leads nowhere, coarsely.
 constexpr std::array<double, 2> kIndependent{1e-14, 1e-10};
 /// Times the tolerance: what rounding adds to a row that depends on the active ones.
-constexpr double kRounding = 300.0;
+constexpr double kRoundings = 300.0;
 constexpr int kPolishings = 1;
 constexpr std::size_t kStepsPerRow = 8;
 constexpr std::size_t kStepsAtLeast = 32;
@@ -113,7 +113,7 @@ bool NearestVelocitySolver::satisfy(std::size_t index, std::vector<Vector6>& u) 
     const double step = std::min(step_until_pull, full_step);
     if (!(step < kInfinity)) {
       // In the span of the active rows, which satisfy it but for their rounding.
-      const bool is_left = slack >= -kRounding * tolerance_;
+      const bool is_left = slack >= -kRoundings * tolerance_;
       is_out_[index] = is_left ? 1 : 0;
       return is_left;
     }

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "engine/dynamics/body_sets.hpp"
+#include "engine/numerics/at.hpp"
 
 namespace impetus {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// Of slow_way_m: bodies one of which was stopped are looked at when they move further than this,
 /// since stops can bring the same two together step after step.

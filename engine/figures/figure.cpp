@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// The angular velocity that turns one orientation into the other in a second, by the chord of
 /// their difference: to the second order of the angle.

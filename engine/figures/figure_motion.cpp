@@ -6,14 +6,13 @@
 
 #include "engine/dynamics/far_turn.hpp"
 #include "engine/figures/internal_motion.hpp"
+#include "engine/numerics/at.hpp"
 
 namespace impetus {
 namespace {
 
 /// Of the beginning impulses, at most.
 constexpr int kMostIterations = 24;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// By how much the child's anchor and axis miss the parent's: in world (metres), and across the
 /// axis (radians).

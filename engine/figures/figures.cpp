@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 std::size_t begin_of(const Figure& figure) { return at(figure.first_part); }
 std::size_t end_of(const Figure& figure) { return at(figure.first_part + figure.part_count); }

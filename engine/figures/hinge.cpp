@@ -10,7 +10,6 @@ namespace impetus {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
-constexpr double kDegreesPerRadian = 57.29577951308232;
 
 bool is_unit(const Vector3& v) { return std::abs(v.squaredNorm() - 1.0) < 1e-9; }
 

@@ -4,12 +4,12 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
 
 constexpr std::int32_t kNone = ContactArms::kNone;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

@@ -9,8 +9,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kDegreesPerRadian = 57.29577951308232;
-
 double sine_of_turns(double turns) {
   return sine_cosine_deg(360.0 * (turns - std::floor(turns))).sine;
 }

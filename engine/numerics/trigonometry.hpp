@@ -7,6 +7,9 @@
 
 namespace impetus {
 
+inline constexpr double kRadiansPerDegree = 0.017453292519943295;
+inline constexpr double kDegreesPerRadian = 57.29577951308232;
+
 struct SineCosine {
   double sine;
   double cosine;

@@ -9,21 +9,21 @@
 namespace impetus {
 namespace {
 
-[[noreturn]] void refuse(const std::string& expected, const std::string& got) {
+[[noreturn]] void refuse_weights(const std::string& expected, const std::string& got) {
   throw std::invalid_argument("weighted scheduler: expected " + expected + ", got " + got);
 }
 
 void check(const WeightedTerm& term) {
   const std::string of = " for \"" + term.metric + "\"";
   if (term.metric == "weighted") {
-    refuse("terms that are no sums themselves", "\"weighted\"");
+    refuse_weights("terms that are no sums themselves", "\"weighted\"");
   }
   if (!(term.weight > 0.0) || !std::isfinite(term.weight)) {
-    refuse("a weight above 0" + of, std::to_string(term.weight));
+    refuse_weights("a weight above 0" + of, std::to_string(term.weight));
   }
   if (!std::isfinite(term.urgent) || !std::isfinite(term.relaxed) || term.urgent == term.relaxed) {
-    refuse("two different finite ends, urgent and relaxed," + of,
-           std::to_string(term.urgent) + " and " + std::to_string(term.relaxed));
+    refuse_weights("two different finite ends, urgent and relaxed," + of,
+                   std::to_string(term.urgent) + " and " + std::to_string(term.relaxed));
   }
 }
 
@@ -37,7 +37,7 @@ double brought_to_unit(double measured, double relaxed, double urgent) {
 
 WeightedMetric::WeightedMetric(const MetricOptions& options) : PriorityMetric(Urgent::kLarge) {
   if (options.terms.empty()) {
-    refuse("at least one term", "none");
+    refuse_weights("at least one term", "none");
   }
   for (const WeightedTerm& term : options.terms) {
     check(term);
@@ -49,7 +49,7 @@ WeightedMetric::WeightedMetric(const MetricOptions& options) : PriorityMetric(Ur
   }
   if (options.point && std::none_of(options.terms.begin(), options.terms.end(),
                                     [](const WeightedTerm& t) { return takes_point(t.metric); })) {
-    refuse("no point, which none of its terms has a use for", "one");
+    refuse_weights("no point, which none of its terms has a use for", "one");
   }
 }
 

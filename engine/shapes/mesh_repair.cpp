@@ -18,7 +18,7 @@ using Corners = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using Cell = std::array<std::int64_t, 3>;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kUnnumbered = std::numeric_limits<std::uint32_t>::max();
 
 void turn(Corners& triangle) { std::swap(triangle[1], triangle[2]); }
 
@@ -171,11 +171,11 @@ std::int64_t turn_components(TriangleMesh& mesh) {
 }
 
 void drop_unused_vertices(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
+  std::vector<std::uint32_t> number(mesh.vertices.size(), kUnnumbered);
   std::vector<Vector3> used;
   for (Corners& triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) {
-      if (number[corner] == kNone) {
+      if (number[corner] == kUnnumbered) {
         number[corner] = static_cast<std::uint32_t>(used.size());
         used.push_back(mesh.vertices[corner]);
       }

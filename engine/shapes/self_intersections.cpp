@@ -10,23 +10,23 @@
 namespace impetus {
 namespace {
 
-constexpr std::size_t kLargestLeaf = 4;
+constexpr std::size_t kTrianglesPerLeaf = 4;
 
-struct Box {
+struct Bounds {
   Vector3 least;
   Vector3 most;
 
-  [[nodiscard]] bool overlaps(const Box& other) const {
+  [[nodiscard]] bool overlaps(const Bounds& other) const {
     return (least.array() <= other.most.array()).all() &&
            (other.least.array() <= most.array()).all();
   }
-  void include(const Box& other) {
+  void include(const Bounds& other) {
     least = least.cwiseMin(other.least);
     most = most.cwiseMax(other.most);
   }
 };
 
-Box box_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+Bounds box_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   const Vector3& a = mesh.vertices[triangle[0]];
   const Vector3& b = mesh.vertices[triangle[1]];
   const Vector3& c = mesh.vertices[triangle[2]];
@@ -34,9 +34,9 @@ Box box_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangl
 }
 
 void count(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, SelfIntersections& found) {
-  const Meeting how = meeting(mesh, mesh.triangles[a], mesh.triangles[b]);
-  found.crossing_pairs += how == Meeting::kCrossing ? 1 : 0;
-  found.folded_pairs += how == Meeting::kFolded ? 1 : 0;
+  const TriangleMeeting how = meeting(mesh, mesh.triangles[a], mesh.triangles[b]);
+  found.crossing_pairs += how == TriangleMeeting::kCrossing ? 1 : 0;
+  found.folded_pairs += how == TriangleMeeting::kFolded ? 1 : 0;
 }
 
 /// A binary tree of boxes over the triangles: the children of node n are 2n + 1 and 2n + 2, and a
@@ -58,16 +58,16 @@ class BoxTree {
 
  private:
   struct Node {
-    Box box;
+    Bounds box;
     std::size_t begin;
     std::size_t end;
 
     [[nodiscard]] std::size_t size() const { return end - begin; }
-    [[nodiscard]] bool is_leaf() const { return size() <= kLargestLeaf; }
+    [[nodiscard]] bool is_leaf() const { return size() <= kTrianglesPerLeaf; }
   };
 
   void build(std::size_t index, std::size_t begin, std::size_t end) {
-    Box box = boxes_[order_[begin]];
+    Bounds box = boxes_[order_[begin]];
     for (std::size_t i = begin; i < end; ++i) {
       box.include(boxes_[order_[i]]);
     }
@@ -133,7 +133,7 @@ class BoxTree {
 
   const TriangleMesh& mesh_;
   std::vector<std::uint32_t> order_;
-  std::vector<Box> boxes_;
+  std::vector<Bounds> boxes_;
   std::vector<Node> nodes_;
   SelfIntersections found_;
 };

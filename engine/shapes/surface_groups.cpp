@@ -16,7 +16,7 @@
 namespace impetus {
 namespace {
 
-constexpr std::int32_t kNone = -1;
+constexpr std::int32_t kNoGroup = -1;
 /// A triangle takes its group from one that does not face away by more than 60°.
 constexpr double kCompatibleCosine = 0.5;
 
@@ -60,7 +60,7 @@ class Growth {
   explicit Growth(const TriangleMesh& mesh)
       : areas_(area_vectors_of(mesh)),
         neighbours_(neighbours_of(mesh)),
-        groups_(mesh.triangles.size(), kNone) {}
+        groups_(mesh.triangles.size(), kNoGroup) {}
 
   std::vector<std::int32_t> groups() {
     std::vector<std::uint32_t> largest_first(areas_.size());
@@ -71,7 +71,7 @@ class Growth {
                      });
     std::int32_t group = 0;
     for (const std::uint32_t seed : largest_first) {
-      if (groups_[seed] == kNone) {
+      if (groups_[seed] == kNoGroup) {
         grow(seed, group++);
       }
     }
@@ -94,13 +94,13 @@ class Growth {
       const auto triangle = static_cast<std::uint32_t>(-std::get<1>(seen.top()));
       seen.pop();
       const bool first = normal.isZero();
-      if (groups_[triangle] != kNone || (!first && cosine(triangle, normal) < kGroupCosine)) {
+      if (groups_[triangle] != kNoGroup || (!first && cosine(triangle, normal) < kGroupCosine)) {
         continue;
       }
       groups_[triangle] = group;
       normal += areas_[triangle];
       for (const std::uint32_t next : neighbours_[triangle]) {
-        if (groups_[next] == kNone) {
+        if (groups_[next] == kNoGroup) {
           seen.emplace(cosine(next, normal), -static_cast<std::int64_t>(next));
         }
       }

@@ -124,22 +124,22 @@ Triangle placed(const TriangleMesh& mesh, const Corners& corners) {
 
 }  // namespace
 
-Meeting meeting(const TriangleMesh& mesh, const Corners& a, const Corners& b) {
+TriangleMeeting meeting(const TriangleMesh& mesh, const Corners& a, const Corners& b) {
   const auto shared = std::count_if(a.begin(), a.end(), [&b](std::uint32_t vertex) {
     return std::find(b.begin(), b.end(), vertex) != b.end();
   });
   const Triangle of_a = placed(mesh, a);
   const Triangle of_b = placed(mesh, b);
   if (shared == 3 || flattening_axis(of_a) == kNoAxis || flattening_axis(of_b) == kNoAxis) {
-    return Meeting::kNone;
+    return TriangleMeeting::kNone;
   }
   if (shared == 0) {
-    return share_a_point(of_a, of_b) ? Meeting::kCrossing : Meeting::kNone;
+    return share_a_point(of_a, of_b) ? TriangleMeeting::kCrossing : TriangleMeeting::kNone;
   }
   const bool folded = shared == 1
                           ? meet_beyond_corner(of_a, corner(a, b, true), of_b, corner(b, a, true))
                           : meet_beyond_edge(of_a, corner(a, b, false), of_b, corner(b, a, false));
-  return folded ? Meeting::kFolded : Meeting::kNone;
+  return folded ? TriangleMeeting::kFolded : TriangleMeeting::kNone;
 }
 
 }  // namespace impetus

@@ -10,7 +10,7 @@
 
 namespace impetus {
 
-enum class Meeting {
+enum class TriangleMeeting {
   kNone,      ///< nothing in common, or only shared corners and edges
   kCrossing,  ///< a common point although no corner is shared; touching counts
   kFolded,    ///< a common point beyond the shared corner, or beyond the shared edge
@@ -18,7 +18,7 @@ enum class Meeting {
 
 /// How triangles `a` and `b` of `mesh` meet: kNone when they are the same three vertices or when
 /// one of them has no area. Corners are told apart by their index, so vertices must be welded.
-Meeting meeting(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
-                const std::array<std::uint32_t, 3>& b);
+TriangleMeeting meeting(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
+                        const std::array<std::uint32_t, 3>& b);
 
 }  // namespace impetus

@@ -7,11 +7,7 @@
 namespace impetus {
 namespace {
 
-/// A reach is worth this share of the box's own extent: of two boxes that reach as far, the
-/// smaller.
-constexpr double kExtentShare = 0.01;
 constexpr int kRounds = 8;
-constexpr double kFirstTurn = 0.1;
 
 struct Extents {
   Vector3 centre;

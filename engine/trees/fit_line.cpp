@@ -12,9 +12,7 @@
 namespace impetus {
 namespace {
 
-constexpr double kExtentShare = 0.01;  ///< of two that reach as far, the smaller
-constexpr double kFirstTurn = 0.1;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// About the line through `on_line` along `axis` (unit).
 LineSwept line_along(const Vector3& axis, const Vector3& on_line,
@@ -23,8 +21,8 @@ LineSwept line_along(const Vector3& axis, const Vector3& on_line,
   for (const Vector3& point : points) {
     squared_m2 = std::max(squared_m2, (point - on_line).cross(axis).squaredNorm());
   }
-  double first_m = kInfinity;
-  double last_m = -kInfinity;
+  double first_m = kUnreached;
+  double last_m = -kUnreached;
   for (const Vector3& point : points) {
     const double along_m = (point - on_line).dot(axis);
     const double left_m2 = squared_m2 - (point - on_line).cross(axis).squaredNorm();
@@ -71,7 +69,7 @@ Fit fit_line(const FitTask& task) {
     return extent < enough ? extent + reach_beyond_m(line, task.solid, {questions, enough - extent})
                            : extent;
   };
-  double least = kInfinity;
+  double least = kUnreached;
   Matrix3 frame = Matrix3::Identity();
   Vector3 middle = Vector3::Zero();
   for (const Matrix3& tried : task.frames) {

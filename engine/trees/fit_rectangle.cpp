@@ -11,13 +11,11 @@
 namespace impetus {
 namespace {
 
-constexpr double kExtentShare = 0.01;  ///< of two that reach as far, the smaller
-constexpr double kFirstTurn = 0.1;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct Interval {
-  double first{kInfinity};
-  double last{-kInfinity};
+  double first{kUnbounded};
+  double last{-kUnbounded};
 
   void reach(double at, double slack) {
     first = std::min(first, at + slack);
@@ -51,8 +49,8 @@ void reach_corner(Interval& along, double u, double v, double slack) {
 RectangleSwept rectangle_along(const Matrix3& frame, double shift_m,
                                const std::vector<Vector3>& points) {
   const Matrix3 to_frame = frame.transpose();
-  double lowest = kInfinity;
-  double highest = -kInfinity;
+  double lowest = kUnbounded;
+  double highest = -kUnbounded;
   std::vector<Vector3> within;
   within.reserve(points.size());
   for (const Vector3& point : points) {
@@ -114,7 +112,7 @@ Fit fit_rectangle(const FitTask& task) {
                ? extent + reach_beyond_m(rectangle, task.solid, {questions, enough - extent})
                : extent;
   };
-  double least = kInfinity;
+  double least = kUnbounded;
   Matrix3 start = Matrix3::Identity();
   for (const Matrix3& tried : task.frames) {
     const Matrix3 turned = shortest_last(tried, points);

@@ -11,8 +11,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kExtentShare = 0.01;  ///< of two that reach as far, the smaller
-
 Sphere sphere_about(const Vector3& centre, const std::vector<Vector3>& points) {
   double squared_m2 = 0.0;
   for (const Vector3& point : points) {

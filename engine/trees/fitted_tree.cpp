@@ -15,8 +15,8 @@ namespace impetus {
 namespace {
 
 /// Shares of the solid's size.
-constexpr double kMargin = 1e-12;
-constexpr double kNegligible = 1e-9;
+constexpr double kFitMargin = 1e-12;
+constexpr double kNegligibleReach = 1e-9;
 /// A node that reaches no farther is kept whole when its children would be no better.
 constexpr double kUnseen = 5e-4;
 
@@ -31,16 +31,16 @@ int rough_cells(const TreeSettings& settings) {
 }
 
 /// A node in the making.
-struct Piece {
+struct FittedPiece {
   SurfacePart part;
   PartShape shape;
   Fit fit;
   bool whole{false};  ///< no plane cuts it
 };
 
-class Builder {
+class FittedBuilder {
  public:
-  Builder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
+  FittedBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : solid_(&solid),
         settings_(&settings),
         progress_(&progress),
@@ -50,7 +50,7 @@ class Builder {
         distance_(description_.distance(), bounds_.least, bounds_.most, rough_cells(settings)) {}
 
   BuiltTree build() {
-    std::vector<Piece> level;
+    std::vector<FittedPiece> level;
     level.push_back(fitted(whole_surface(*solid_), Matrix3::Identity(), nullptr));
     add(level);
     for (level_ = 0; level_ < levels_to_build(*settings_) && !level.empty(); ++level_) {
@@ -62,7 +62,7 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] double negligible_m() const { return kNegligible * size_m_; }
+  [[nodiscard]] double negligible_m() const { return kNegligibleReach * size_m_; }
 
   void report(double share) const {
     if (*progress_) {
@@ -75,37 +75,37 @@ class Builder {
   }
 
   /// The piece with its volume; `outer` has one that holds it, too, unless it is null.
-  Piece fitted(SurfacePart part, const Matrix3& frame, const Fit* outer) const {
-    Piece piece;
+  FittedPiece fitted(SurfacePart part, const Matrix3& frame, const Fit* outer) const {
+    FittedPiece piece;
     piece.shape = shape_of(part);
     piece.fit = fit(piece.shape, frame, Effort::kCareful);
     if (outer != nullptr && outer->reach_m < piece.fit.reach_m) {
       piece.fit = *outer;
     } else {
-      piece.fit.volume = grown_to_hold(piece.fit.volume, corners_of(part), kMargin * size_m_);
+      piece.fit.volume = grown_to_hold(piece.fit.volume, corners_of(part), kFitMargin * size_m_);
     }
     piece.part = std::move(part);
     return piece;
   }
 
-  void add(const std::vector<Piece>& level) {
+  void add(const std::vector<FittedPiece>& level) {
     if (level.empty()) {
       return;
     }
     starts_.push_back(static_cast<std::int32_t>(nodes_.size()));
-    for (const Piece& piece : level) {
+    for (const FittedPiece& piece : level) {
       nodes_.push_back({piece.fit.volume, 0, 0, description_.of(piece.fit.volume, piece.part)});
       parts_.push_back(piece.part);
     }
   }
 
-  std::vector<Piece> next_level(std::vector<Piece> level) {
-    std::vector<Piece> finer;
+  std::vector<FittedPiece> next_level(std::vector<FittedPiece> level) {
+    std::vector<FittedPiece> finer;
     const auto count = static_cast<double>(level.size());
     for (std::size_t i = 0; i < level.size(); ++i) {
       report((level_ + static_cast<double>(i) / count) / levels_to_build(*settings_));
       const double reach_m = level[i].fit.reach_m;
-      std::vector<Piece> children = children_of(std::move(level[i]));
+      std::vector<FittedPiece> children = children_of(std::move(level[i]));
       if (children.size() > 1 && !idle(children, reach_m)) {
         VolumeNode& node = nodes_[static_cast<std::size_t>(starts_.back()) + i];
         node.first_child = static_cast<std::int32_t>(nodes_.size() + finer.size());
@@ -117,15 +117,15 @@ class Builder {
   }
 
   /// Whether children merely repeat a node that reaches `reach_m`, which nobody sees.
-  [[nodiscard]] bool idle(const std::vector<Piece>& children, double reach_m) const {
+  [[nodiscard]] bool idle(const std::vector<FittedPiece>& children, double reach_m) const {
     return reach_m <= kUnseen * size_m_ &&
            std::all_of(children.begin(), children.end(),
-                       [&](const Piece& child) { return child.fit.reach_m >= reach_m; });
+                       [&](const FittedPiece& child) { return child.fit.reach_m >= reach_m; });
   }
 
   /// The piece itself, alone, when nothing finer would be better.
-  std::vector<Piece> children_of(Piece piece) const {
-    std::vector<Piece> pieces;
+  std::vector<FittedPiece> children_of(FittedPiece piece) const {
+    std::vector<FittedPiece> pieces;
     pieces.push_back(std::move(piece));
     while (pieces.size() < static_cast<std::size_t>(settings_->branching)) {
       const std::size_t worst = worst_of(pieces);
@@ -138,7 +138,7 @@ class Builder {
   }
 
   /// The piece that reaches farthest of those worth cutting; their count when there is none.
-  [[nodiscard]] std::size_t worst_of(const std::vector<Piece>& pieces) const {
+  [[nodiscard]] std::size_t worst_of(const std::vector<FittedPiece>& pieces) const {
     std::size_t worst = pieces.size();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const bool worth = !pieces[i].whole && pieces[i].fit.reach_m > negligible_m();
@@ -149,8 +149,8 @@ class Builder {
     return worst;
   }
 
-  void halve(std::vector<Piece>& pieces, std::size_t index) const {
-    Piece& piece = pieces[index];
+  void halve(std::vector<FittedPiece>& pieces, std::size_t index) const {
+    FittedPiece& piece = pieces[index];
     const std::optional<HalfSpace> plane = best_halving(
         piece.part, piece.shape, piece.fit.frame, size_m_,
         [&](const PartShape& shape) { return fit(shape, piece.fit.frame, Effort::kQuick); });
@@ -182,7 +182,7 @@ class Builder {
 BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& settings,
                             const Progress& progress) {
   require_buildable(solid, settings);
-  return Builder(solid, settings, progress).build();
+  return FittedBuilder(solid, settings, progress).build();
 }
 
 }  // namespace impetus

@@ -22,8 +22,8 @@ constexpr std::size_t kOutside = 6'000;
 /// The root may reach this much farther than it must, to leave less volume outside.
 constexpr double kSlackOfTheRoot = 1.04;
 /// Shares of the solid's size: what radii exceed their need by, and what is too small to refine.
-constexpr double kMargin = 1e-11;
-constexpr double kNegligible = 1e-9;
+constexpr double kSphereMargin = 1e-11;
+constexpr double kNegligibleError = 1e-9;
 
 struct SpherePart {
   Sphere sphere;
@@ -56,9 +56,9 @@ struct Material {
   OutsidePoints outside;
 };
 
-class Builder {
+class MedialBuilder {
  public:
-  Builder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
+  MedialBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : settings_(settings), progress_(progress), description_(solid) {
     const auto [least, most] = bounds_of(solid);
     size_m_ = (most - least).norm();
@@ -95,7 +95,7 @@ class Builder {
       if (progress_) {
         progress_(share_done(level, node - begin, end - begin));
       }
-      if (nodes_[node].surface.fit_error_m > kNegligible * size_m_) {
+      if (nodes_[node].surface.fit_error_m > kNegligibleError * size_m_) {
         Split& made = splits[node - begin];
         made = look_ahead ? split_with_look_ahead(parts_[node], limits_m_[node])
                           : split_at_once(parts_[node]);
@@ -199,7 +199,8 @@ class Builder {
     const Vector3& start = cell.sphere.centre;
     const InnerPoint centre =
         leanest_centre(surface, outside, corners, inner_point(surface, start), limit_m);
-    cell.sphere = {centre.point, centre.depth_m + stand_off_m(centre, corners) + kMargin * size_m_};
+    cell.sphere = {centre.point,
+                   centre.depth_m + stand_off_m(centre, corners) + kSphereMargin * size_m_};
   }
 
   [[nodiscard]] std::size_t most() const { return static_cast<std::size_t>(settings_.branching); }
@@ -219,7 +220,7 @@ class Builder {
 BuiltTree medial_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress) {
   require_buildable(solid, settings);
-  return Builder(solid, settings, progress).build();
+  return MedialBuilder(solid, settings, progress).build();
 }
 
 }  // namespace impetus

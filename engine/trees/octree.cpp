@@ -19,7 +19,7 @@ namespace {
 /// otherwise a face that rounding put beside the wall would leave a sliver in each cell along it.
 constexpr double kSnap = 1e-13;
 /// Radii exceed what they were measured to need by this, far above the rounding and the snapping.
-constexpr double kMargin = 1e-11;
+constexpr double kCubeMargin = 1e-11;
 
 /// A node in the making: its cell and the surface in it. Without facets it is solid throughout.
 struct Part {
@@ -188,7 +188,7 @@ Part whole(const TriangleMesh& solid) {
       most = most.cwiseMax(corner);
     }
   }
-  const double half_edge = (0.5 + kMargin) * (most - least).maxCoeff();
+  const double half_edge = (0.5 + kCubeMargin) * (most - least).maxCoeff();
   const Vector3 centre = 0.5 * (least + most);
   root.cell = {centre - Vector3::Constant(half_edge), centre + Vector3::Constant(half_edge)};
   return root;
@@ -207,14 +207,14 @@ void require_solid(const TriangleMesh& solid, int depth) {
 }
 
 /// Builds level by level, so that nodes come in breadth-first order.
-class Builder {
+class OctreeBuilder {
  public:
-  explicit Builder(const TriangleMesh& solid) : solid_(solid) {}
+  explicit OctreeBuilder(const TriangleMesh& solid) : solid_(solid) {}
 
   Octree build(int depth) {
     level_.push_back(whole(solid_.mesh()));
     const double size_m = (level_.front().cell.most - level_.front().cell.least).norm();
-    margin_m_ = kMargin * size_m;
+    margin_m_ = kCubeMargin * size_m;
     snap_m_ = kSnap * size_m;
     add_level({sphere_about(Vector3::Zero(), solid_.mesh().vertices, margin_m_)});
     for (int made = 0; made < depth && split_level(); ++made) {
@@ -274,7 +274,7 @@ class Builder {
 
 Octree build_octree(const TriangleMesh& solid, int depth) {
   require_solid(solid, depth);
-  return Builder(solid).build(depth);
+  return OctreeBuilder(solid).build(depth);
 }
 
 VolumeTree octree(const TriangleMesh& solid, int depth) { return build_octree(solid, depth).tree; }

@@ -16,7 +16,7 @@ constexpr double kSameOffsetShare = 1e-7;  ///< of the size
 constexpr double kAcross = 1.0 - 1e-9;     ///< cosine
 constexpr double kInteriorShare = 1e-3;    ///< of the extent, at both ends
 /// A half's extent counts as this much reach: it is what the next cuts have to overcome.
-constexpr double kExtentShare = 0.3;
+constexpr double kHalfExtentShare = 0.3;
 
 /// Every so manieth facet.
 SurfacePart sketch_of(const SurfacePart& part) {
@@ -100,7 +100,7 @@ std::vector<HalfSpace> planes_worth_trying(const SurfacePart& part, const PartSh
 
 double cost_of(const SurfacePart& half, const QuickFit& fit) {
   const PartShape shape = shape_of(half);
-  const double reach_m = fit(shape).reach_m + kExtentShare * extent_m(shape.points);
+  const double reach_m = fit(shape).reach_m + kHalfExtentShare * extent_m(shape.points);
   return reach_m * reach_m * area_m2(half);
 }
 

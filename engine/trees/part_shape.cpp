@@ -10,7 +10,7 @@
 namespace impetus {
 namespace {
 
-constexpr int kSweeps = 8;
+constexpr int kJacobiSweeps = 8;
 constexpr std::size_t kMostNormals = 3;
 constexpr double kNearlyParallel = 0.99;
 
@@ -125,7 +125,7 @@ std::vector<Vector3> largest_normals(const SurfacePart& part) {
 
 Matrix3 eigenvectors_of(Matrix3 symmetric) {
   Matrix3 vectors = Matrix3::Identity();
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kJacobiSweeps; ++sweep) {
     for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
       if (symmetric(p, q) == 0.0) {
         continue;

@@ -14,7 +14,7 @@ namespace {
 constexpr int kHalvings = 14;
 constexpr double kFirstStride = 0.25;  ///< share of the radius
 constexpr int kStrides = 7;
-constexpr int kRounds = 8;
+constexpr int kThoroughRounds = 8;
 constexpr int kQuickRounds = 2;
 
 using Clusters = std::vector<std::vector<Vector3>>;
@@ -260,7 +260,7 @@ SphereCover cover_points(const SurfaceDistance& surface, const OutsidePoints& ou
                          const std::vector<InnerPoint>& candidates, std::size_t most) {
   const std::vector<std::size_t> picks =
       exchanged(outside, points, candidates, expanded(points, candidates, most));
-  return refined(surface, points, at(candidates, picks), kRounds,
+  return refined(surface, points, at(candidates, picks), kThoroughRounds,
                  [&](const std::vector<InnerPoint>& centres, const Clusters& parts) {
                    return stand_off_of(centres, parts) * outside_m3(outside, centres, parts);
                  });

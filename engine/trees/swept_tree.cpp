@@ -12,7 +12,7 @@ namespace impetus {
 namespace {
 
 /// Share of the volume's size by which it may grow against rounding.
-constexpr double kMargin = 1e-12;
+constexpr double kSweptMargin = 1e-12;
 
 double inner_radius_m(const TriangleMesh& solid, const Volume& volume) {
   if (const auto* line = std::get_if<LineSwept>(&volume)) {
@@ -83,7 +83,7 @@ std::optional<TreeSettings> finer_settings(const SweptLevels& levels,
 VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const SweptLevels& levels,
                       const TreeSettings& settings, const VolumeTree* finer) {
   const std::vector<Vector3>& corners = solid.vertices;
-  const double margin_m = kMargin * bounding_sphere(volume).radius_m;
+  const double margin_m = kSweptMargin * bounding_sphere(volume).radius_m;
   const Volume exact = grown_to_hold(volume, corners, margin_m);
   // No point of a volume with this radius about the core, or about the centre, is farther away.
   const double within_m = inner_radius_m(solid, volume);

@@ -27,6 +27,11 @@ struct FitTask {
 /// Distances to ask for when fits are compared.
 inline int questions_of(Effort effort) { return effort == Effort::kQuick ? 20 : 60; }
 
+/// Of two volumes that reach as far, the smaller: a reach is worth this share of the extent.
+inline constexpr double kExtentShare = 0.01;
+/// The first turn that a search of frames tries (of small_turn()).
+inline constexpr double kFirstTurn = 0.1;
+
 Fit fit_sphere(const FitTask& task);
 Fit fit_line(const FitTask& task);
 Fit fit_rectangle(const FitTask& task);

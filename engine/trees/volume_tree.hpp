@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/numerics/at.hpp"
 #include "engine/trees/node_volumes.hpp"
 
 namespace impetus {
@@ -94,8 +95,6 @@ class VolumeTree {
 
  private:
   void measure_half_thicknesses();
-  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
   NodeVolumes volumes_;
   std::vector<NodeLinks> links_;
   std::vector<NodeSurface> surfaces_;

@@ -12,19 +12,19 @@ namespace impetus {
 namespace {
 
 /// The grid is this much wider than the solid on each side, in shares of the solid's size.
-constexpr double kMargin = 1e-11;
+constexpr double kGridMargin = 1e-11;
 
 using Place = std::array<std::uint32_t, 3>;
 
 /// A cell that the solid touches and the surface in it: none when it lies wholly inside.
-struct Cell {
+struct VoxelCell {
   Place place;
   SurfacePart part;
 };
 
 VoxelGrid grid_round(const TriangleMesh& solid, int divisions) {
   const auto [least, most] = bounds_of(solid);
-  const double half_m = (0.5 + kMargin) * (most - least).maxCoeff();
+  const double half_m = (0.5 + kGridMargin) * (most - least).maxCoeff();
   return {0.5 * (least + most) - Vector3::Constant(half_m), 2.0 * half_m, divisions};
 }
 
@@ -36,9 +36,9 @@ int cube_root_of(int branching) {
   return root;
 }
 
-class Builder {
+class VoxelBuilder {
  public:
-  Builder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
+  VoxelBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : solid_(&solid),
         settings_(&settings),
         progress_(&progress),
@@ -46,12 +46,12 @@ class Builder {
         grid_(grid_round(solid, cube_root_of(settings.branching))) {}
 
   BuiltTree build() {
-    std::vector<Cell> level;
+    std::vector<VoxelCell> level;
     level.push_back({{0, 0, 0}, whole_surface(*solid_)});
     add(std::move(level));
     for (int depth = 1; depth <= levels_to_build(*settings_); ++depth) {
       along_ *= static_cast<std::uint32_t>(grid_.divisions);
-      std::vector<Cell> finer = next_level(depth);
+      std::vector<VoxelCell> finer = next_level(depth);
       if (finer.empty()) {
         break;
       }
@@ -67,10 +67,10 @@ class Builder {
     }
   }
 
-  void add(std::vector<Cell> level) {
+  void add(std::vector<VoxelCell> level) {
     starts_.push_back(static_cast<std::int32_t>(cells_.size()));
     places_.clear();
-    for (Cell& cell : level) {
+    for (VoxelCell& cell : level) {
       const auto& [x, y, z] = cell.place;
       cells_.push_back(x + along_ * (y + along_ * z));
       places_.push_back(cell.place);
@@ -80,8 +80,8 @@ class Builder {
   }
 
   /// The children of the last level's nodes, cells on the way from `along_` / k to `along_`.
-  std::vector<Cell> next_level(int depth) {
-    std::vector<Cell> finer;
+  std::vector<VoxelCell> next_level(int depth) {
+    std::vector<VoxelCell> finer;
     const auto begin = static_cast<std::size_t>(starts_.back());
     for (std::size_t i = 0; i < places_.size(); ++i) {
       report((depth - 1 + static_cast<double>(i) / static_cast<double>(places_.size())) /
@@ -91,7 +91,7 @@ class Builder {
         continue;
       }
       node.first_child = static_cast<std::int32_t>(cells_.size() + finer.size());
-      for (Cell& child : children_of(places_[i], parts_[begin + i])) {
+      for (VoxelCell& child : children_of(places_[i], parts_[begin + i])) {
         finer.push_back(std::move(child));
         ++node.child_count;
       }
@@ -100,12 +100,12 @@ class Builder {
   }
 
   /// x fastest, then y, then z.
-  std::vector<Cell> children_of(const Place& place, const SurfacePart& part) const {
+  std::vector<VoxelCell> children_of(const Place& place, const SurfacePart& part) const {
     const auto k = static_cast<std::uint32_t>(grid_.divisions);
-    std::vector<Cell> cells;
-    for (Cell& z : slices({{k * place[0], k * place[1], k * place[2]}, part}, 2)) {
-      for (Cell& y : slices(std::move(z), 1)) {
-        for (Cell& x : slices(std::move(y), 0)) {
+    std::vector<VoxelCell> cells;
+    for (VoxelCell& z : slices({{k * place[0], k * place[1], k * place[2]}, part}, 2)) {
+      for (VoxelCell& y : slices(std::move(z), 1)) {
+        for (VoxelCell& x : slices(std::move(y), 0)) {
           if (!x.part.empty() || description_.distance().signed_distance_m(centre_of(x)) < 0.0) {
             cells.push_back(std::move(x));
           }
@@ -116,9 +116,9 @@ class Builder {
   }
 
   /// The k slices of a cell along one axis, cut from its least side on.
-  [[nodiscard]] std::vector<Cell> slices(Cell cell, int axis) const {
+  [[nodiscard]] std::vector<VoxelCell> slices(VoxelCell cell, int axis) const {
     const auto index = static_cast<std::size_t>(axis);
-    std::vector<Cell> result;
+    std::vector<VoxelCell> result;
     for (int slice = 1; slice < grid_.divisions; ++slice) {
       Place next = cell.place;
       ++next[index];
@@ -135,7 +135,7 @@ class Builder {
     return grid_.least[axis] + grid_.edge_m / along_ * index;
   }
 
-  [[nodiscard]] Vector3 centre_of(const Cell& cell) const {
+  [[nodiscard]] Vector3 centre_of(const VoxelCell& cell) const {
     return grid_.least + grid_.edge_m / along_ *
                              Vector3(cell.place[0] + 0.5, cell.place[1] + 0.5, cell.place[2] + 0.5);
   }
@@ -173,7 +173,7 @@ class Builder {
 BuiltTree build_voxel_tree(const TriangleMesh& solid, const TreeSettings& settings,
                            const Progress& progress) {
   require_buildable(solid, settings);
-  return Builder(solid, settings, progress).build();
+  return VoxelBuilder(solid, settings, progress).build();
 }
 
 }  // namespace impetus

@@ -13,7 +13,7 @@ namespace {
 /// Times what rounding can do to a distance: closer than this the cores meet.
 constexpr double kMeeting = 100.0;
 /// Squared sine of the angle below which two edges count as parallel.
-constexpr double kParallel = 1e-16;
+constexpr double kParallelCores = 1e-16;
 
 struct Edge {
   Vector3 centre;
@@ -34,7 +34,7 @@ ClosestOfCores between_edges(const Edge& a, const Edge& b) {
   const double b_offset = b.half.dot(offset);
   const double spread = aa * bb - ab * ab;
   double s = 0.0;
-  if (spread > kParallel * aa * bb) {
+  if (spread > kParallelCores * aa * bb) {
     s = std::clamp((ab * b_offset - a_offset * bb) / spread, -1.0, 1.0);
   }
   const double t = (ab * s + b_offset) / bb;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-13;
 /// Squared sine of the angle below which two axes count as parallel.
-constexpr double kParallel = 1e-12;
+constexpr double kParallelAxes = 1e-12;
 
 double size_m(const Core& a, const Core& b) {
   return (b.centre - a.centre).cwiseAbs().sum() + a.half_m.sum() + b.half_m.sum();
@@ -66,7 +66,7 @@ bool are_separated(const Core& a, const Core& b, double distance_m) {
     for (int j = 0; j < 3; ++j) {
       const double gap = pair.gap_product(i, j) - slack;
       const double length_squared = 1.0 - pair.turn(i, j) * pair.turn(i, j);
-      if (gap > 0.0 && length_squared > kParallel &&
+      if (gap > 0.0 && length_squared > kParallelAxes &&
           gap * gap > distance_m * distance_m * length_squared) {
         return true;
       }
@@ -97,7 +97,7 @@ Penetration least_penetration(const Core& a, const Core& b) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vector3 product = a.axes.col(i).cross(b.axes.col(j));
-      if (product.squaredNorm() > kParallel) {
+      if (product.squaredNorm() > kParallelAxes) {
         offer(product.normalized());
       }
     }

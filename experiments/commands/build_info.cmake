@@ -7,13 +7,10 @@ endif()
 string(REGEX REPLACE " +" " " flags "${FLAGS}")
 string(STRIP "${flags}" flags)
 set(text "// Made by the build; do not edit.
-#pragma once
-
-namespace impetus {
-
-inline constexpr char kBuild[] = \"impetus ${VERSION}, ${commit}, ${COMPILER}, ${flags}\";
-
-}  // namespace impetus
+#define IMPETUS_VERSION \"${VERSION}\"
+#define IMPETUS_COMMIT \"${commit}\"
+#define IMPETUS_COMPILER \"${COMPILER}\"
+#define IMPETUS_FLAGS \"${flags}\"
 ")
 set(before "")
 if(EXISTS "${OUTPUT}")

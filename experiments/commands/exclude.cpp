@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/session/input_error.hpp"
 #include "experiments/store/exclusion.hpp"
@@ -23,7 +23,7 @@ int run_exclude(const ExcludeOptions& options) {
   }
   Exclusion exclusion = options.exclusion;
   exclusion.excluded = !options.take_back;
-  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   exclude(study, exclusion);
   std::printf("%s: %s. Nothing was deleted; --take-back undoes it.\n",
               exclusion.participant.c_str(), exclusion.excluded ? "excluded" : "in again");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/exports/anonymise.hpp"
 #include "experiments/exports/bids_export.hpp"
@@ -50,12 +50,12 @@ StudyFile& chosen_study(StudyFile& study, std::optional<StudyFile>& copy,
     return study;
   }
   copy.emplace(StudyFile::copy_in_memory(study));
-  anonymise(copy->database(), kBuild, hash_of);
+  anonymise(copy->database(), build_name(), hash_of);
   return *copy;
 }
 
 CodebookHead head_of(SQLite::Database& study) {
-  return {kBuild, study.execAndGet("SELECT build FROM study").getString(),
+  return {build_name(), study.execAndGet("SELECT build FROM study").getString(),
           study.execAndGet("SELECT anonymised_by IS NOT NULL FROM study").getInt() != 0};
 }
 

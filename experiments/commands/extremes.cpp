@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/new_file.hpp"
@@ -101,9 +101,9 @@ int ask_extremes(const ExtremesOptions& options) {
   using Seconds = std::chrono::duration<double>;
   const std::vector<ExtremeCase> cases = chosen_cases(options.only);
   require_new_file(options.json_file);
-  json report{{"build", kBuild}, {"machine", machine_name()}, {"cases", json::array()}};
-  std::printf("%s\n%s\n\n  %-19s %-10s %-10s\n", kBuild, machine_name().c_str(), "case", "measured",
-              "at most");
+  json report{{"build", build_name()}, {"machine", machine_name()}, {"cases", json::array()}};
+  std::printf("%s\n%s\n\n  %-19s %-10s %-10s\n", build_name(), machine_name().c_str(), "case",
+              "measured", "at most");
   std::string family;
   int asked = 0;
   int broken = 0;

@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ std::string unknown_command(const CLI::App& app, const std::string& given) {
 int main(int argc, char** argv) {
   CLI::App app{"Impetus: experiments on how believable an approximated collision looks."};
   app.require_subcommand(1);
-  app.set_version_flag("--version", impetus::kBuild);
+  app.set_version_flag("--version", impetus::version_text());
   impetus::Command chosen;
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/store/study_merge.hpp"
 
@@ -19,7 +19,7 @@ struct MergeOptions {
 
 int merge(const MergeOptions& options) {
   const std::vector<std::filesystem::path> sources(options.sources.begin(), options.sources.end());
-  const MergeResult result = merge_studies(sources, options.into, kBuild);
+  const MergeResult result = merge_studies(sources, options.into, build_name());
   std::printf(
       "%s: %lld participants added; it holds %lld, with %lld completed trials. The merged "
       "files are as they were.\n",

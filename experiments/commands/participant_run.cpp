@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/participant_run.hpp"
+#include "experiments/commands/build_name.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/session_warnings.hpp"
@@ -40,7 +40,7 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
                       const SyncTest& sync) {
   const LaboratoryOptions& lab = part.lab;
   SessionFacts facts;
-  facts.build = kBuild;
+  facts.build = build_name();
   facts.machine = machine_name();
   facts.display = laboratory.description();
   facts.simulated = lab.observer.has_value();

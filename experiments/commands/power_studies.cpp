@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/power_studies.hpp"
+#include "experiments/commands/build_name.hpp"
 
 #include <SQLiteCpp/Database.h>
 
@@ -15,7 +16,6 @@
 #include <thread>
 #include <vector>
 
-#include "build_info.hpp"
 #include "experiments/commands/duration_words.hpp"
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -97,7 +97,7 @@ class PowerStudies {
         list << (size == cell.sizes.front() ? "" : ",") << size;
       }
       list << '\t' << seed_of_study(work_.seed, cell.number) << '\t' << seconds_since(begin) << '\t'
-           << kBuild << '\n';
+           << build_name() << '\n';
     }
     list.close();
     test(folder);
@@ -107,7 +107,7 @@ class PowerStudies {
   /// All participants one after the other, as whoever is yoked to another needs; nothing is
   /// synchronised with the disk, for what is lost is simulated again.
   void simulate(const PowerCell& cell, const fs::path& file) {
-    StudyFile study = StudyFile::open_for_writing(file, kBuild);
+    StudyFile study = StudyFile::open_for_writing(file, build_name());
     study.database().exec("PRAGMA synchronous = OFF");
     RunOptions own = work_.run;
     own.seed = seed_of_study(work_.seed, cell.number);

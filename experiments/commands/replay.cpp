@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replay_levels.hpp"
 #include "experiments/commands/replay_truth.hpp"
@@ -140,7 +140,7 @@ int replay_study(const ReplayOptions& options) {
     throw InputError("--view: this build has no window");
   }
 #endif
-  StudyFile study = options.truth ? StudyFile::open_for_writing(options.study, kBuild)
+  StudyFile study = options.truth ? StudyFile::open_for_writing(options.study, build_name())
                                   : StudyFile::open_for_reading(options.study);
   try {
     const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);

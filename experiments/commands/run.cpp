@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/run_part.hpp"
@@ -129,7 +129,7 @@ int run_without_participants(const std::filesystem::path& file, const RunOptions
   const RunOptions nobody = as_nobody(options);
   plan_for(part.protocol, nobody.participant, nobody.seed.value_or(1));
   solve_what_is_asked(part);
-  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   run_unattended_part(part, nobody, study);
   std::printf("Saved in %s\n", options.database.c_str());
   return kDone;
@@ -146,7 +146,7 @@ int run(const RunOptions& options) {
   for (RunPart& part : parts) {
     solve_what_is_asked(part);
   }
-  StudyFile study = StudyFile::open_for_writing(options.database, kBuild);
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   for (const RunPart& part : parts) {
     build_shapes(part);
   }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "build_info.hpp"
+#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/session/input_error.hpp"
 
@@ -16,6 +16,7 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/commands/window_lab.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/models/atomic_file.hpp"
@@ -41,12 +42,6 @@ struct TimingOptions {
 
 #ifdef IMPETUS_WINDOW
 
-void require(bool right, const std::string& sentence) {
-  if (!right) {
-    throw InputError(sentence);
-  }
-}
-
 /// What takes long, before the window opens.
 void build_bodies(const TimingScenes& scenes, const ScreenGeometry& screen, ShapeLibrary& shapes) {
   ProgressLine line("building the bodies");
@@ -68,7 +63,7 @@ std::string utc_now() {
 
 TimingFacts facts_before(WindowLab& lab, double seconds) {
   TimingFacts facts;
-  facts.build = kBuild;
+  facts.build = build_name();
   facts.machine = machine_name();
   facts.started_utc = utc_now();
   facts.compositor = compositor_of(lab.window());

@@ -20,6 +20,7 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/scheduled_trade.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
@@ -61,20 +62,6 @@ constexpr std::size_t kMostPairs = 6;
 constexpr double kExactHold = 0.0;
 const std::vector<std::string> kTradeFiles{"trade.csv",   "trade.R",    "trade.svg",   "trade.pdf",
                                            "choices.csv", "choices.md", "choices.json"};
-
-void require(bool fulfilled, const std::string& sentence) {
-  if (!fulfilled) {
-    throw InputError(sentence);
-  }
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 
 std::vector<std::string> all_reductions() {
   const auto names = reduction_names();

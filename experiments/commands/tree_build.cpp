@@ -10,6 +10,7 @@
 
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/commands/tree_commands.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
@@ -106,14 +107,6 @@ int build(const BuildOptions& options) {
   std::printf("written to %s, %.1f kB\n", options.out.c_str(),
               static_cast<double>(std::filesystem::file_size(options.out)) / 1000.0);
   return kDone;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/unattended_run.hpp"
+#include "experiments/commands/build_name.hpp"
 
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "build_info.hpp"
 #include "experiments/commands/enrolling.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -23,7 +23,7 @@ namespace {
 SessionFacts facts_without_laboratory() {
   constexpr double kNominalHz = 60.0;  // of frames that there are none of
   SessionFacts facts;
-  facts.build = kBuild;
+  facts.build = build_name();
   facts.machine = machine_name();
   facts.display = "none: simulated, and shown to nobody";
   facts.simulated = true;

@@ -55,13 +55,13 @@ json json_of(const SeenCollision& collision) {
                        {"gap_at_gaze_arcmin", collision.at_gaze_arcmin}});
 }
 
-json collision_or_null(const Course& course, const std::optional<std::size_t>& place) {
+json collision_or_null(const WhatIfCourse& course, const std::optional<std::size_t>& place) {
   return place ? json_of(course.collisions[*place]) : json();
 }
 
 json collisions_of(const ComparedStimulus& each) {
-  const Course& then = each.outcome.then;
-  const Course& now = each.outcome.now;
+  const WhatIfCourse& then = each.outcome.then;
+  const WhatIfCourse& now = each.outcome.now;
   const auto name = [&each](std::int32_t body) {
     return is_wall(body) ? wall_name(body, each.walls)
                          : each.bodies[static_cast<std::size_t>(body)];
@@ -113,7 +113,7 @@ Cells csv_cells(const ComparedStimulus& each) {
               whole(matches.both),
               whole(matches.only_then),
               whole(matches.only_now)};
-  for (const Course* course : {&outcome.then, &outcome.now}) {
+  for (const WhatIfCourse* course : {&outcome.then, &outcome.now}) {
     const CourseSums sums = sums_of(*course);
     for (const std::string& cell :
          {whole(sums.collisions), csv_number(sums.mean(sums.levels)),

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-void add(CourseSums& sums, const Course& course) {
+void add(CourseSums& sums, const WhatIfCourse& course) {
   for (const SeenCollision& collision : course.collisions) {
     ++sums.collisions;
     ++sums.by_level[collision.level];
@@ -38,7 +38,7 @@ double CourseSums::mean(double sum) const {
   return collisions > 0 ? sum / static_cast<double>(collisions) : kNone;
 }
 
-CourseSums sums_of(const Course& course) {
+CourseSums sums_of(const WhatIfCourse& course) {
   CourseSums sums;
   add(sums, course);
   return sums;

@@ -44,7 +44,7 @@ struct CourseSums {
   friend bool operator==(const CourseSums&, const CourseSums&) = default;
 };
 
-CourseSums sums_of(const Course& course);
+CourseSums sums_of(const WhatIfCourse& course);
 
 struct MatchCounts {
   std::int64_t both{0};

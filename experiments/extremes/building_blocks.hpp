@@ -10,6 +10,9 @@
 
 namespace impetus {
 
+/// The step of the cases that are about something else.
+inline constexpr double kStep_s = 1.0 / 240.0;
+
 /// Of 1,000 kg/m³.
 double water_mass_kg(const Solid& solid);
 

@@ -9,8 +9,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kStep_s = 1.0 / 240.0;
-
 std::vector<ExtremeScene> all_ratios(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const double restitution : {0.0, 1.0}) {

@@ -9,7 +9,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kStep_s = 1.0 / 240.0;
 constexpr double kSizes_m[] = {1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6};
 
 std::vector<ExtremeScene> balls_of_all_sizes(Length /*length*/) {

@@ -8,14 +8,13 @@
 namespace impetus {
 namespace {
 
-constexpr double kStep_s = 1.0 / 240.0;
-constexpr double kRadius_m = 0.1;
+constexpr double kBallRadius_m = 0.1;
 
 std::vector<ExtremeScene> all_speeds(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     for (const double speed_m_s : {1e-6, 1e-3, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
-      scenes.push_back(head_on(kRadius_m, speed_m_s, kStep_s));
+      scenes.push_back(head_on(kBallRadius_m, speed_m_s, kStep_s));
       scenes.back().settings.restitution = restitution;
       scenes.back().name =
           short_number(speed_m_s) + " m/s, restitution " + short_number(restitution);
@@ -28,7 +27,7 @@ std::vector<ExtremeScene> all_speeds(Length /*length*/) {
 std::vector<ExtremeScene> at_rest(Length /*length*/) {
   ExtremeScene scene;
   scene.name = "0 m/s";
-  scene.bodies = {ball(kRadius_m, {0.3, 0.1, -0.7})};
+  scene.bodies = {ball(kBallRadius_m, {0.3, 0.1, -0.7})};
   for (const TreeKind kind : all_tree_kinds()) {
     const auto place = static_cast<double>(scene.bodies.size());
     scene.bodies.push_back(block({0.3, 0.2, 0.1}, {place, 0.1, 0.0}));

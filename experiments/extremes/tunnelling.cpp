@@ -10,7 +10,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kStep_s = 1.0 / 240.0;
 constexpr double kBullet_m = 1e-3;
 
 /// A bullet straight down on a plate across z, from beyond its bounding sphere; it would be at its

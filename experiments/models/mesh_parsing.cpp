@@ -24,7 +24,7 @@
 namespace impetus {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
+[[noreturn]] void refuse_mesh(const std::filesystem::path& file, const std::string& problem) {
   throw std::runtime_error(file.string() + ": " + problem);
 }
 
@@ -80,7 +80,7 @@ void refuse_endless_header(const std::filesystem::path& file) {
       return;
     }
   }
-  refuse(file, "cannot be read as a mesh: its PLY header has no end");
+  refuse_mesh(file, "cannot be read as a mesh: its PLY header has no end");
 }
 
 /// Places with a coordinate that is not finite; a place that assimp repeats, bit by bit, counts
@@ -101,19 +101,19 @@ std::size_t count_not_finite(const aiMesh& part) {
 bool check(const aiMesh& part, const std::filesystem::path& file) {
   const std::size_t bad = count_not_finite(part);
   if (bad > 0) {
-    refuse(file, std::to_string(bad) + (bad == 1 ? " vertex has" : " vertices have") +
-                     " a coordinate that is not a finite number");
+    refuse_mesh(file, std::to_string(bad) + (bad == 1 ? " vertex has" : " vertices have") +
+                          " a coordinate that is not a finite number");
   }
   bool has_polygons = false;
   for (unsigned int i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
     if (face.mNumIndices == 0) {
-      refuse(file, "a face has no vertices: the file may be cut short");
+      refuse_mesh(file, "a face has no vertices: the file may be cut short");
     }
     for (unsigned int corner = 0; corner < face.mNumIndices; ++corner) {
       if (face.mIndices[corner] >= part.mNumVertices) {
-        refuse(file, "a face names vertex " + std::to_string(face.mIndices[corner]) + " of " +
-                         std::to_string(part.mNumVertices));
+        refuse_mesh(file, "a face names vertex " + std::to_string(face.mIndices[corner]) + " of " +
+                              std::to_string(part.mNumVertices));
       }
     }
     has_polygons = has_polygons || face.mNumIndices > 3;
@@ -179,10 +179,10 @@ TriangleMesh parse_mesh(const std::filesystem::path& file) {
   importer.SetIOHandler(new ConfinedFiles(file));  // the importer's from now on
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (scene == nullptr) {
-    refuse(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    refuse_mesh(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
   }
   if (!errors.first().empty()) {
-    refuse(file, "cannot be read as a mesh: " + errors.first());
+    refuse_mesh(file, "cannot be read as a mesh: " + errors.first());
   }
   bool has_polygons = false;
   for (unsigned int i = 0; i < scene->mNumMeshes; ++i) {
@@ -195,7 +195,7 @@ TriangleMesh parse_mesh(const std::filesystem::path& file) {
   add_node(*scene, *scene->mRootNode, aiMatrix4x4(), welder);
   TriangleMesh mesh = welder.take();
   if (mesh.triangles.empty()) {
-    refuse(file, "has no triangles");
+    refuse_mesh(file, "has no triangles");
   }
   return mesh;
 }

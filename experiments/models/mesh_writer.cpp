@@ -70,7 +70,7 @@ Writer writer_for(const std::filesystem::path& file) {
   return found == kWriters.end() ? nullptr : found->second;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
+[[noreturn]] void refuse_to_write(const std::filesystem::path& file, const std::string& problem) {
   throw std::runtime_error(file.string() + ": " + problem);
 }
 
@@ -81,10 +81,10 @@ bool can_write_mesh(const std::filesystem::path& file) { return writer_for(file)
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   const Writer writer = writer_for(file);
   if (writer == nullptr) {
-    refuse(file, "expected a name that ends in .obj, .ply or .stl");
+    refuse_to_write(file, "expected a name that ends in .obj, .ply or .stl");
   }
   if (std::filesystem::exists(file)) {
-    refuse(file, "exists already and is not overwritten");
+    refuse_to_write(file, "exists already and is not overwritten");
   }
   std::ofstream out(file, std::ios::binary);
   out.imbue(std::locale::classic());
@@ -94,7 +94,7 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   if (!out) {
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
-    refuse(file, "cannot be written");
+    refuse_to_write(file, "cannot be written");
   }
 }
 

@@ -12,8 +12,6 @@
 namespace impetus {
 namespace {
 
-constexpr double kArcminPerDegree = 60.0;
-
 /// Gaps that are so much smaller than what can be seen make no difference.
 constexpr double kNegligibleShare = 0.1;
 

@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string item(const std::string& list, std::size_t index) {
-  return list + "/" + std::to_string(index);
-}
-
 /// Place of the adaptive factor among the design's. Refuses a name that is none's.
 std::size_t adaptive_factor(const JsonDocument& protocol) {
   const json& design = protocol.value["design"];

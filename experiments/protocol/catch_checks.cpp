@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 
 namespace impetus {
@@ -15,18 +16,12 @@ std::string condition_of_kind(std::size_t index) {
   return "/design/catch_trials/" + std::to_string(index) + "/condition";
 }
 
-const char* type_words(const json& value) {
+const char* words_of_type(const json& value) {
   return value.is_string() ? "a text" : value.is_boolean() ? "a boolean" : "a number";
 }
 
 bool is_alike(const json& a, const json& b) {
   return a.is_number() ? b.is_number() : a.type() == b.type();
-}
-
-bool has_factor(const json& design, const std::string& name) {
-  const json& factors = design["factors"];
-  return std::any_of(factors.begin(), factors.end(),
-                     [&](const json& factor) { return factor["name"].get<std::string>() == name; });
 }
 
 void check_condition(const JsonDocument& protocol, const std::string& place,
@@ -40,8 +35,8 @@ void check_condition(const JsonDocument& protocol, const std::string& place,
     const json& own = factor["levels"].front();
     if (!is_alike(own, condition[name])) {
       refuse(protocol, place + "/" + name,
-             std::string("expected ") + type_words(own) + ", as the factor's own levels are, got " +
-                 condition[name].dump());
+             std::string("expected ") + words_of_type(own) +
+                 ", as the factor's own levels are, got " + condition[name].dump());
     }
   }
   for (auto level = condition.begin(); level != condition.end(); ++level) {

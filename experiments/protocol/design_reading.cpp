@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/design_reading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -137,6 +138,12 @@ json to_json(const Condition& condition) {
     object[level.factor] = to_json(level.value);
   }
   return object;
+}
+
+bool has_factor(const json& design, const std::string& name) {
+  const json& factors = design["factors"];
+  return std::any_of(factors.begin(), factors.end(),
+                     [&](const json& factor) { return factor["name"] == name; });
 }
 
 Condition condition_from_json(const json& object, const Design& design) {

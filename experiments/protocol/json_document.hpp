@@ -20,6 +20,11 @@ struct JsonDocument {
 JsonDocument read_json(const std::filesystem::path& path);
 JsonDocument parse_json(std::string name, std::string text);
 
+/// The JSON Pointer of an element of the list at `list`.
+inline std::string item(const std::string& list, std::size_t index) {
+  return list + "/" + std::to_string(index);
+}
+
 /// "name:/pointer: message".
 [[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
                          const std::string& message);

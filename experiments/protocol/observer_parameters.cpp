@@ -188,12 +188,6 @@ json observer_schema(const Entries<Parameters>& entries, const std::vector<std::
             {"parameters", parameters}}}};
 }
 
-void require_schema(const JsonDocument& document, const json& schema) {
-  if (const auto problem = find_schema_problem(schema, document.value)) {
-    refuse(document, problem->pointer, problem->message);
-  }
-}
-
 double value_of(const JsonDocument& document, const std::string& name) {
   return document.value["parameters"][name]["value"].get<double>();
 }

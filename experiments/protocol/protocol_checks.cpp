@@ -8,6 +8,7 @@
 #include "experiments/protocol/adaptive_checks.hpp"
 #include "experiments/protocol/block_checks.hpp"
 #include "experiments/protocol/catch_checks.hpp"
+#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/resume_checks.hpp"
 #include "experiments/protocol/threshold_checks.hpp"
@@ -22,10 +23,6 @@ using nlohmann::json;
 
 constexpr double kMostTrials = 10'000;
 
-std::string item(const std::string& list, std::size_t index) {
-  return list + "/" + std::to_string(index);
-}
-
 std::string count_text(double count) {
   char text[32];
   std::snprintf(text, sizeof text, "%.15g", count);
@@ -35,12 +32,6 @@ std::string count_text(double count) {
 bool has_level(const json& factor, const json& level) {
   const json& levels = factor["levels"];
   return std::find(levels.begin(), levels.end(), level) != levels.end();
-}
-
-bool has_factor(const json& design, const std::string& name) {
-  const json& factors = design["factors"];
-  return std::any_of(factors.begin(), factors.end(),
-                     [&](const json& factor) { return factor["name"] == name; });
 }
 
 /// Refuses a design that nobody could sit through before its cells fill the memory.

@@ -30,12 +30,6 @@ const json& protocol_schema() {
   return schema;
 }
 
-void require_schema(const JsonDocument& document, const json& schema) {
-  if (const auto problem = find_schema_problem(schema, document.value)) {
-    refuse(document, problem->pointer, problem->message);
-  }
-}
-
 /// The mesh and figure files that factors and demonstrations put into the scene.
 MoreFiles files_of_design(const json& protocol) {
   MoreFiles files;

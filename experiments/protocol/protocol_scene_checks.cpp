@@ -15,10 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string item(const std::string& list, std::size_t index) {
-  return list + "/" + std::to_string(index);
-}
-
 /// Every cell, and every catch trial's condition.
 std::vector<Condition> shown_conditions(const Design& design) {
   std::vector<Condition> conditions = cells(design);

@@ -24,10 +24,6 @@ std::string text_of(const char* format, double number) {
   return text;
 }
 
-std::string item(const std::string& list, std::size_t index) {
-  return list + "/" + std::to_string(index);
-}
-
 void check_staircase(const JsonDocument& protocol, const Staircase& staircase) {
   constexpr double kGuessedOfTwo = 0.5;
   const double share = settling_share(staircase);

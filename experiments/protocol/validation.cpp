@@ -233,4 +233,10 @@ std::optional<SchemaProblem> find_schema_problem(const json& schema, const json&
   return explain(schema, value, deepest);
 }
 
+void require_schema(const JsonDocument& document, const json& schema) {
+  if (const auto problem = find_schema_problem(schema, document.value)) {
+    refuse(document, problem->pointer, problem->message);
+  }
+}
+
 }  // namespace impetus

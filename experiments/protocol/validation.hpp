@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "experiments/protocol/json_document.hpp"
+
 namespace impetus {
 
 /// The first place at which a value breaks its schema.
@@ -17,5 +19,8 @@ struct SchemaProblem {
 /// Judged by valijson (draft 7); the words are made from the schema at the place of the problem.
 std::optional<SchemaProblem> find_schema_problem(const nlohmann::json& schema,
                                                  const nlohmann::json& value);
+
+/// Throws InputError, which names the document and the place, when it breaks the schema.
+void require_schema(const JsonDocument& document, const nlohmann::json& schema);
 
 }  // namespace impetus

@@ -75,7 +75,7 @@ Path there_and_back(const json& meeting, const BodyState& start, const Vector3& 
 }
 
 /// What a distractor may do.
-struct Room {
+struct DistractorBounds {
   double half_width_m{0.0};
   double half_height_m{0.0};
   double apart_m{0.0};
@@ -85,40 +85,43 @@ struct Room {
 
 double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
 
-/// A straight way within the room, or none when the draw left it.
-std::optional<Leg> drawn_leg(const Room& room, const Viewer& viewer, RandomStream& stream) {
-  const double x = room.half_width_m * symmetric(stream);
-  const double y = room.half_height_m * symmetric(stream);
+/// A straight way within the bounds, or none when the draw left it.
+std::optional<Leg> drawn_leg(const DistractorBounds& bounds, const Viewer& viewer,
+                             RandomStream& stream) {
+  const double x = bounds.half_width_m * symmetric(stream);
+  const double y = bounds.half_height_m * symmetric(stream);
   const double right = symmetric(stream);
   const double up = symmetric(stream);
   const double square = right * right + up * up;
   if (square > 1.0 || square < 1e-4) {
     return std::nullopt;  // a direction uniform over the circle, by rejection
   }
-  const double speed_m_s = room.speed_m_s / std::sqrt(square);
-  const double end_x = x + room.duration_s * speed_m_s * right;
-  const double end_y = y + room.duration_s * speed_m_s * up;
-  if (std::abs(end_x) > room.half_width_m || std::abs(end_y) > room.half_height_m) {
+  const double speed_m_s = bounds.speed_m_s / std::sqrt(square);
+  const double end_x = x + bounds.duration_s * speed_m_s * right;
+  const double end_y = y + bounds.duration_s * speed_m_s * up;
+  if (std::abs(end_x) > bounds.half_width_m || std::abs(end_y) > bounds.half_height_m) {
     return std::nullopt;
   }
-  return Leg{0.0, room.duration_s, on_screen(viewer, {x, y}),
+  return Leg{0.0, bounds.duration_s, on_screen(viewer, {x, y}),
              speed_m_s * (right * viewer.right + up * viewer.up)};
 }
 
 /// Draws paths one after the other, each apart from all before it.
-bool draw_paths(const Room& room, const Viewer& viewer, const std::vector<double>& radii_m,
-                std::vector<Path>& paths, RandomStream& stream) {
+bool draw_paths(const DistractorBounds& bounds, const Viewer& viewer,
+                const std::vector<double>& radii_m, std::vector<Path>& paths,
+                RandomStream& stream) {
   constexpr int kMostDraws = 10'000;
   for (const double radius_m : radii_m) {
     bool found = false;
     for (int draw = 0; draw < kMostDraws && !found; ++draw) {
-      const auto leg = drawn_leg(room, viewer, stream);
+      const auto leg = drawn_leg(bounds, viewer, stream);
       if (!leg) {
         continue;
       }
       const Path path{radius_m, {*leg}};
-      found = std::all_of(paths.begin(), paths.end(),
-                          [&](const Path& other) { return keep_apart(path, other, room.apart_m); });
+      found = std::all_of(paths.begin(), paths.end(), [&](const Path& other) {
+        return keep_apart(path, other, bounds.apart_m);
+      });
       if (found) {
         paths.push_back(path);
       }
@@ -141,7 +144,8 @@ std::vector<BodyState> states_of(const std::vector<Path>& paths, const SceneBodi
   return states;
 }
 
-Room room_of(const json& scene, double m_per_deg, double speed_m_s, double hold_s) {
+DistractorBounds distractor_bounds(const json& scene, double m_per_deg, double speed_m_s,
+                                   double hold_s) {
   const json& distractors = scene["distractors"];
   const json& meeting = scene["meeting"];
   return {m_per_deg * distractors["within_deg"][0].get<double>(),
@@ -194,13 +198,13 @@ std::optional<std::vector<BodyState>> distractor_states(const json& scene,
                                   velocity(bodies.models[body], meeting[body]), radius_m, hold_s));
   }
   const double m_per_deg = metres_per_degree(viewer.screen.viewing_distance_m);
-  const Room room =
-      room_of(scene, m_per_deg, velocity(bodies.models[0], meeting[0]).norm(), hold_s);
+  const DistractorBounds bounds =
+      distractor_bounds(scene, m_per_deg, velocity(bodies.models[0], meeting[0]).norm(), hold_s);
   RandomStream stream(seed, "distractors");
   constexpr int kMostTries = 100;
   for (int attempt = 0; attempt < kMostTries; ++attempt) {
     std::vector<Path> paths = pair;
-    if (draw_paths(room, viewer, radii_m, paths, stream)) {
+    if (draw_paths(bounds, viewer, radii_m, paths, stream)) {
       return states_of(paths, bodies);
     }
   }
@@ -228,8 +232,9 @@ std::vector<SceneProblem> distractor_problems(const json& scene) {
   constexpr std::uint64_t kTries = 5;
   for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
     if (!distractor_states(scene, bodies, meeting, viewer, hold_s, seed)) {
-      return {{"/distractors/count", "expected as many as there is room for beside the two, got " +
-                                         scene["distractors"]["count"].dump()}};
+      return {
+          {"/distractors/count", "expected as many as there is bounds for beside the two, got " +
+                                     scene["distractors"]["count"].dump()}};
     }
   }
   return {};

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/figure_files.hpp"
 #include "experiments/scenes/figure_motion.hpp"
 #include "experiments/scenes/figure_parts.hpp"
@@ -13,8 +14,6 @@ namespace {
 
 using nlohmann::json;
 using Problems = std::vector<SceneProblem>;
-
-constexpr double kDegreesPerRadian = 57.29577951308232;
 
 /// "12.5" where JSON would say so, too: angles come from files.
 std::string text_of(double number) { return json(number).dump(); }

@@ -3,14 +3,13 @@
 
 #include <set>
 
+#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/figure_parts.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 Vector3 vector_at(const json& motion, const char* key, double unit) {
   const auto numbers = motion.value(key, std::vector<double>{0.0, 0.0, 0.0});

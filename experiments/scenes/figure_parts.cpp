@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/swept_shape.hpp"
 
 namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 Vector3 vector_from(const json& numbers) {
   return {numbers[0].get<double>(), numbers[1].get<double>(), numbers[2].get<double>()};

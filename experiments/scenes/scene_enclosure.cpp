@@ -12,7 +12,7 @@ using nlohmann::json;
 
 constexpr const char* kFrustum = "view-frustum";
 
-std::string kind_of(const json& enclosure) {
+std::string kind_of_enclosure(const json& enclosure) {
   return enclosure.value("kind", std::string("closed-cube"));
 }
 
@@ -36,7 +36,7 @@ std::optional<Enclosure> enclosure_of(const json& scene, double metres_per_degre
     return std::nullopt;
   }
   const json& enclosure = scene["enclosure"];
-  if (kind_of(enclosure) != kFrustum) {
+  if (kind_of_enclosure(enclosure) != kFrustum) {
     return cube_of(scene, metres_per_degree);
   }
   return view_frustum(viewer, enclosure["front_deg"].get<double>() * metres_per_degree,
@@ -50,7 +50,7 @@ void add_enclosure_problems(const json& scene, std::vector<SceneProblem>& proble
     return;
   }
   const json& enclosure = scene["enclosure"];
-  const std::string kind = kind_of(enclosure);
+  const std::string kind = kind_of_enclosure(enclosure);
   const auto need = [&](const char* key) {
     if (!enclosure.contains(key)) {
       problems.push_back({"/enclosure", "expected the key \"" + std::string(key) + "\" for kind " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_figures.hpp"
 
+#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/figure_files.hpp"
 #include "experiments/scenes/figure_motion.hpp"
 #include "experiments/scenes/figure_parts.hpp"
@@ -10,8 +11,6 @@ namespace impetus {
 namespace {
 
 using nlohmann::json;
-
-constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 /// What is made of one entry: a named figure, or each of a crowd.
 struct FigureTraits {

@@ -29,8 +29,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kRadiansPerDegree = 0.017453292519943295;
-
 double rounded_to_frames(double duration_s, double hz) {
   return std::floor(duration_s * hz + 0.5) / hz;
 }

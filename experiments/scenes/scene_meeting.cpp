@@ -9,6 +9,7 @@
 #include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/session/collision_truth.hpp"
 
 namespace impetus {
 namespace {
@@ -18,7 +19,6 @@ using nlohmann::json;
 /// At contact the bodies overlap by this share of their distance: far below a pixel, far above what
 /// rounding could make of the way there, so contact falls on its step on every machine.
 constexpr double kTouchingOverlap = 1e-9;
-constexpr double kArcminPerDegree = 60.0;
 
 /// Both bodies where they touch, about the world's origin.
 struct Touching {

@@ -37,7 +37,8 @@ void add_list_problems(const json& engine, Problems& problems) {
   }
 }
 
-void refuse_key(const json& schedule, const char* key, const std::string& why, Problems& problems) {
+void refuse_schedule_key(const json& schedule, const char* key, const std::string& why,
+                         Problems& problems) {
   if (schedule.contains(key)) {
     problems.push_back({std::string(kPlace) + "/" + key,
                         "expected none " + why + ", got " + schedule[key].dump()});
@@ -53,14 +54,14 @@ void add_region_rule_problems(const json& schedule, Problems& problems) {
   }
   for (const char* key : {"thresholds", "pair_shares"}) {
     if (!schedule.value(key, json::array()).empty()) {
-      refuse_key(schedule, key, "with the scheduler region", problems);
+      refuse_schedule_key(schedule, key, "with the scheduler region", problems);
     }
   }
 }
 
 void add_metric_rule_problems(const json& schedule, Problems& problems) {
   if (schedule.contains("pair_shares")) {
-    refuse_key(schedule, "thresholds", "beside pair_shares", problems);
+    refuse_schedule_key(schedule, "thresholds", "beside pair_shares", problems);
   }
   const char* key = schedule.contains("pair_shares") ? "pair_shares" : "thresholds";
   const std::size_t needed = schedule["lists"].size() - 1;
@@ -75,13 +76,13 @@ void add_metric_rule_problems(const json& schedule, Problems& problems) {
 void add_metric_option_problems(const json& schedule, Problems& problems) {
   const auto scheduler = schedule["scheduler"].get<std::string>();
   if (scheduler != "weighted") {
-    refuse_key(schedule, "terms", "with the scheduler " + scheduler, problems);
+    refuse_schedule_key(schedule, "terms", "with the scheduler " + scheduler, problems);
   } else if (!schedule.contains("terms")) {
     problems.push_back(
         {kPlace, "expected the key \"terms\" for the scheduler weighted, which is missing"});
   }
   if (!takes_point(scheduler)) {
-    refuse_key(schedule, "point_deg", "with the scheduler " + scheduler, problems);
+    refuse_schedule_key(schedule, "point_deg", "with the scheduler " + scheduler, problems);
   }
 }
 

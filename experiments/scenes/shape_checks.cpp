@@ -14,13 +14,13 @@ namespace {
 
 using nlohmann::json;
 
-struct Kind {
+struct ShapeKind {
   std::vector<std::string> measures;
   std::vector<std::string> choices;  ///< keys that may be left out
 };
 
-const Kind& kind_of(const json& shape) {
-  static const std::map<std::string, Kind> kKinds{
+const ShapeKind& kind_of_shape(const json& shape) {
+  static const std::map<std::string, ShapeKind> kKinds{
       {"sphere", {{"radius_deg"}, {}}},
       {"box", {{"width_deg", "height_deg", "depth_deg"}, {}}},
       {"plate", {{"width_deg", "height_deg", "thickness_deg"}, {}}},
@@ -36,7 +36,7 @@ const Kind& kind_of(const json& shape) {
 }
 
 std::optional<SceneProblem> wrong_keys(const json& shape, const std::string& place) {
-  const Kind& kind = kind_of(shape);
+  const ShapeKind& kind = kind_of_shape(shape);
   const auto name = shape["kind"].get<std::string>();
   std::string names;
   for (const std::string& measure : kind.measures) {

@@ -11,7 +11,7 @@
 namespace impetus {
 namespace {
 
-std::string degrees(const std::optional<double>& value_deg) {
+std::string degrees_text(const std::optional<double>& value_deg) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f°", value_deg.value_or(0.0));
   return value_deg ? text : "unknown";
@@ -24,9 +24,9 @@ std::vector<std::string> accuracy_words(const CalibrationRecord& record) {
   if (!record.accuracy_deg) {
     return {"No gaze was found at any of the points."};
   }
-  return {"Your gaze was " + degrees(record.accuracy_deg) + " from the points on average; " +
-              degrees(record.accuracy_limit_deg) + " is allowed.",
-          "It was " + degrees(record.worst_accuracy_deg) + " from the worst one."};
+  return {"Your gaze was " + degrees_text(record.accuracy_deg) + " from the points on average; " +
+              degrees_text(record.accuracy_limit_deg) + " is allowed.",
+          "It was " + degrees_text(record.worst_accuracy_deg) + " from the worst one."};
 }
 
 std::int64_t unseen_in(const CalibrationRecord& record) {
@@ -42,8 +42,8 @@ std::vector<std::string> quality_words(const CalibrationRecord& record) {
   if (record.sampling_hz) {
     samples += "; " + std::to_string(std::lround(*record.sampling_hz)) + " came per second";
   }
-  return {"It moved by " + degrees(record.precision_rms_deg) + " from sample to sample, by " +
-              degrees(record.precision_sd_deg) + " about its mean.",
+  return {"It moved by " + degrees_text(record.precision_rms_deg) + " from sample to sample, by " +
+              degrees_text(record.precision_sd_deg) + " about its mean.",
           samples + " (" + record.gaze_source + ")."};
 }
 
@@ -115,9 +115,9 @@ Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeo
 
 Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress) {
   const std::string found = check.accuracy_deg
-                                ? "Your gaze was found " + degrees(check.accuracy_deg) +
+                                ? "Your gaze was found " + degrees_text(check.accuracy_deg) +
                                       " from the point in the middle; at most " +
-                                      degrees(check.accuracy_limit_deg) + " is allowed."
+                                      degrees_text(check.accuracy_limit_deg) + " is allowed."
                                 : "No gaze was found at the point in the middle.";
   return text_page({"Let us look at the points again", {found}}, progress);
 }

@@ -14,7 +14,6 @@ namespace impetus {
 namespace {
 
 constexpr int kSampleRays = 64;
-constexpr double kArcminPerDegree = 60.0;
 
 /// A triangle in world, as one corner and the edges from it.
 struct Face {

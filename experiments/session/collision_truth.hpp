@@ -12,6 +12,8 @@
 
 namespace impetus {
 
+inline constexpr double kArcminPerDegree = 60.0;
+
 struct CollisionTruth {
   double gap_m{0.0};         ///< closest distance of the drawn surfaces
   double gap_px{0.0};        ///< between the two closest points as projected

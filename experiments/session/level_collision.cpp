@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/numerics/at.hpp"
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/session/collision_truth.hpp"
 #include "experiments/session/input_error.hpp"
@@ -14,21 +15,11 @@
 namespace impetus {
 namespace {
 
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
 /// One list that stops at `level`, and reaches it whatever the budget.
 Schedule only_level(int level) {
   Schedule schedule;
   schedule.lists = {{1.0, level, level}};
   return schedule;
-}
-
-int finest_level_of(const World& world) {
-  int finest = 0;
-  for (const BodyModel& body : world.models()) {
-    finest = std::max(finest, body.tree->level_count() - 1);
-  }
-  return finest;
 }
 
 /// One list by distance decides nothing here, so that the viewer may stand anywhere.
@@ -266,6 +257,14 @@ const TouchPoint& deepest(const std::vector<TouchPoint>& contacts) {
 }
 
 }  // namespace
+
+int finest_level_of(const World& world) {
+  int finest = 0;
+  for (const BodyModel& body : world.models()) {
+    finest = std::max(finest, body.tree->level_count() - 1);
+  }
+  return finest;
+}
 
 CollisionByLevel collision_by_level(const StagedScene& scene) {
   World finest = scene.world;

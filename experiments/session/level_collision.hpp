@@ -45,6 +45,9 @@ struct CollisionByLevel {
   std::vector<LevelCollision> levels;  ///< from the root to the finest
 };
 
+/// The deepest level of all bodies' trees.
+int finest_level_of(const World& world);
+
 /// Throws InputError, in one sentence, when nothing collides within the scene's duration.
 CollisionByLevel collision_by_level(const StagedScene& scene);
 

@@ -7,14 +7,14 @@
 #include <map>
 #include <stdexcept>
 
+#include "engine/numerics/at.hpp"
 #include "engine/scheduling/metrics.hpp"
+#include "experiments/session/level_collision.hpp"
 
 namespace impetus {
 namespace {
 
 constexpr const char* kRegion = "region";
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::string name_of(const StagedScene& scene) {
   if (scene.world.settings().schedule.rule == ListRule::kRegion) {
@@ -99,14 +99,6 @@ void take_budget(PreviewSettings& settings, const WorkBudget& budget) {
 }
 
 }  // namespace
-
-int finest_level_of(const World& world) {
-  int finest = 0;
-  for (const BodyModel& body : world.models()) {
-    finest = std::max(finest, body.tree->level_count() - 1);
-  }
-  return finest;
-}
 
 std::vector<std::string> scheduler_names() {
   std::vector<std::string> names;

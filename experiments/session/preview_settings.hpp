@@ -49,9 +49,6 @@ struct PreviewSettings {
   Rotation rotation{Rotation::kMidpoint};
 };
 
-/// The deepest level of all bodies' trees.
-int finest_level_of(const World& world);
-
 /// The names of the metrics, and "region".
 std::vector<std::string> scheduler_names();
 

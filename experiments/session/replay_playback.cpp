@@ -10,9 +10,6 @@ namespace {
 constexpr int kSlowest = -4;
 constexpr int kFastest = 2;
 
-/// A time that was set by step k may come back a hair off k.
-constexpr double kOfAStep = 1e-6;
-
 }  // namespace
 
 ReplayPlayback::ReplayPlayback(const ReplayView& replay)
@@ -41,8 +38,8 @@ void ReplayPlayback::toggle() {
 
 void ReplayPlayback::step(int direction) {
   const double steps = time_s_ * replay_.step_hz;
-  const double target =
-      direction > 0 ? std::floor(steps + kOfAStep) + 1.0 : std::ceil(steps - kOfAStep) - 1.0;
+  const double target = direction > 0 ? std::floor(steps + kStepRounding) + 1.0
+                                      : std::ceil(steps - kStepRounding) - 1.0;
   seek(target / replay_.step_hz);
 }
 

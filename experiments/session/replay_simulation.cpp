@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "experiments/session/level_collision.hpp"
 #include "experiments/session/preview_settings.hpp"
 
 namespace impetus {

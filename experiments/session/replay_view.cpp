@@ -10,13 +10,6 @@
 #include "experiments/session/seen_apart.hpp"
 
 namespace impetus {
-namespace {
-
-/// A time that was set by step k may come back a hair below k.
-constexpr double kOfAStep = 1e-6;
-
-}  // namespace
-
 void end_with_last_step(ReplayView& view) {
   const double shown_s = static_cast<double>(view.states.size() - 1) / view.step_hz;
   if (shown_s < view.duration_s) {
@@ -31,7 +24,7 @@ GazeInput gaze_of_step(const ReplayView& view, std::int64_t step) {
 }
 
 std::int64_t step_at(const ReplayView& view, double time_s) {
-  const auto step = static_cast<std::int64_t>(std::floor(time_s * view.step_hz + kOfAStep));
+  const auto step = static_cast<std::int64_t>(std::floor(time_s * view.step_hz + kStepRounding));
   return std::min(step, static_cast<std::int64_t>(view.states.size()) - 1);
 }
 

@@ -16,6 +16,9 @@
 
 namespace impetus {
 
+/// Of a step: a time that was set by step k may come back so much off k.
+inline constexpr double kStepRounding = 1e-6;
+
 /// A moment (end_s == begin_s) or a stretch on the timeline, seconds from onset.
 struct TimelineMark {
   enum class Kind {

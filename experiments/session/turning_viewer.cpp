@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/turning_viewer.hpp"
 
+#include "engine/numerics/trigonometry.hpp"
+
 namespace impetus {
 
 Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s) {
-  constexpr double kRadiansPerDegree = 0.017453292519943295;
   if (turn.rate_deg_s == 0.0) {
     return start;
   }

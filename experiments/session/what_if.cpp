@@ -60,7 +60,7 @@ class Running {
   }
 
   [[nodiscard]] const StagedScene& scene() const { return scene_; }
-  Course take_course() { return std::move(course_); }
+  WhatIfCourse take_course() { return std::move(course_); }
 
  private:
   void keep(const StepReport& report, std::int64_t step, const StepInput& input) {
@@ -93,7 +93,7 @@ class Running {
   }
 
   StagedScene scene_;
-  Course course_;
+  WhatIfCourse course_;
 };
 
 bool any_seen_apart(const Running& then, const Running& now, std::int64_t step) {

@@ -41,7 +41,7 @@ struct SeenCollision {
 };
 
 /// One of the two simulations.
-struct Course {
+struct WhatIfCourse {
   std::vector<SeenCollision> collisions;  ///< by step, in the order of the step's report
   std::int64_t work_spent{0};             ///< units of work, over all steps
   std::int64_t steps_over_budget{0};      ///< whose coarsest levels cost more than was granted
@@ -58,8 +58,8 @@ struct CollisionMatch {
 };
 
 struct WhatIf {
-  Course then;
-  Course now;
+  WhatIfCourse then;
+  WhatIfCourse now;
   std::vector<CollisionMatch> matches;          ///< by step, of the earlier of the two
   std::int64_t steps{0};                        ///< simulated, the start not counted
   std::optional<std::int64_t> parts_at{};       ///< first step whose states differ in any bit

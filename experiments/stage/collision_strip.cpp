@@ -20,7 +20,7 @@ namespace impetus {
 namespace {
 
 constexpr std::array<float, 3> kShellColour{0.10F, 0.36F, 0.20F};
-constexpr double kRoomAround = 1.08;
+constexpr double kStripRoom = 1.08;
 constexpr ImU32 kGoingInk = IM_COL32(24, 60, 120, 255);
 
 class StripDrawing {
@@ -67,7 +67,7 @@ class StripDrawing {
     const double words_px = words_height_px();
     const double room_px = std::max(1.0, size_.height_px - words_px);
     const double m_per_px =
-        kRoomAround * std::max(seen.sizes().x() / size_.width_px, seen.sizes().y() / room_px);
+        kStripRoom * std::max(seen.sizes().x() / size_.width_px, seen.sizes().y() / room_px);
     const double below_m = 0.5 * words_px * m_per_px;
     centre_ = seen.center().x() * own.right + (seen.center().y() - below_m) * own.up +
               depth_m * towards_eye;

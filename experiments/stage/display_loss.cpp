@@ -45,9 +45,9 @@ void skip_farewells(int status, void* /*unused*/) {
   throw DisplayLost();
 }
 
-int on_broken_connection(Display* /*connection*/) { leave(); }
+int on_broken_connection(::Display* /*connection*/) { leave(); }
 
-int on_refused_request(Display* connection, XErrorEvent* error) {
+int on_refused_request(::Display* connection, XErrorEvent* error) {
   if (error->resourceid == watched) {
     leave();
   }

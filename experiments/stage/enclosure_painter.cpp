@@ -26,7 +26,7 @@ struct Corner {
   float tone;
 };
 
-void describe_attribute(unsigned place, int numbers, std::size_t offset) {
+void describe_corner(unsigned place, int numbers, std::size_t offset) {
   glEnableVertexAttribArray(place);
   glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(Corner),
                         reinterpret_cast<const void*>(offset));
@@ -90,9 +90,9 @@ EnclosurePainter::EnclosurePainter()
   glGenBuffers(1, &corners_);
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, corners_);
-  describe_attribute(0, 3, offsetof(Corner, from_eye));
-  describe_attribute(1, 2, offsetof(Corner, on_wall));
-  describe_attribute(2, 1, offsetof(Corner, tone));
+  describe_corner(0, 3, offsetof(Corner, from_eye));
+  describe_corner(1, 2, offsetof(Corner, on_wall));
+  describe_corner(2, 1, offsetof(Corner, tone));
   glBindVertexArray(0);
 }
 

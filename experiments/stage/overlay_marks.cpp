@@ -7,8 +7,6 @@
 namespace impetus {
 namespace {
 
-ImVec2 pixel(const WindowPoint& point) { return {point.x, point.y}; }
-
 ImU32 ink(int red, int green, int blue, double opacity) {
   return IM_COL32(red, green, blue, static_cast<int>(255.0 * opacity));
 }

@@ -9,6 +9,11 @@
 
 namespace impetus {
 
+/// The length of a normal's arrow, as a share of the largest body's radius.
+inline constexpr double kArrowShare = 0.7;
+
+inline ImVec2 pixel(const WindowPoint& point) { return {point.x, point.y}; }
+
 /// Red: the contact of two overlapping nodes. `opacity` from 0 to 1, here as below.
 void mark_node_contact(ImDrawList& draw, const PictureMap& map, const Vector3& place,
                        double opacity);

@@ -16,24 +16,25 @@ struct ColourOf {
 constexpr ImU32 kPressed = IM_COL32(190, 202, 214, 255);
 constexpr ImU32 kGrab = IM_COL32(148, 170, 192, 255);  ///< a number can be read on it
 
-constexpr std::array<ColourOf, 18> kColours{{{ImGuiCol_ChildBg, palette::kPage},
-                                             {ImGuiCol_PopupBg, palette::kSurfaceHovered},
-                                             {ImGuiCol_Button, palette::kSurface},
-                                             {ImGuiCol_ButtonHovered, palette::kSurfaceHovered},
-                                             {ImGuiCol_ButtonActive, kPressed},
-                                             {ImGuiCol_CheckMark, palette::kAccent},
-                                             {ImGuiCol_SliderGrab, kGrab},
-                                             {ImGuiCol_SliderGrabActive, kGrab},
-                                             {ImGuiCol_Header, kPressed},
-                                             {ImGuiCol_HeaderHovered, kPressed},
-                                             {ImGuiCol_HeaderActive, kPressed},
-                                             {ImGuiCol_Separator, palette::kLine},
-                                             {ImGuiCol_TextDisabled, palette::kQuietText},
-                                             {ImGuiCol_TableBorderLight, palette::kLine},
-                                             {ImGuiCol_TableBorderStrong, palette::kLine},
-                                             {ImGuiCol_ScrollbarBg, palette::kPage},
-                                             {ImGuiCol_ScrollbarGrabHovered, palette::kQuietText},
-                                             {ImGuiCol_ScrollbarGrabActive, palette::kAccent}}};
+constexpr std::array<ColourOf, 18> kStyleColours{
+    {{ImGuiCol_ChildBg, palette::kPage},
+     {ImGuiCol_PopupBg, palette::kSurfaceHovered},
+     {ImGuiCol_Button, palette::kSurface},
+     {ImGuiCol_ButtonHovered, palette::kSurfaceHovered},
+     {ImGuiCol_ButtonActive, kPressed},
+     {ImGuiCol_CheckMark, palette::kAccent},
+     {ImGuiCol_SliderGrab, kGrab},
+     {ImGuiCol_SliderGrabActive, kGrab},
+     {ImGuiCol_Header, kPressed},
+     {ImGuiCol_HeaderHovered, kPressed},
+     {ImGuiCol_HeaderActive, kPressed},
+     {ImGuiCol_Separator, palette::kLine},
+     {ImGuiCol_TextDisabled, palette::kQuietText},
+     {ImGuiCol_TableBorderLight, palette::kLine},
+     {ImGuiCol_TableBorderStrong, palette::kLine},
+     {ImGuiCol_ScrollbarBg, palette::kPage},
+     {ImGuiCol_ScrollbarGrabHovered, palette::kQuietText},
+     {ImGuiCol_ScrollbarGrabActive, palette::kAccent}}};
 
 constexpr int kSizes = 6;
 
@@ -42,7 +43,7 @@ constexpr int kSizes = 6;
 PanelStyle::PanelStyle(ImFont* font) {
   const float em = font->FontSize;
   ImGui::PushFont(font);
-  for (const ColourOf& each : kColours) {
+  for (const ColourOf& each : kStyleColours) {
     ImGui::PushStyleColor(each.what, each.colour);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.35F * em, 0.2F * em));
@@ -55,7 +56,7 @@ PanelStyle::PanelStyle(ImFont* font) {
 
 PanelStyle::~PanelStyle() {
   ImGui::PopStyleVar(kSizes);
-  ImGui::PopStyleColor(static_cast<int>(kColours.size()));
+  ImGui::PopStyleColor(static_cast<int>(kStyleColours.size()));
   ImGui::PopFont();
 }
 

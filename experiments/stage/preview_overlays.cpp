@@ -12,11 +12,6 @@
 namespace impetus {
 namespace {
 
-/// A normal's arrow, as a share of the largest body's radius.
-constexpr double kArrowShare = 0.7;
-
-ImVec2 pixel(const WindowPoint& point) { return {point.x, point.y}; }
-
 ImU32 colour(const std::array<float, 3>& rgb, double opacity) {
   return ImGui::ColorConvertFloat4ToU32(
       ImVec4(rgb[0], rgb[1], rgb[2], static_cast<float>(opacity)));

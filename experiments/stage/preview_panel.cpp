@@ -21,9 +21,9 @@ struct Speed {
 };
 constexpr std::array<Speed, 4> kSpeeds{{{1.0, "1"}, {0.5, "½"}, {0.25, "¼"}, {0.1, "1/10"}}};
 
-constexpr std::array<NamedValue<BodyColours>, 3> kColours{{{BodyColours::kOwn, "their own"},
-                                                           {BodyColours::kPriority, "priority"},
-                                                           {BodyColours::kLevel, "level"}}};
+constexpr std::array<NamedValue<BodyColours>, 3> kBodyColours{{{BodyColours::kOwn, "their own"},
+                                                               {BodyColours::kPriority, "priority"},
+                                                               {BodyColours::kLevel, "level"}}};
 
 class Panel {
  public:
@@ -157,7 +157,7 @@ class Panel {
     ImGui::SameLine(column);
     draw_volume_level();
     ImGui::EndDisabled();
-    chosen_of("colours", overlays_.colours, kColours,
+    chosen_of("colours", overlays_.colours, kBodyColours,
               "Of bodies, whatever marks are shown; paler where they are apart from others. "
               "Priority: that of their most urgent pair. Level: what their collisions reached "
               "lately. Key: C");

@@ -12,9 +12,6 @@
 namespace impetus {
 namespace {
 
-/// A normal's arrow, as a share of the largest body's radius.
-constexpr double kArrowShare = 0.7;
-
 Viewer participant_of(const ReplayMoment& moment) {
   return turned_viewer(moment.replay->viewer, moment.replay->turn, moment.time_s);
 }

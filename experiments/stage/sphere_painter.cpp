@@ -15,25 +15,25 @@ namespace impetus {
 namespace {
 
 /// What the vertex shader takes for each sphere.
-struct Instance {
+struct SphereInstance {
   float bounds[4];
   float sphere[4];
   float colour[3];
 };
 
-void describe_attribute(unsigned place, int numbers, std::size_t offset) {
+void describe_sphere(unsigned place, int numbers, std::size_t offset) {
   glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(Instance),
+  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(SphereInstance),
                         reinterpret_cast<const void*>(offset));
   glVertexAttribDivisor(place, 1);
 }
 
 /// The spheres that can be seen, farthest first: a blended edge needs what is behind it.
-std::vector<Instance> instances_of(const std::vector<ColouredSphere>& spheres,
-                                   const Viewer& viewer) {
+std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& spheres,
+                                         const Viewer& viewer) {
   struct Seen {
     double distance_m;
-    Instance instance;
+    SphereInstance instance;
   };
   std::vector<Seen> seen;
   for (const ColouredSphere& each : spheres) {
@@ -54,7 +54,7 @@ std::vector<Instance> instances_of(const std::vector<ColouredSphere>& spheres,
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& one, const Seen& other) {
     return one.distance_m > other.distance_m;
   });
-  std::vector<Instance> instances;
+  std::vector<SphereInstance> instances;
   instances.reserve(seen.size());
   for (const Seen& sphere : seen) {
     instances.push_back(sphere.instance);
@@ -71,9 +71,9 @@ SpherePainter::SpherePainter(const char* fragment_shader, HidesOthers hides)
   glGenBuffers(1, &instances_);
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
-  describe_attribute(0, 4, offsetof(Instance, bounds));
-  describe_attribute(1, 4, offsetof(Instance, sphere));
-  describe_attribute(2, 3, offsetof(Instance, colour));
+  describe_sphere(0, 4, offsetof(SphereInstance, bounds));
+  describe_sphere(1, 4, offsetof(SphereInstance, sphere));
+  describe_sphere(2, 3, offsetof(SphereInstance, colour));
   glBindVertexArray(0);
 }
 
@@ -95,14 +95,14 @@ void SpherePainter::paint(const std::vector<ColouredSphere>& spheres, const View
   glUniform2f(glGetUniformLocation(program_, "margin"),
               static_cast<float>(2.0 * screen.width_m / area.width),
               static_cast<float>(2.0 * screen.height_m / area.height));
-  const std::vector<Instance> instances = instances_of(spheres, viewer);
+  const std::vector<SphereInstance> instances = instances_of(spheres, viewer);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(hides_ == HidesOthers::kYes ? GL_TRUE : GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(SphereInstance)),
                instances.data(), GL_STREAM_DRAW);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances.size()));
   glBindVertexArray(0);

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kShownRadiusM = 0.05;  ///< suits the depth that all painters of this room share
 constexpr double kDistanceInRadii = 7.0;
-constexpr double kRoomAround = 1.06;
+constexpr double kTreeRoom = 1.06;
 constexpr double kTurnOfAPicture = 3.0;  ///< radians for a drag over the picture's height
 constexpr double kZoomOfANotch = 1.15;
-constexpr float kShellOpacity = 0.5F;
+constexpr float kMeshOpacity = 0.5F;
 constexpr std::array<float, 3> kMeshColour{0.86F, 0.84F, 0.80F};
 
 /// Of the root volume and the mesh, for the middle of the picture.
@@ -43,7 +43,7 @@ std::shared_ptr<const TriangleMesh> scaled(TriangleMesh mesh, const Vector3& cen
 }
 
 Viewer viewer_of(const Orbit& orbit, int width, int height) {
-  const double least_m = 2.0 * kRoomAround * kShownRadiusM / orbit.zoom;
+  const double least_m = 2.0 * kTreeRoom * kShownRadiusM / orbit.zoom;
   const double per_px = least_m / std::min(width, height);
   return viewer_at(
       {per_px * width, per_px * height, width, height, kDistanceInRadii * kShownRadiusM}, 0.0);
@@ -124,7 +124,7 @@ void TreePainter::paint_here(const TreeLook& look, const Orbit& orbit, int width
     for (ColouredVolume& volume : turned_volumes) {
       volume.shape = posed(volume.shape, pose);
     }
-    volume_painter_.paint(turned_volumes, picture.viewer, height, look.mesh ? kShellOpacity : 1.0F);
+    volume_painter_.paint(turned_volumes, picture.viewer, height, look.mesh ? kMeshOpacity : 1.0F);
   }
 }
 

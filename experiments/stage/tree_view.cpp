@@ -23,7 +23,7 @@ struct ColourChoice {
   const char* tooltip;
 };
 
-constexpr std::array<ColourChoice, 3> kColours{
+constexpr std::array<ColourChoice, 3> kTreeColours{
     {{TreeColour::kLevel, "level", SDLK_l, "Each level a colour of its own. Key: L"},
      {TreeColour::kOccupancy, "occupancy", SDLK_o,
       "The share of the node that is solid: violet nothing, green half, yellow all. Key: O"},
@@ -73,7 +73,7 @@ class TreeScreen {
   }
 
   void press(SDL_Keycode key) {
-    for (const ColourChoice& choice : kColours) {
+    for (const ColourChoice& choice : kTreeColours) {
       look_.colour = choice.key == key ? choice.colour : look_.colour;
     }
     switch (key) {
@@ -131,7 +131,7 @@ class TreeScreen {
     draw_levels();
     draw_legend();
     panel_heading("Colour by");
-    for (const ColourChoice& choice : kColours) {
+    for (const ColourChoice& choice : kTreeColours) {
       if (ImGui::RadioButton(choice.name, look_.colour == choice.colour)) {
         look_.colour = choice.colour;
       }

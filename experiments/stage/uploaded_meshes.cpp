@@ -16,7 +16,7 @@ void fill_buffer(GLenum kind, unsigned buffer, const std::vector<T>& values) {
                GL_STATIC_DRAW);
 }
 
-void describe_attribute(unsigned place, std::size_t offset) {
+void describe_vertex(unsigned place, std::size_t offset) {
   glEnableVertexAttribArray(place);
   glVertexAttribPointer(place, 3, GL_FLOAT, GL_FALSE, sizeof(ShadedVertex),
                         reinterpret_cast<const void*>(offset));
@@ -36,8 +36,8 @@ struct UploadedMeshes::Buffers {
     glBindVertexArray(uploaded.arrangement);
     fill_buffer(GL_ARRAY_BUFFER, buffers[0], ready.vertices);
     fill_buffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1], ready.indices);
-    describe_attribute(0, offsetof(ShadedVertex, position));
-    describe_attribute(1, offsetof(ShadedVertex, normal));
+    describe_vertex(0, offsetof(ShadedVertex, position));
+    describe_vertex(1, offsetof(ShadedVertex, normal));
     if (describe) {
       describe();
     }

@@ -15,7 +15,7 @@ namespace impetus {
 namespace {
 
 /// What the vertex shader takes for each volume.
-struct Instance {
+struct VolumeInstance {
   float place[4];
   float extents[3];
   float turn[4];
@@ -24,7 +24,7 @@ struct Instance {
 
 constexpr unsigned kFirstInstanceAttribute = 2;
 
-void describe(unsigned place, int numbers, std::size_t stride, std::size_t offset) {
+void describe_volume(unsigned place, int numbers, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(place);
   glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                         reinterpret_cast<const void*>(offset));
@@ -38,7 +38,7 @@ void fill_buffer(GLenum kind, unsigned buffer, const std::vector<T>& values, GLe
 }
 
 /// Poses are combined in double precision: the card sees only numbers near the eye.
-Instance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
+VolumeInstance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
   Matrix3 R_EW;
   R_EW << viewer.right.transpose(), viewer.up.transpose(),
       viewer.right.cross(viewer.up).transpose();
@@ -53,7 +53,7 @@ Instance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
 }
 
 /// The coarsest mesh that is within half a pixel of the rounding, by its radius in pixels.
-std::size_t fineness_of(const Instance& instance, float px_at_a_metre) {
+std::size_t fineness_of(const VolumeInstance& instance, float px_at_a_metre) {
   const float ahead = std::max(-instance.place[2], 1e-6F);
   const float radius_px = instance.place[3] * px_at_a_metre / ahead;
   return radius_px <= 0.0F   ? 0
@@ -93,13 +93,17 @@ VolumePainter::Uploaded VolumePainter::upload(int parts, unsigned instances) {
   glBindVertexArray(mesh.arrangement);
   fill_buffer(GL_ARRAY_BUFFER, mesh.buffers[0], ready.vertices, GL_STATIC_DRAW);
   fill_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.buffers[1], ready.indices, GL_STATIC_DRAW);
-  describe(0, 3, sizeof(Vertex), offsetof(Vertex, corner));
-  describe(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
+  describe_volume(0, 3, sizeof(Vertex), offsetof(Vertex, corner));
+  describe_volume(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
   glBindBuffer(GL_ARRAY_BUFFER, instances);
-  describe(kFirstInstanceAttribute, 4, sizeof(Instance), offsetof(Instance, place));
-  describe(kFirstInstanceAttribute + 1, 3, sizeof(Instance), offsetof(Instance, extents));
-  describe(kFirstInstanceAttribute + 2, 4, sizeof(Instance), offsetof(Instance, turn));
-  describe(kFirstInstanceAttribute + 3, 3, sizeof(Instance), offsetof(Instance, colour));
+  describe_volume(kFirstInstanceAttribute, 4, sizeof(VolumeInstance),
+                  offsetof(VolumeInstance, place));
+  describe_volume(kFirstInstanceAttribute + 1, 3, sizeof(VolumeInstance),
+                  offsetof(VolumeInstance, extents));
+  describe_volume(kFirstInstanceAttribute + 2, 4, sizeof(VolumeInstance),
+                  offsetof(VolumeInstance, turn));
+  describe_volume(kFirstInstanceAttribute + 3, 3, sizeof(VolumeInstance),
+                  offsetof(VolumeInstance, colour));
   glBindVertexArray(0);
   return mesh;
 }
@@ -109,14 +113,14 @@ void VolumePainter::paint(const std::vector<ColouredVolume>& volumes, const View
   const ScreenGeometry& screen = viewer.screen;
   const auto px_at_a_metre =
       static_cast<float>(height_px * screen.viewing_distance_m / screen.height_m);
-  std::array<std::vector<Instance>, kParts.size()> by_fineness;
+  std::array<std::vector<VolumeInstance>, kParts.size()> by_fineness;
   for (const ColouredVolume& volume : volumes) {
-    const Instance instance = instance_of(volume, viewer);
+    const VolumeInstance instance = instance_of(volume, viewer);
     by_fineness[fineness_of(instance, px_at_a_metre)].push_back(instance);
   }
   const auto draw = [&] {
     for (std::size_t fineness = 0; fineness < kParts.size(); ++fineness) {
-      const std::vector<Instance>& instances = by_fineness[fineness];
+      const std::vector<VolumeInstance>& instances = by_fineness[fineness];
       glBindVertexArray(meshes_[fineness].arrangement);
       fill_buffer(GL_ARRAY_BUFFER, instances_, instances, GL_STREAM_DRAW);
       glDrawElementsInstanced(GL_TRIANGLES, meshes_[fineness].indices, GL_UNSIGNED_INT, nullptr,

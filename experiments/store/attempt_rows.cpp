@@ -9,17 +9,12 @@
 
 #include "experiments/session/gaze_latency.hpp"
 #include "experiments/session/wall_names.hpp"
+#include "experiments/store/optional_values.hpp"
 #include "experiments/store/response_rows.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus {
 namespace {
-
-void bind_or_null(SQLite::Statement& statement, int index, const std::optional<double>& value) {
-  if (value) {
-    statement.bind(index, *value);
-  }
-}
 
 void bind_imposed_spin(SQLite::Statement& statement, int first,
                        const std::optional<ImposedSpin>& spin) {

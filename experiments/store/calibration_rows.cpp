@@ -3,6 +3,8 @@
 
 #include <SQLiteCpp/Statement.h>
 
+#include "experiments/store/optional_values.hpp"
+
 namespace impetus {
 namespace {
 
@@ -10,12 +12,6 @@ const char* name_of(CalibrationKind kind) {
   return kind == CalibrationKind::kCalibration  ? "calibration"
          : kind == CalibrationKind::kValidation ? "validation"
                                                 : "drift check";
-}
-
-void bind_or_null(SQLite::Statement& statement, int index, const std::optional<double>& value) {
-  if (value) {
-    statement.bind(index, *value);
-  }
 }
 
 void bind_correction(SQLite::Statement& insert, int first, const GazeCorrection& correction) {

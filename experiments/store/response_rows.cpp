@@ -8,6 +8,8 @@
 #include <optional>
 #include <variant>
 
+#include "experiments/store/optional_values.hpp"
+
 namespace impetus {
 namespace {
 
@@ -26,12 +28,6 @@ void bind_level(SQLite::Statement& statement, int index, const LevelValue& value
     statement.bind(index, *text);
   } else {
     statement.bind(index, std::get<bool>(value) ? "true" : "false");
-  }
-}
-
-void bind_or_null(SQLite::Statement& statement, int index, const std::optional<bool>& value) {
-  if (value) {
-    statement.bind(index, *value ? 1 : 0);
   }
 }
 

@@ -17,7 +17,7 @@
 namespace impetus {
 namespace {
 
-constexpr std::array<ErrorOf, 2> kErrors{&VisibleError::gap, &VisibleError::bound};
+constexpr std::array<ErrorOf, 2> kGapAndBound{&VisibleError::gap, &VisibleError::bound};
 constexpr int kChanceOrders = 16;
 
 /// A step of the trajectory, from which every order starts.
@@ -95,12 +95,12 @@ class References {
     RandomStream random(seed, "orders by chance");
     std::vector<std::size_t> order(pairs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    for (const ErrorOf error : kErrors) {
+    for (const ErrorOf error : kGapAndBound) {
       in_hindsight_.push_back(RemovalCurve::in_hindsight(pairs, error));
     }
     for (int i = 0; i < kChanceOrders; ++i) {
       random.shuffle(order);
-      for (const ErrorOf error : kErrors) {
+      for (const ErrorOf error : kGapAndBound) {
         by_chance_.push_back(RemovalCurve::depth_first(pairs, error, order));
         breadth_first_.push_back(RemovalCurve::breadth_first(pairs, error, order));
       }
@@ -118,9 +118,9 @@ class References {
   static VisibleError mean_removed(const std::vector<RemovalCurve>& curves, std::int64_t work) {
     VisibleError mean;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      mean.*kErrors[i % kErrors.size()] += curves[i].removed(work);
+      mean.*kGapAndBound[i % kGapAndBound.size()] += curves[i].removed(work);
     }
-    const std::size_t of_each = curves.size() / kErrors.size();
+    const std::size_t of_each = curves.size() / kGapAndBound.size();
     const auto count = static_cast<double>(of_each);
     return {mean.gap / count, mean.bound / count};
   }
@@ -255,7 +255,7 @@ class Crowd {
     const References references(pairs, moment.seed);
     for (OrderedCrowd& tried : trade.orders) {
       OrderedStep done = try_order(tried, moment, roots, pairs);
-      for (const ErrorOf error : kErrors) {
+      for (const ErrorOf error : kGapAndBound) {
         done.removed.*error = trade.steps.back().at_roots.*error - done.left.*error;
       }
       references.compare(done);
@@ -269,7 +269,7 @@ class Crowd {
     for (const PairLevels& pair : pairs) {
       step.finest_work += pair.levels.back().work;
     }
-    for (const ErrorOf error : kErrors) {
+    for (const ErrorOf error : kGapAndBound) {
       step.at_roots.*error = left_at_roots(pairs, error);
       step.at_finest.*error = left_at_finest(pairs, error);
     }

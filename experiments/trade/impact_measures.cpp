@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "experiments/session/closest_surfaces.hpp"
+#include "experiments/session/collision_truth.hpp"
 #include "experiments/trade/level_touch.hpp"
 #include "experiments/trade/timed_work.hpp"
 
 namespace impetus {
 namespace {
-
-constexpr double kArcminPerDegree = 60.0;
 
 bool can_turn(const BodyModel& model) { return model.inverse_inertia != Matrix3::Zero(); }
 

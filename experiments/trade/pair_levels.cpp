@@ -6,6 +6,7 @@
 
 #include "engine/collision/broad_phase.hpp"
 #include "engine/collision/work_ledger.hpp"
+#include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
 #include "engine/scheduling/relative_acuity.hpp"
@@ -13,10 +14,6 @@
 
 namespace impetus {
 namespace {
-
-constexpr double kArcminPerDegree = 60.0;
-
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 /// The bodies of one step, and what of their collisions shows.
 class StepPairs {

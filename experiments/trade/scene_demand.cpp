@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus {
 namespace {
 
 constexpr std::int64_t kMostSteps = 2'400;
 constexpr std::int64_t kMostProbes = 400;
-
-std::size_t at(std::int32_t body) { return static_cast<std::size_t>(body); }
 
 std::int64_t pairs_in(const StepReport& report) {
   return std::count_if(report.collisions.begin(), report.collisions.end(),

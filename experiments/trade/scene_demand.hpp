@@ -17,14 +17,14 @@
 namespace impetus {
 
 /// Two bodies that met.
-struct Meeting {
+struct BodyMeeting {
   std::size_t body_a{0};
   std::size_t body_b{0};
   MeetingMotion motion;
 };
 
 struct SceneDemand {
-  std::vector<Meeting> meetings;  ///< of two bodies, in their order in time
+  std::vector<BodyMeeting> meetings;  ///< of two bodies, in their order in time
   /// Pairs of bodies that refinement begins with, in each step that has any.
   std::vector<double> pairs;
   std::int64_t steps{0};          ///< that were simulated

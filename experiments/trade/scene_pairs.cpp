@@ -30,7 +30,7 @@ ImpactPair pair_of(const TradeBodies& bodies, const Kinship& of, const StagedSce
 std::vector<ScenePair> pairs_that_met(const TradeBodies& bodies, const SceneDemand& demand,
                                       const StagedScene& scene) {
   std::map<Kinship, ScenePair> met;
-  for (const Meeting& meeting : demand.meetings) {
+  for (const BodyMeeting& meeting : demand.meetings) {
     Kinship of{bodies.alike_of[meeting.body_a], bodies.alike_of[meeting.body_b]};
     MeetingMotion motion = meeting.motion;
     if (of.second < of.first) {

@@ -35,7 +35,7 @@ double root_mean_square_speed_m_s(const World& world) {
 
 }  // namespace
 
-World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan) {
+World crowd_world(const CrowdShape& shape, const BenchCrowdStart& start, const CrowdPlan& plan) {
   WorldSettings settings;
   settings.restitution = plan.restitution;
   settings.tunnelling = plan.tunnelling;
@@ -51,14 +51,15 @@ World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdP
   return {std::vector<BodyModel>(start.states.size(), model), start.states, std::move(settings)};
 }
 
-StepInput crowd_input(const CrowdStart& start) {
+StepInput crowd_input(const BenchCrowdStart& start) {
   StepInput input;
   input.dt_s = kCrowdStep_s;
   input.viewer.eye = Vector3(0.0, 0.0, std::max(40.0, 4.0 * start.half_edge_m));
   return input;
 }
 
-CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan) {
+CrowdOutcome run_crowd(const CrowdShape& shape, const BenchCrowdStart& start,
+                       const CrowdPlan& plan) {
   World world = crowd_world(shape, start, plan);
   const StepInput input = crowd_input(start);
   const ThreadCpuClock clock;

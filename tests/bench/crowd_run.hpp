@@ -37,12 +37,13 @@ struct CrowdOutcome {
   std::int64_t urgent_finest{0};  ///< ... and those at their finest level
 };
 
-World crowd_world(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan);
+World crowd_world(const CrowdShape& shape, const BenchCrowdStart& start, const CrowdPlan& plan);
 
 /// Looks at the cube from four half edges away.
-StepInput crowd_input(const CrowdStart& start);
+StepInput crowd_input(const BenchCrowdStart& start);
 
-CrowdOutcome run_crowd(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan);
+CrowdOutcome run_crowd(const CrowdShape& shape, const BenchCrowdStart& start,
+                       const CrowdPlan& plan);
 
 /// Bodies whose centre of mass is beyond a wall of the cube, or nowhere; none without walls.
 int escaped_from(double half_edge_m, const std::vector<BodyState>& states);

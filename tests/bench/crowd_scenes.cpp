@@ -35,8 +35,8 @@ std::string faults_of(const CrowdOutcome& outcome) {
   return text;
 }
 
-CrowdOutcome print_run(const std::string& name, const CrowdShape& shape, const CrowdStart& start,
-                       const CrowdPlan& plan, const char* goal) {
+CrowdOutcome print_run(const std::string& name, const CrowdShape& shape,
+                       const BenchCrowdStart& start, const CrowdPlan& plan, const char* goal) {
   const CrowdOutcome outcome = run_crowd(shape, start, plan);
   std::printf("  %-38s %8.3f %8.3f %8.3f  %6.0f %8.0f %9.0f  %7.4f %5d  %s%s%s\n", name.c_str(),
               outcome.step_ms.median, outcome.step_ms.p99, outcome.step_ms.longest,
@@ -63,7 +63,7 @@ std::string leaves_and_passes(bool fine, int most_passes) {
   return text;
 }
 
-void print_title(const std::string& title, const CrowdStart& start) {
+void print_title(const std::string& title, const BenchCrowdStart& start) {
   std::printf("\n%s (ms", title.c_str());
   if (start.touching > 0) {
     std::printf("; %d bodies start in contact", start.touching);
@@ -75,7 +75,7 @@ void print_title(const std::string& title, const CrowdStart& start) {
 }  // namespace
 
 void print_cube(const CrowdShape& shape, const BenchOptions& options) {
-  const CrowdStart start = flying(shape, 250, kFill);
+  const BenchCrowdStart start = flying(shape, 250, kFill);
   print_title("250 bodies, closed cube, 30 % full, restitution .5", start);
   for (const bool fine : {false, true}) {
     CrowdPlan plan{fine, /*restitution=*/0.5};
@@ -94,7 +94,7 @@ void print_elastic(const CrowdShape& shape, const BenchOptions& options) {
     double fill;
   };
   for (const auto [bodies, fill] : {Filled{250, kFill}, Filled{100, 1.5}}) {
-    const CrowdStart start = flying(shape, bodies, fill);
+    const BenchCrowdStart start = flying(shape, bodies, fill);
     print_title(std::to_string(bodies) + " bodies, closed cube, restitution 1, 5 s", start);
     for (const bool fine : {false, true}) {
       CrowdPlan plan{fine, /*restitution=*/1.0};
@@ -109,7 +109,7 @@ void print_elastic(const CrowdShape& shape, const BenchOptions& options) {
 }
 
 void print_implosion(const CrowdShape& shape, const BenchOptions& options) {
-  const CrowdStart start = imploding(shape, 250);
+  const BenchCrowdStart start = imploding(shape, 250);
   print_title("implosion of 250 bodies, restitution .5", start);
   for (const bool fine : {true, false}) {
     for (const double budget_ms : {0.0, 4.0, 1.0}) {
@@ -134,7 +134,7 @@ void print_implosion(const CrowdShape& shape, const BenchOptions& options) {
 }
 
 void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
-  const CrowdStart start = flying(shape, 1000, 1.0);
+  const BenchCrowdStart start = flying(shape, 1000, 1.0);
   print_title(
       "1,000 bodies, closed cube, 100 % full, restitution .5, ~500 leaves; a tenth of pairs urgent",
       start);
@@ -161,7 +161,7 @@ void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
 }
 
 void print_pit(const CrowdShape& shape, const BenchOptions& options) {
-  const CrowdStart start = falling(shape, 250);
+  const BenchCrowdStart start = falling(shape, 250);
   print_title("250 bodies piled in a pit under gravity, restitution .5; 5 s", start);
   for (const bool fine : {false, true}) {
     for (const int most_passes : {kUnlimitedPasses, kFewPasses}) {

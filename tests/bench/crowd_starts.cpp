@@ -30,7 +30,7 @@ class Placing {
         walls_(ClosedCube{half_edge_m}) {}
 
   /// A pose near `middle` that touches nobody, or the last that was tried.
-  void add(const Vector3& middle, double cell_m, CrowdStart& start) {
+  void add(const Vector3& middle, double cell_m, BenchCrowdStart& start) {
     BodyState state;
     bool free = false;
     for (int tried = 0; tried < kTries && !free; ++tried) {
@@ -79,7 +79,7 @@ double half_edge_filled(int bodies, double fill) {
   return 0.5 * std::cbrt(bodies * 4.0 / 3.0 * std::numbers::pi / fill);
 }
 
-CrowdStart flying_at(CrowdStart start, const CrowdShape& shape, double speed_m_s) {
+BenchCrowdStart flying_at(BenchCrowdStart start, const CrowdShape& shape, double speed_m_s) {
   RandomStream random(kSeed, "motion");
   for (BodyState& state : start.states) {
     state.linear_momentum = shape.mass.mass_kg * speed_m_s * random_direction(random);
@@ -121,8 +121,8 @@ Quaternion random_orientation(RandomStream& random) {
   }
 }
 
-CrowdStart at_rest(const CrowdShape& shape, int bodies, double fill) {
-  CrowdStart start;
+BenchCrowdStart at_rest(const CrowdShape& shape, int bodies, double fill) {
+  BenchCrowdStart start;
   start.half_edge_m = half_edge_filled(bodies, fill);
   const int along = cells_along(bodies);
   const double cell_m = 2.0 * start.half_edge_m / along;
@@ -143,19 +143,19 @@ CrowdStart at_rest(const CrowdShape& shape, int bodies, double fill) {
   return start;
 }
 
-CrowdStart flying(const CrowdShape& shape, int bodies, double fill) {
+BenchCrowdStart flying(const CrowdShape& shape, int bodies, double fill) {
   return flying_at(at_rest(shape, bodies, fill), shape, kCrowdSpeed_m_s);
 }
 
-CrowdStart falling(const CrowdShape& shape, int bodies) {
-  CrowdStart start = at_rest(shape, bodies, /*fill=*/0.3);
+BenchCrowdStart falling(const CrowdShape& shape, int bodies) {
+  BenchCrowdStart start = at_rest(shape, bodies, /*fill=*/0.3);
   start.gravity_m_s2 = Vector3(0.0, -9.81, 0.0);
   return start;
 }
 
-CrowdStart imploding(const CrowdShape& shape, int bodies) {
+BenchCrowdStart imploding(const CrowdShape& shape, int bodies) {
   constexpr double kUntilTheyMeet_s = 0.8;
-  CrowdStart start = at_rest(shape, bodies, /*fill=*/0.1);
+  BenchCrowdStart start = at_rest(shape, bodies, /*fill=*/0.1);
   start.half_edge_m = 0.0;
   for (BodyState& state : start.states) {
     state.linear_momentum = -shape.mass.mass_kg / kUntilTheyMeet_s * state.pose.position;

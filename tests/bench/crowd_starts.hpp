@@ -17,7 +17,7 @@ namespace impetus {
 inline constexpr double kCrowdStep_s = 1.0 / 120.0;
 inline constexpr double kCrowdSpeed_m_s = 12.0;  ///< of bodies of radius 1 m
 
-struct CrowdStart {
+struct BenchCrowdStart {
   double half_edge_m{0.0};  ///< of the closed cube about the origin; 0: there are no walls
   std::vector<BodyState> states;
   int touching{0};  ///< bodies that no place without contact was found for
@@ -26,17 +26,17 @@ struct CrowdStart {
 
 /// `bodies` in a cube whose volume they fill by `fill`, counted as bounding spheres, flying in
 /// random directions at the speed above and turning at up to as fast.
-CrowdStart flying(const CrowdShape& shape, int bodies, double fill);
+BenchCrowdStart flying(const CrowdShape& shape, int bodies, double fill);
 
 /// Places of a cube that is 10 % full, without walls, all aimed at the middle and as fast as it
 /// takes to be there together, after 96 steps.
-CrowdStart imploding(const CrowdShape& shape, int bodies);
+BenchCrowdStart imploding(const CrowdShape& shape, int bodies);
 
 /// The places of flying(), at rest: for gravity to pile them up on the floor of the cube.
-CrowdStart at_rest(const CrowdShape& shape, int bodies, double fill);
+BenchCrowdStart at_rest(const CrowdShape& shape, int bodies, double fill);
 
 /// At rest in a cube, 30 % full, and then under gravity: they pile up on its floor.
-CrowdStart falling(const CrowdShape& shape, int bodies);
+BenchCrowdStart falling(const CrowdShape& shape, int bodies);
 
 Vector3 random_in_unit_cube(RandomStream& random);
 Vector3 random_direction(RandomStream& random);

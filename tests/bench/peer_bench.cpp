@@ -26,7 +26,7 @@ constexpr double kLongest_s = 45.0;
 
 struct Peer {
   const char* name;
-  std::unique_ptr<PeerCrowd> (*make)(const CrowdShape&, const CrowdStart&, double restitution);
+  std::unique_ptr<PeerCrowd> (*make)(const CrowdShape&, const BenchCrowdStart&, double restitution);
 };
 
 constexpr std::array kPeers{Peer{"Bullet, hulls", bullet_of_hulls},
@@ -53,7 +53,7 @@ void print_row(const std::string& name, const Spread& ms, double energy_ratio, i
   std::fflush(stdout);
 }
 
-void print_peer(const Peer& peer, const CrowdShape& shape, const CrowdStart& start,
+void print_peer(const Peer& peer, const CrowdShape& shape, const BenchCrowdStart& start,
                 double restitution, int steps) {
   const auto crowd = peer.make(shape, start, restitution);
   std::vector<double> steps_ms;
@@ -72,7 +72,7 @@ void print_peer(const Peer& peer, const CrowdShape& shape, const CrowdStart& sta
             escaped_from(start.half_edge_m, states), done);
 }
 
-void print_ours(const CrowdShape& shape, const CrowdStart& start, const CrowdPlan& plan) {
+void print_ours(const CrowdShape& shape, const BenchCrowdStart& start, const CrowdPlan& plan) {
   const CrowdOutcome outcome = run_crowd(shape, start, plan);
   std::string name = plan.fine ? "ours, ~500 leaves" : "ours, ~64 leaves";
   if (plan.budget_ms > 0.0) {
@@ -81,7 +81,7 @@ void print_ours(const CrowdShape& shape, const CrowdStart& start, const CrowdPla
   print_row(name, outcome.step_ms, outcome.energy_ratio, outcome.escaped, plan.steps);
 }
 
-void print_crowd(const std::string& title, const CrowdShape& shape, const CrowdStart& start,
+void print_crowd(const std::string& title, const CrowdShape& shape, const BenchCrowdStart& start,
                  CrowdPlan plan, const std::vector<double>& budgets_ms) {
   std::printf("\n%s (ms)\n  %-28s %9s %9s %9s  %10s %5s %6s\n", title.c_str(), "", "median", "p99",
               "longest", "energy", "outs", "steps");
@@ -100,7 +100,7 @@ void print_crowd(const std::string& title, const CrowdShape& shape, const CrowdS
 void print_cube(const CrowdShape& shape, const BenchOptions& options) {
   CrowdPlan plan;
   plan.steps = options.steps_of(600);
-  const CrowdStart start = flying(shape, 250, 0.3);
+  const BenchCrowdStart start = flying(shape, 250, 0.3);
   plan.restitution = 0.5;
   print_crowd("250 bodies, closed cube, 30 % full, restitution .5", shape, start, plan, {0.0});
 }

@@ -65,7 +65,7 @@ struct BulletWorld {
 
 class BulletCrowd final : public PeerCrowd {
  public:
-  BulletCrowd(const CrowdShape& shape, const CrowdStart& start, double restitution, bool hulls)
+  BulletCrowd(const CrowdShape& shape, const BenchCrowdStart& start, double restitution, bool hulls)
       : model_(model_of(shape, shape.coarse)),
         principal_(in_principal_axes(shape)),
         triangles_(principal_.mesh),
@@ -191,13 +191,13 @@ class BulletPair final : public PeerPair {
 
 }  // namespace
 
-std::unique_ptr<PeerCrowd> bullet_of_hulls(const CrowdShape& shape, const CrowdStart& start,
+std::unique_ptr<PeerCrowd> bullet_of_hulls(const CrowdShape& shape, const BenchCrowdStart& start,
                                            double restitution) {
   return std::make_unique<BulletCrowd>(shape, start, restitution, /*hulls=*/true);
 }
 
-std::unique_ptr<PeerCrowd> bullet_of_triangles(const CrowdShape& shape, const CrowdStart& start,
-                                               double restitution) {
+std::unique_ptr<PeerCrowd> bullet_of_triangles(const CrowdShape& shape,
+                                               const BenchCrowdStart& start, double restitution) {
   return std::make_unique<BulletCrowd>(shape, start, restitution, /*hulls=*/false);
 }
 

@@ -21,15 +21,15 @@ class PeerCrowd {
 };
 
 /// Bullet, each body the convex hull of its mesh: sequential impulses, ten iterations, as it comes.
-std::unique_ptr<PeerCrowd> bullet_of_hulls(const CrowdShape& shape, const CrowdStart& start,
+std::unique_ptr<PeerCrowd> bullet_of_hulls(const CrowdShape& shape, const BenchCrowdStart& start,
                                            double restitution);
 
 /// Bullet, each body all its triangles (GImpact).
-std::unique_ptr<PeerCrowd> bullet_of_triangles(const CrowdShape& shape, const CrowdStart& start,
-                                               double restitution);
+std::unique_ptr<PeerCrowd> bullet_of_triangles(const CrowdShape& shape,
+                                               const BenchCrowdStart& start, double restitution);
 
 /// ODE, each body all its triangles; quick step of twenty iterations, at most 16 contacts a pair.
-std::unique_ptr<PeerCrowd> ode_of_triangles(const CrowdShape& shape, const CrowdStart& start,
+std::unique_ptr<PeerCrowd> ode_of_triangles(const CrowdShape& shape, const BenchCrowdStart& start,
                                             double restitution);
 
 /// The mesh in its principal axes, for engines whose inertia is diagonal.

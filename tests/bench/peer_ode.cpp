@@ -57,7 +57,7 @@ class OdeTriangles {
 
 class OdeCrowd final : public PeerCrowd {
  public:
-  OdeCrowd(const CrowdShape& shape, const CrowdStart& start, double restitution)
+  OdeCrowd(const CrowdShape& shape, const BenchCrowdStart& start, double restitution)
       : model_(model_of(shape, shape.coarse)), triangles_(shape.mesh), restitution_(restitution) {
     dWorldSetQuickStepNumIterations(world_, 20);
     const Vector3& gravity = start.gravity_m_s2;
@@ -180,7 +180,7 @@ class OdePair final : public PeerPair {
 
 }  // namespace
 
-std::unique_ptr<PeerCrowd> ode_of_triangles(const CrowdShape& shape, const CrowdStart& start,
+std::unique_ptr<PeerCrowd> ode_of_triangles(const CrowdShape& shape, const BenchCrowdStart& start,
                                             double restitution) {
   return std::make_unique<OdeCrowd>(shape, start, restitution);
 }

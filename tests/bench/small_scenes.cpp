@@ -74,7 +74,7 @@ void print_response(const CrowdShape& shape, const BenchOptions& options) {
 void print_hash(const CrowdShape& shape, const BenchOptions& options) {
   CrowdPlan plan;
   plan.steps = options.steps_of(600);
-  const CrowdStart start = flying(shape, 15, 0.3);
+  const BenchCrowdStart start = flying(shape, 15, 0.3);
   const CrowdOutcome outcome = run_crowd(shape, start, plan);
   std::int64_t bits = 0;
   const std::int64_t start_ns = thread_cpu_ns();

@@ -13,8 +13,7 @@
 #include "engine/shapes/mesh_distance.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::ball_distance_test {
 
 constexpr std::uint64_t kSeed = 8;
 
@@ -82,5 +81,4 @@ TEST(FirstTouch, IsNoneOfWhatPassesByOrIsTooFarOrCrossesAtTheStart) {
   EXPECT_FALSE(way_of(0.5, -0.3, 10.0));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::ball_distance_test

@@ -9,8 +9,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/built_solids.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::built_depth_test {
 
 TreeSettings built_to(TreeSettings whole, int level) {
   whole.built_depth = level;
@@ -107,5 +106,4 @@ TEST(BuiltDepth, StepsAreTheSameBitsWhereNothingReachesWhatWasNotBuilt) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::built_depth_test

@@ -12,8 +12,7 @@
 #include "engine/collision/pair_refinement.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::collision_test {
 
 constexpr std::uint64_t kSeed = 20'02;
 using Answer = std::set<std::pair<std::int32_t, std::int32_t>>;
@@ -366,5 +365,4 @@ TEST(ContactModel, NormalIsUnitAndThePointLiesWithinBothRoots) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::collision_test

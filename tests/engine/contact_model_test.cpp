@@ -11,8 +11,7 @@
 #include "engine/shapes/box_mesh.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::contact_model_test {
 
 constexpr std::uint64_t kSeed = 5;
 constexpr double kLongStep_s = 1.0 / 60.0;  // so that bodies overlap by more than a node
@@ -260,5 +259,4 @@ TEST(ContactModel, AWorldWithoutAnyContactPerPairIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::contact_model_test

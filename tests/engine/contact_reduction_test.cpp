@@ -18,8 +18,7 @@
 #include "tests/engine/deepest_contact.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::contact_reduction_test {
 
 constexpr std::uint64_t kSeed = 42;
 const Vector3 kX = Vector3::UnitX();
@@ -326,5 +325,4 @@ TEST(ContactReduction, TheReadmesExampleReducesAndIsTheCodeThatIsCompiledHere) {
   EXPECT_NE(text_of("/engine/README.md").find(example), std::string::npos);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::contact_reduction_test

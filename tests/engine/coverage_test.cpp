@@ -16,8 +16,7 @@
 #include "engine/trees/surface_part.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::coverage_test {
 
 constexpr std::uint64_t kSeed = 67;
 
@@ -193,5 +192,4 @@ TEST(Coverage, NothingIsCoveredByVolumesElsewhere) {
   EXPECT_NEAR(uncovered_by(mesh, {Sphere{{50.0, 0.0, 0.0}, 1.0}}), 22.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::coverage_test

@@ -8,8 +8,7 @@
 #include "engine/dynamics/impulse.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::crowd_response_test {
 
 /// Balls that fly from a shell towards one point, so that all touch at once.
 World imploding_balls(int count, double restitution, ResponseMethod response) {
@@ -59,5 +58,4 @@ TEST(ResponseTogether, ASingleContactMovesBodiesAsInTurn) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::crowd_response_test

@@ -16,8 +16,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/tumbling_box.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::dynamics_test {
 
 double worst_energy_drift(const BodyModel& model, BodyState state, int steps, double dt_s) {
   const double start = kinetic_energy(model, state);
@@ -384,5 +383,4 @@ TEST(StateHash, EqualDigestsHaveNoDifference) {
   EXPECT_FALSE(first_difference(hash.bodies, hash.bodies).has_value());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::dynamics_test

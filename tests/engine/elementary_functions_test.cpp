@@ -12,8 +12,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::elementary_functions_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -81,5 +80,4 @@ TEST(CumulativeNormal, OfItsMiddleAndItsEnds) {
   EXPECT_NEAR(cumulative_normal(1.0) + cumulative_normal(-1.0), 1.0, 1e-15);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::elementary_functions_test

@@ -9,8 +9,7 @@
 #include "engine/starting_overlaps.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::enclosure_test {
 
 WorldSettings in_cube(double half_edge_m, double restitution = 1.0) {
   WorldSettings settings;
@@ -185,5 +184,4 @@ TEST(StartingOverlaps, OfAnEmptyOrWellSpacedWorldAreNone) {
   EXPECT_TRUE(overlapping_at_start(enclosed_l_blocks(15, 4)).empty());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::enclosure_test

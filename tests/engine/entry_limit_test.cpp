@@ -9,8 +9,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::entry_limit_test {
 
 constexpr std::uint64_t kSeed = 175;
 
@@ -204,5 +203,4 @@ TEST(EntryLimit, LessThanNoTestsAreRefused) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::entry_limit_test

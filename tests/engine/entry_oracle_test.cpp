@@ -8,8 +8,7 @@
 #include "tests/engine/plain_entry.hpp"
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::entry_oracle_test {
 
 constexpr std::uint64_t kSeed = 174;
 
@@ -194,5 +193,4 @@ TEST(EntryOracle, WhatNoBoundHoldsOfIsSearchedAlike) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::entry_oracle_test

@@ -62,7 +62,7 @@ inline std::vector<ImpactSolid> impact_solids() {
 }
 
 /// Two bodies that have just touched, and what is exactly true of it.
-struct ExactImpact {
+struct KnownImpact {
   std::size_t solid_a{0};
   std::size_t solid_b{0};
   std::vector<BodyState> states;  ///< of a and b, before the response
@@ -96,11 +96,11 @@ inline std::optional<FirstTouch> advance_to_touch(const ImpactSolid& a, Pose& po
 }
 
 /// An impact of two of `solids`, none when the bodies pass by or only graze.
-inline std::optional<ExactImpact> try_impact(RandomStream& random,
+inline std::optional<KnownImpact> try_impact(RandomStream& random,
                                              const std::vector<ImpactSolid>& solids) {
   constexpr double kLeastApproach = 0.2;  // of the speed: what touches more sidelong grazes
   constexpr double kGap = 1e-7;           // of the size
-  ExactImpact impact;
+  KnownImpact impact;
   impact.solid_a = random.below(solids.size());
   impact.solid_b = random.below(solids.size());
   const ImpactSolid& a = solids[impact.solid_a];
@@ -143,16 +143,16 @@ inline std::optional<ExactImpact> try_impact(RandomStream& random,
 }
 
 /// The next impact of the stream.
-inline ExactImpact next_impact(RandomStream& random, const std::vector<ImpactSolid>& solids) {
+inline KnownImpact next_impact(RandomStream& random, const std::vector<ImpactSolid>& solids) {
   while (true) {
-    if (std::optional<ExactImpact> impact = try_impact(random, solids)) {
+    if (std::optional<KnownImpact> impact = try_impact(random, solids)) {
       return *std::move(impact);
     }
   }
 }
 
 /// How far contacts and their response are from the exact ones.
-struct ImpactErrors {
+struct KnownImpactErrors {
   double normal_rad{0.0};  ///< of the direction of the impulses' sum
   double point{0.0};       ///< of their mean place, as a share of the smaller radius
   /// Of the velocities after it, as a share of the approach: the root of the sum over both bodies
@@ -165,9 +165,9 @@ inline double angle_between(const Vector3& x, const Vector3& y) {
 }
 
 /// Precondition: there are contacts.
-inline ImpactErrors errors_of(const std::vector<Contact>& contacts, const ExactImpact& impact,
-                              const std::vector<ImpactSolid>& solids,
-                              const std::vector<BodyModel>& models, double restitution) {
+inline KnownImpactErrors errors_of(const std::vector<Contact>& contacts, const KnownImpact& impact,
+                                   const std::vector<ImpactSolid>& solids,
+                                   const std::vector<BodyModel>& models, double restitution) {
   const double radii_m[] = {solids[impact.solid_a].radius_m, solids[impact.solid_b].radius_m};
   std::vector<BodyState> exact = impact.states;
   respond({{{0, 1}, impact.touch}}, restitution, models, exact);
@@ -189,8 +189,8 @@ inline ImpactErrors errors_of(const std::vector<Contact>& contacts, const ExactI
 }
 
 /// The errors of `reductions` at each of the first `levels` levels: [reduction][level].
-inline std::vector<std::vector<ImpactErrors>> errors_by_level(
-    const ExactImpact& impact, const std::vector<ImpactSolid>& solids,
+inline std::vector<std::vector<KnownImpactErrors>> errors_by_level(
+    const KnownImpact& impact, const std::vector<ImpactSolid>& solids,
     const std::vector<BodyModel>& models, const std::vector<ContactModel>& reductions, int levels,
     double restitution) {
   PlacedTree of_a(*models[0].tree);
@@ -206,7 +206,7 @@ inline std::vector<std::vector<ImpactErrors>> errors_by_level(
   const MovingTree b{of_b, motion(1)};
   const NormalFallbacks fallbacks{a.motion.centre_of_mass - b.motion.centre_of_mass,
                                   b.motion.velocity - a.motion.velocity};
-  std::vector<std::vector<ImpactErrors>> errors(reductions.size());
+  std::vector<std::vector<KnownImpactErrors>> errors(reductions.size());
   PairRefinement pair(of_a, of_b);
   for (int level = 0; level < levels; ++level) {
     while (pair.level() < level && !pair.resolved()) {

@@ -9,8 +9,7 @@
 
 #include "tests/engine/built_solids.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::exact_impacts_test {
 
 constexpr std::uint64_t kSeed = 4;
 
@@ -20,7 +19,7 @@ TEST(ExactImpacts, TouchAtTheirExactContactAndApproachThere) {
                                         impact_solid("icosphere", icosphere_mesh(0.1, 1))};
   RandomStream random(kSeed, "touch");
   for (int trial = 0; trial < 40; ++trial) {
-    const ExactImpact impact = next_impact(random, solids);
+    const KnownImpact impact = next_impact(random, solids);
     const ImpactSolid& a = solids[impact.solid_a];
     const ImpactSolid& b = solids[impact.solid_b];
     EXPECT_NEAR(impact.touch.normal.norm(), 1.0, 1e-9);
@@ -49,7 +48,7 @@ TEST(ExactImpacts, BoxesWhoseTreesAreThemselvesAreExactWhateverTheReduction) {
   }
   RandomStream random(kSeed, "boxes");
   for (int trial = 0; trial < 100; ++trial) {
-    const ExactImpact impact = next_impact(random, solids);
+    const KnownImpact impact = next_impact(random, solids);
     for (const auto& levels :
          errors_by_level(impact, solids, {model, model}, reductions, /*levels=*/1, 0.5)) {
       ASSERT_LT(levels.at(0).normal_rad, 1e-5) << "seed " << kSeed << ", trial " << trial;
@@ -62,7 +61,7 @@ TEST(ExactImpacts, BoxesWhoseTreesAreThemselvesAreExactWhateverTheReduction) {
 /// A body that moves against one that nothing moves, and the contacts that they exactly have.
 struct Situation {
   std::vector<ImpactSolid> solids;
-  ExactImpact impact;
+  KnownImpact impact;
   std::vector<Contact> exact;
 };
 
@@ -179,5 +178,4 @@ TEST(ReductionOrder, OfTwoPatchesGroupsKeepBothWhereTheAverageIsOnNeither) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::exact_impacts_test

@@ -10,8 +10,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::far_turn_test {
 
 constexpr std::uint64_t kSeed = 84;
 
@@ -91,5 +90,4 @@ TEST(FarTurn, StepsThatTheIterationsTakeWellAreLeftToThem) {
   EXPECT_FALSE(turns_far(round, turning(round, {500.0, 0.0, 0.0}), 1.0 / 240.0));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::far_turn_test

@@ -4,8 +4,7 @@
 
 #include "tests/engine/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_bounds_test {
 
 /// How far any part's bound reaches from the root's centre of mass.
 double reach_of(const FigureScene& scene, const std::vector<Pose>& poses) {
@@ -42,5 +41,4 @@ TEST(FigureBounds, APartsOwnRadiusCountsWhereNothingReachesFurther) {
   EXPECT_EQ(top_bound_m(alone.figure, alone.models), alone.models[0].tree->bounding_radius_m());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_bounds_test

@@ -7,8 +7,7 @@
 #include "engine/trees/build_tree.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_budget_test {
 
 /// Four figures of 16 parts that fall into each other in a small cube; each part has a tree.
 World crowd_of_figures(std::int64_t hinged_response) {
@@ -79,5 +78,4 @@ TEST(FigureBudget, ContactsWithPartsAreCountedAtTheirOwnCost) {
   EXPECT_GT(with - without, 500 * contacts);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_budget_test

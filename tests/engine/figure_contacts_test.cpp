@@ -10,8 +10,7 @@
 #include "engine/volumes/pair_procedures.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_contacts_test {
 
 constexpr std::int64_t kPlenty = 10'000'000;
 
@@ -273,5 +272,4 @@ TEST(FigureContacts, AChainOfTwentyHingesDroppedOnATableSettlesAndGainsNoEnergy)
   EXPECT_LT(regained_J, (kRestingSteps + 0.5) * mass_kg * 9.81 * 9.81 * kStep_s * kStep_s);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_contacts_test

@@ -7,8 +7,7 @@
 #include "engine/figures/hinge_solver.hpp"
 #include "tests/engine/figure_flight.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_motion_test {
 
 TEST(FigureMotion, AFreeFigureTumblesWithItsMomentumItsEnergyAndItsHinges) {
   for (const Rotation rotation : {Rotation::kMidpoint, Rotation::kEnergyKept}) {
@@ -219,5 +218,4 @@ TEST(FigureMotion, AFigureOfWhichAPartIsNoNumberIsOutAsAWhole) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_motion_test

@@ -9,8 +9,7 @@
 #include "engine/world_checks.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::finite_states_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -144,5 +143,4 @@ TEST(FiniteStates, AStepThatIsNoTimeIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::finite_states_test

@@ -17,8 +17,7 @@
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::fit_error_test {
 
 constexpr std::uint64_t kSeed = 71;
 
@@ -194,5 +193,4 @@ TEST(SurfaceDistance, TrianglesNearAPointAreAllThatComeWithin) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::fit_error_test

@@ -11,8 +11,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/built_solids.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::fitted_tree_test {
 
 constexpr std::uint64_t kSeed = 3101;
 constexpr TreeKind kFitted[] = {TreeKind::kBox, TreeKind::kSwept, TreeKind::kHeterogeneous};
@@ -233,5 +232,4 @@ TEST(FittedTree, RefusesWhatIsNoSolid) {
             "tree: expected a depth from 0 to 5 for voxels of branching 64, got 6");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::fitted_tree_test

@@ -6,8 +6,7 @@
 
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::golden_fast_test {
 
 /// Bullets of two materials among plates, one of them static, in the viewer's frustum.
 World everything_fast(WorldSettings settings) {
@@ -78,5 +77,4 @@ TEST(GoldenFast, ACopyResumesBitForBit) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::golden_fast_test

@@ -9,8 +9,7 @@
 
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gravity_test {
 
 constexpr std::uint64_t kSeed = 1687;
 const Vector3 kGravity_m_s2(0.0, -9.81, 0.0);
@@ -169,5 +168,4 @@ TEST(Gravity, MustBeFinite) {
   EXPECT_EQ(problem_of(settings), "world: the response needs one pass or more, got 0");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gravity_test

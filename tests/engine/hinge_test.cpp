@@ -5,8 +5,7 @@
 #include "engine/figures/hinge_stops.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::hinge_test {
 
 Hinge crooked_hinge(RandomStream& random) {
   Hinge hinge = end_to_end(1, 0, Vector3::UnitZ());
@@ -132,5 +131,4 @@ TEST(Hinge, AWorldRefusesWhatFiguresCannotHave) {
             "world: figure \"chain\": expected parts among the 3 bodies");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::hinge_test

@@ -8,8 +8,7 @@
 #include "engine/world.hpp"
 #include "tests/engine/head_on.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::imposed_hold_test {
 
 TEST(World, AnImposedHoldFreezesBothBodiesForTheTimeAskedAndThenTheyGo) {
   // 100 ms are 24 steps of 1/240 s; the hold starts at the end of the step of the contact.
@@ -86,5 +85,4 @@ TEST(World, AHoldOfZeroChangesNothing) {
   EXPECT_EQ(plain.states()[0].held_s, 0.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::imposed_hold_test

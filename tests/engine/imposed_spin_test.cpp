@@ -7,8 +7,7 @@
 #include "engine/world.hpp"
 #include "tests/engine/head_on.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::imposed_spin_test {
 
 const ImposedSpin kSpin{{1.0, -2.0, 3.0}, {-0.5, 0.25, 4.0}};
 
@@ -84,5 +83,4 @@ TEST(ImposedSpin, ThatIsNoNumberIsRefused) {
   EXPECT_EQ(problem_of(settings), "world: an imposed spin must be finite");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::imposed_spin_test

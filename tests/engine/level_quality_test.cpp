@@ -16,8 +16,7 @@
 #include "engine/trees/solid_grid.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::level_quality_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -137,5 +136,4 @@ TEST(LevelQuality, ProgressMayAbandonIt) {
                std::runtime_error);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::level_quality_test

@@ -11,8 +11,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::lists_test {
 
 constexpr ScreenGeometry kScreen{0.5, 0.3, 1600, 900, 0.5};
 
@@ -286,5 +285,4 @@ TEST(Lists, WhereTheViewerLooksDecidesWhatIsSimulated) {
   EXPECT_TRUE(differed);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::lists_test

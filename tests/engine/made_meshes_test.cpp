@@ -12,8 +12,7 @@
 #include "engine/shapes/point_in_solid.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::made_meshes_test {
 
 TEST(BoxMesh, IsClosedWithTheMassOfABox) {
   const TriangleMesh mesh = box_mesh({0.2, 0.4, 0.6});
@@ -123,5 +122,4 @@ TEST(PointInSolid, DistanceToTheSurfaceOfABoxIsThatOfItsNearestFace) {
   EXPECT_NEAR(distance_to_surface(mesh, {3.0, -2.0, 3.0}), 3.0, 1e-15) << "a corner";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::made_meshes_test

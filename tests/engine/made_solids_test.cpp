@@ -19,8 +19,7 @@
 #include "engine/shapes/triangle_distance.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::made_solids_test {
 
 /// Every edge is run along once each way: closed and consistently oriented.
 bool closed_and_oriented(const TriangleMesh& mesh) {
@@ -251,5 +250,4 @@ TEST(LevelSetMesh, IsASolidWhateverTheSignsAre) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::made_solids_test

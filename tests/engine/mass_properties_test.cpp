@@ -14,8 +14,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/split_flat.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mass_properties_test {
 
 constexpr std::uint64_t kSeed = 83;
 
@@ -240,5 +239,4 @@ TEST(MassProperties, DensityScalesMassAndInertiaAlone) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mass_properties_test

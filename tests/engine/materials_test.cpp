@@ -6,8 +6,7 @@
 
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::materials_test {
 
 constexpr std::uint64_t kSeed = 64;
 constexpr ResponseMethod kMethods[] = {ResponseMethod::kInTurn, ResponseMethod::kTogether};
@@ -206,5 +205,4 @@ TEST(StaticBodies, ABodyOfNegativeMassIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::materials_test

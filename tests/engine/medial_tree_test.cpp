@@ -19,8 +19,7 @@
 #include "engine/trees/power_cells.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::medial_tree_test {
 
 constexpr std::uint64_t kSeed = 1996;
 
@@ -242,5 +241,4 @@ TEST(PowerCells, APieceIsNearestToItsSphereByPower) {
   EXPECT_NEAR(sum_m2, area_m2(whole), 1e-12);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::medial_tree_test

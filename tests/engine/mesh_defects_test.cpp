@@ -16,8 +16,7 @@
 #include "engine/shapes/triangle_meeting.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_defects_test {
 
 void append(TriangleMesh& mesh, TriangleMesh other, const Vector3& offset) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -43,7 +42,7 @@ TriangleMesh two_triangles(const std::array<Vector3, 3>& a, const std::array<Vec
   return mesh;
 }
 
-Meeting meeting_of(const TriangleMesh& mesh) {
+TriangleMeeting meeting_of(const TriangleMesh& mesh) {
   return meeting(mesh, mesh.triangles[0], mesh.triangles[1]);
 }
 
@@ -105,49 +104,49 @@ TEST(SideOfPlane, SwappingTwoPointsTurnsTheSign) {
   }
 }
 
-TEST(Meeting, TrianglesThatPierceTouchOrOverlapInAPlaneCross) {
+TEST(TriangleMeeting, TrianglesThatPierceTouchOrOverlapInAPlaneCross) {
   const std::array<Vector3, 3> flat{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)};
   EXPECT_EQ(
       meeting_of(two_triangles(flat, {Vector3(1, 1, -1), Vector3(1, 1, 1), Vector3(9, 9, 1)})),
-      Meeting::kCrossing);
+      TriangleMeeting::kCrossing);
   EXPECT_EQ(meeting_of(two_triangles(flat, {Vector3(1, 1, 0), Vector3(1, 1, 1), Vector3(9, 9, 1)})),
-            Meeting::kCrossing)
+            TriangleMeeting::kCrossing)
       << "a corner on the face";
   EXPECT_EQ(
       meeting_of(two_triangles(flat, {Vector3(-1, 1, 0), Vector3(9, 1, 0), Vector3(9, 2, 0)})),
-      Meeting::kCrossing)
+      TriangleMeeting::kCrossing)
       << "through each other in one plane";
   EXPECT_EQ(
       meeting_of(two_triangles(flat, {Vector3(1, 1, 0), Vector3(1.5, 1, 0), Vector3(1, 1.5, 0)})),
-      Meeting::kCrossing)
+      TriangleMeeting::kCrossing)
       << "one inside the other in one plane";
   EXPECT_EQ(
       meeting_of(two_triangles(flat, {Vector3(-1, -1, 0), Vector3(9, 9, 0), Vector3(-1, 9, 0)})),
-      Meeting::kCrossing)
+      TriangleMeeting::kCrossing)
       << "an edge over a corner";
 }
 
-TEST(Meeting, TrianglesThatAreApartDoNotMeet) {
+TEST(TriangleMeeting, TrianglesThatAreApartDoNotMeet) {
   const std::array<Vector3, 3> flat{Vector3(0, 0, 0), Vector3(4, 0, 0), Vector3(0, 4, 0)};
   const double above_m = 1e-300;
   EXPECT_EQ(
       meeting_of(two_triangles(flat, {Vector3(1, 1, above_m), Vector3(1, 1, 1), Vector3(9, 9, 1)})),
-      Meeting::kNone);
+      TriangleMeeting::kNone);
   EXPECT_EQ(meeting_of(two_triangles(flat, {Vector3(4, 4, 0), Vector3(5, 4, 0), Vector3(4, 5, 0)})),
-            Meeting::kNone)
+            TriangleMeeting::kNone)
       << "in one plane";
 }
 
-TEST(Meeting, NeighboursMeetOnlyWhenTheyFoldOntoEachOther) {
+TEST(TriangleMeeting, NeighboursMeetOnlyWhenTheyFoldOntoEachOther) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {4, 4, 0}, {1, 1, 1}, {3, 3, 0}};
   const std::array<std::uint32_t, 3> flat{0, 1, 2};
-  EXPECT_EQ(meeting(mesh, flat, {1, 2, 4}), Meeting::kNone) << "spread out over an edge";
-  EXPECT_EQ(meeting(mesh, flat, {1, 2, 5}), Meeting::kNone) << "bent over an edge";
-  EXPECT_EQ(meeting(mesh, flat, {1, 2, 3}), Meeting::kFolded) << "folded over an edge";
-  EXPECT_EQ(meeting(mesh, flat, {0, 5, 4}), Meeting::kFolded) << "an edge along the face";
-  EXPECT_EQ(meeting(mesh, flat, {2, 4, 6}), Meeting::kNone) << "only the corner";
-  EXPECT_EQ(meeting(mesh, flat, {1, 0, 2}), Meeting::kNone) << "a duplicate";
+  EXPECT_EQ(meeting(mesh, flat, {1, 2, 4}), TriangleMeeting::kNone) << "spread out over an edge";
+  EXPECT_EQ(meeting(mesh, flat, {1, 2, 5}), TriangleMeeting::kNone) << "bent over an edge";
+  EXPECT_EQ(meeting(mesh, flat, {1, 2, 3}), TriangleMeeting::kFolded) << "folded over an edge";
+  EXPECT_EQ(meeting(mesh, flat, {0, 5, 4}), TriangleMeeting::kFolded) << "an edge along the face";
+  EXPECT_EQ(meeting(mesh, flat, {2, 4, 6}), TriangleMeeting::kNone) << "only the corner";
+  EXPECT_EQ(meeting(mesh, flat, {1, 0, 2}), TriangleMeeting::kNone) << "a duplicate";
 }
 
 TEST(SelfIntersections, TheSearchFindsWhatEveryPairFinds) {
@@ -222,5 +221,4 @@ TEST(Orientation, ANeedleIsABodyAtEverySizeAndASheetIsNone) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_defects_test

@@ -12,8 +12,7 @@
 #include "engine/shapes/point_in_solid.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_distance_test {
 
 constexpr std::uint64_t kSeed = 608;
 
@@ -209,5 +208,4 @@ TEST(MeshDistance, PointsLieOnBothSurfacesAndNoVerticesAreCloser) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_distance_test

@@ -14,8 +14,7 @@
 
 #include "experiments/models/mesh_report.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_file_test {
 
 /// A folder of its own for each test, removed afterwards.
 class MeshFile : public ::testing::Test {
@@ -265,5 +264,4 @@ TEST_F(MeshFile, AReportSaysWhenASurfaceIsInsideOut) {
   EXPECT_NE(describe_mesh(mesh).find("-8 m^3: the surface is inside out"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_file_test

@@ -19,8 +19,7 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/mesh_writer.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_mending_test {
 
 class MeshMending : public ::testing::Test {
  protected:
@@ -227,5 +226,4 @@ TEST_F(MeshMending, RefusesAFileItCannotRead) {
   EXPECT_EQ(thrown(folder_ / "missing.obj", "out.obj"), "missing.obj: there is no such file");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_mending_test

@@ -14,8 +14,7 @@
 #include "engine/shapes/mesh_distance.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::metrics_test {
 
 constexpr ScreenGeometry kScreen{0.5, 0.3, 1600, 900, 0.5};
 const Viewer kViewer = viewer_at(kScreen, 0.0);  // the eye at (0, 0, 0.5), looking along −z
@@ -298,5 +297,4 @@ TEST(Metrics, AWeightedSumsProblemIsNamed) {
   EXPECT_EQ(refusal("weighted", terms({{"loudness", 1.0, 1.0, 0.0}})), refusal("loudness"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::metrics_test

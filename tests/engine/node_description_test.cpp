@@ -13,8 +13,7 @@
 #include "engine/trees/fit_error.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::node_description_test {
 
 constexpr std::uint64_t kSeed = 79;
 
@@ -138,5 +137,4 @@ TEST(NodeDescription, TheFitErrorIsRoundedUp) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::node_description_test

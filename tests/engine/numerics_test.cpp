@@ -15,8 +15,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::numerics_test {
 
 // The promise of trigonometry.hpp: radians, series and product each round a number below 1 once.
 constexpr double kTrigonometryError = 2e-16;
@@ -278,5 +277,4 @@ TEST(Bits, BothZerosHashEqualAndNothingElseDoes) {
   EXPECT_NE(canonical_bits(1.0), canonical_bits(std::nextafter(1.0, 2.0)));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::numerics_test

@@ -18,8 +18,7 @@
 #include "engine/shapes/point_in_solid.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::octree_test {
 
 constexpr std::uint64_t kSeed = 419;
 
@@ -348,5 +347,4 @@ TEST(Octree, RefusesWhatIsNoSolid) {
             "octree: expected a depth from 0 to 8, got -1");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::octree_test

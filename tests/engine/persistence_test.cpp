@@ -12,8 +12,7 @@
 #include "engine/scheduling/priority_memory.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::persistence_test {
 
 constexpr std::uint64_t kSeed = 531;
 
@@ -157,5 +156,4 @@ TEST(Persistence, WithoutItNothingChanges) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::persistence_test

@@ -7,8 +7,7 @@
 #include "engine/collision/list_refinement.hpp"
 #include "tests/engine/crowds.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::phase_budget_test {
 
 constexpr std::uint64_t kSeed = 39;
 
@@ -204,5 +203,4 @@ TEST(PhaseBudget, CostsOutOfRangeAreNamed) {
   EXPECT_THROW(World({}, {}, settings), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::phase_budget_test

@@ -10,8 +10,7 @@
 #include "tests/engine/plain_response.hpp"
 #include "tests/engine/response_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_bits_test {
 
 constexpr std::uint64_t kSeed = 2002;
 
@@ -124,5 +123,4 @@ TEST(NearestVelocities, AreToTheBitThoseOfThePlainMethod) {
   EXPECT_GT(given_up, 10) << "problems without a solution are among them";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_bits_test

@@ -10,8 +10,7 @@
 #include "engine/dynamics/responder.hpp"
 #include "tests/engine/response_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_limit_test {
 
 constexpr std::uint64_t kSeed = 1991;
 
@@ -124,5 +123,4 @@ TEST(Resting, ApproachesSlowerThanTheLimitAreGivenNothingBack) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_limit_test

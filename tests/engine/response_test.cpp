@@ -12,8 +12,7 @@
 #include "engine/dynamics/nearest_velocities.hpp"
 #include "tests/engine/response_problems.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_test {
 
 constexpr std::uint64_t kSeed = 1983;
 
@@ -157,5 +156,4 @@ TEST(NearestVelocities, GivesUpWhereNothingSatisfiesAndChangesNothing) {
   EXPECT_EQ(found.multipliers, (std::vector<double>{0.0, 0.0}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_test

@@ -9,8 +9,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/tumbling_box.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::rotation_test {
 
 constexpr std::uint64_t kSeed = 66;
 
@@ -110,5 +109,4 @@ TEST(Rotation, AWorldThatKeepsEnergyKeepsItToRoundingWhileBodiesTumbleAndMeet) {
   EXPECT_NEAR(total_energy(world) / start, 1.0, 1e-11) << "restitution 1";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::rotation_test

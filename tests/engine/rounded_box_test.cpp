@@ -6,8 +6,7 @@
 
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::rounded_box_test {
 
 constexpr std::uint64_t kSeed = 61;
 
@@ -83,5 +82,4 @@ TEST(RoundedBox, ItsUprightReachIsThatOfItsPoints) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::rounded_box_test

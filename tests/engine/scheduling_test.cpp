@@ -8,8 +8,7 @@
 #include "engine/scheduling/work_meter.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scheduling_test {
 
 constexpr ScreenGeometry kScreen{0.5, 0.3, 1600, 900, 0.57};
 
@@ -75,5 +74,4 @@ TEST(FixedWork, GrantsUpToItsNumberInEveryStep) {
   EXPECT_EQ(meter.request(7, 0), 7) << "the next step starts anew";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scheduling_test

@@ -13,8 +13,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::seen_motion_test {
 
 constexpr std::uint64_t kSeed = 51;
 constexpr ScreenGeometry kScreen{0.5, 0.3, 1600, 900, 0.5};
@@ -137,5 +136,4 @@ TEST(Logarithm, AgreesWithTheLongDoubleLibraryOverAllMagnitudes) {
   EXPECT_TRUE(std::isnan(log10_of(std::nan(""))));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::seen_motion_test

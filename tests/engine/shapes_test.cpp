@@ -12,8 +12,7 @@
 #include "engine/volumes/sphere.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::shapes_test {
 
 /// A box as a closed mesh of 12 outward triangles, centred at `centre`.
 TriangleMesh box(const Vector3& centre, const Vector3& sides) {
@@ -256,5 +255,4 @@ TEST(FindDefects, AVertexThatIsNotFiniteIsBad) {
   EXPECT_EQ(find_defects(mesh).bad_vertices, 2);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::shapes_test

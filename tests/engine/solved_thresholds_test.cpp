@@ -12,8 +12,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::solved_thresholds_test {
 
 constexpr std::uint64_t kSeed = 53;
 
@@ -164,5 +163,4 @@ TEST(PairShares, ASchedulesProblemIsNamed) {
   EXPECT_EQ(problem_of(forgetful), "schedule: expected a persistence of at least 0 steps, got -1");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::solved_thresholds_test

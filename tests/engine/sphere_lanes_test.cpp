@@ -10,8 +10,7 @@
 #include "engine/collision/node_pairs.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::sphere_lanes_test {
 
 constexpr std::uint64_t kSeed = 81;
 
@@ -163,5 +162,4 @@ TEST(NodePairs, KeepTheOrderInWhichTheyWereFound) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::sphere_lanes_test

@@ -10,8 +10,7 @@
 #include "engine/world.hpp"
 #include "tests/engine/head_on.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::step_work_test {
 
 constexpr std::uint64_t kSeed = 1'637;
 
@@ -184,5 +183,4 @@ TEST(World, TheGoldenSceneEndsInTheCommittedHash) {
   EXPECT_EQ(hash, 0xbcfd35fd3e1c4520ULL);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::step_work_test

@@ -13,8 +13,7 @@
 #include "engine/shapes/point_in_solid.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::surface_distance_test {
 
 constexpr std::uint64_t kSeed = 53;
 
@@ -66,5 +65,4 @@ TEST(SurfaceDistance, TheSignHoldsBesideSharpEdgesAndCorners) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::surface_distance_test

@@ -20,8 +20,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/split_flat.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::surface_groups_test {
 
 double volume_m3(const TriangleMesh& mesh) { return solid_of(mesh, 1.0).volume_m3; }
 
@@ -168,5 +167,4 @@ TEST(SurfaceGroups, AreNumberedAndTheSameEveryTime) {
   EXPECT_EQ(surface_groups(mesh), groups);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::surface_groups_test

@@ -8,8 +8,7 @@
 #include "engine/collision/sweep_and_prune.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::sweep_and_prune_test {
 
 constexpr std::uint64_t kSeed = 62;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -163,5 +162,4 @@ TEST(SweepAndPrune, ACopiedWorldResumesBitForBit) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::sweep_and_prune_test

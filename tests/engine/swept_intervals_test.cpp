@@ -9,8 +9,7 @@
 
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::swept_intervals_test {
 
 constexpr std::uint64_t kSeed = 82;
 
@@ -69,5 +68,4 @@ TEST(SweptIntervals, ABlockMeetsWhatItsIntervalsMeet) {
   EXPECT_GT(meetings, 1'000);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::swept_intervals_test

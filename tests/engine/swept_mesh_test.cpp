@@ -20,8 +20,7 @@
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::swept_mesh_test {
 
 constexpr double kHalfX_m = 0.4;
 constexpr double kHalfY_m = 0.25;
@@ -209,5 +208,4 @@ TEST_F(SweptTree, TellsHowFarItReaches) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::swept_mesh_test

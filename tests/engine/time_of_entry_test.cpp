@@ -12,8 +12,7 @@
 #include "tests/engine/one_of_each_kind.hpp"
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::time_of_entry_test {
 
 constexpr std::uint64_t kSeed = 63;
 
@@ -179,5 +178,4 @@ TEST(TimeOfEntry, IsTheFirstAtWhichTheRefinementFindsMoreThanAHair) {
   EXPECT_GT(misses, 30);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::time_of_entry_test

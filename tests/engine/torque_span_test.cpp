@@ -12,8 +12,7 @@
 #include "engine/collision/push_cone.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::torque_span_test {
 
 constexpr std::uint64_t kSeed = 23;
 
@@ -179,5 +178,4 @@ TEST(TorqueSpan, TurningTheNormalsKeepsTheSameContacts) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::torque_span_test

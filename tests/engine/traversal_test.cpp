@@ -11,8 +11,7 @@
 #include "engine/collision/waiting_pairs.hpp"
 #include "tests/engine/crowds.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::traversal_test {
 
 constexpr std::uint64_t kSeed = 511;
 constexpr std::array kTraversals{Traversal::kDepthFirst, Traversal::kBreadthFirst,
@@ -336,5 +335,4 @@ TEST(Traversal, EveryOrderReplaysAndAnUnlimitedBudgetEndsAllInOneState) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::traversal_test

@@ -7,8 +7,7 @@
 #include "engine/trees/volume_tree.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::trees_test {
 
 using Nodes = std::vector<VolumeNode>;
 
@@ -72,5 +71,4 @@ TEST(VolumeTree, BoundingRadiusBoundsEveryNodeOfANestedTree) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::trees_test

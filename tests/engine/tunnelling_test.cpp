@@ -9,8 +9,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::tunnelling_test {
 
 constexpr std::uint64_t kSeed = 63;
 class PlatesOfKind : public testing::TestWithParam<std::string> {};
@@ -283,5 +282,4 @@ TEST(Tunnelling, ABodyCannotLeaveItsWallsHoweverFast) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::tunnelling_test

@@ -9,8 +9,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::unused_terms_test {
 
 constexpr std::uint64_t kSeed = 8'023;
 
@@ -223,5 +222,4 @@ TEST(UnusedTerms, AListOfRootsTransformsRootsAlone) {
   EXPECT_GT(before, 0) << "nothing was ever near";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::unused_terms_test

@@ -11,8 +11,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::view_frustum_test {
 
 constexpr std::uint64_t kSeed = 61;
 
@@ -213,5 +212,4 @@ TEST(ViewFrustum, OneThatHoldsNothingIsRefused) {
   EXPECT_EQ(refusal([](ViewFrustum& f) { f.eye.setZero(); }), axes);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::view_frustum_test

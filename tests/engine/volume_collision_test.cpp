@@ -10,8 +10,7 @@
 #include "engine/starting_overlaps.hpp"
 #include "tests/engine/random_volumes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::volume_collision_test {
 
 constexpr std::uint64_t kSeed = 44;
 constexpr int kMixed = kKinds;  // nodes of every kind in one tree
@@ -216,5 +215,4 @@ TEST(VolumeWorld, StartingOverlapsAreThoseOfTheVolumesThemselves) {
   EXPECT_EQ(overlapping_at_start(meeting), (std::vector<BodyPair>{{0, 1}}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::volume_collision_test

@@ -10,8 +10,7 @@
 #include "engine/volumes/closed_cube.hpp"
 #include "tests/engine/random_volumes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::volume_contacts_test {
 
 constexpr std::uint64_t kSeed = 42;
 constexpr double kRounding = 1e-9;  // of what is shared by cores that touch
@@ -352,5 +351,4 @@ TEST(VolumeWalls, TheContactIsUnderTheMiddleOfWhatReachesFurthest) {
   EXPECT_EQ(touch_wall(walls, floor, on_corner).point, Vector3(0.25, -1.0, 0.0));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::volume_contacts_test

@@ -14,8 +14,7 @@
 #include "engine/trees/reach_beyond.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::volume_fits_test {
 
 constexpr std::uint64_t kSeed = 88;
 
@@ -193,5 +192,4 @@ TEST(RoughDistance, LiesWithinACellOfTheTruth) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::volume_fits_test

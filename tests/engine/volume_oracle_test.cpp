@@ -11,8 +11,7 @@
 
 #include "tests/engine/random_volumes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::volume_oracle_test {
 
 constexpr std::uint64_t kSeed = 43;
 /// What FCL's iterations leave open for volumes of a metre.
@@ -120,5 +119,4 @@ INSTANTIATE_TEST_SUITE_P(OfKinds, Fcl,
                                            std::pair(3, 3)),
                          name_of_pair);
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::volume_oracle_test

@@ -8,8 +8,7 @@
 
 #include "tests/engine/random_volumes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::volume_pairs_test {
 
 constexpr std::uint64_t kSeed = 41;
 constexpr int kPairsOfVolumes = 3'000;
@@ -261,5 +260,4 @@ INSTANTIATE_TEST_SUITE_P(OfKinds, EveryPair, ::testing::ValuesIn(all_pairs()),
                                   "And" + kKindNames[static_cast<std::size_t>(each.param.second)];
                          });
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::volume_pairs_test

@@ -9,8 +9,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/engine/built_solids.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::voxel_tree_test {
 
 TreeSettings voxels(int depth, int branching) { return {TreeKind::kVoxel, depth, branching}; }
 
@@ -137,5 +136,4 @@ TEST(VoxelTree, IsTheSameEveryTime) {
   EXPECT_EQ(once.volumes().grid(), again.volumes().grid());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::voxel_tree_test

@@ -9,8 +9,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::wall_reach_test {
 
 constexpr std::uint64_t kSeed = 611;
 
@@ -36,5 +35,4 @@ TEST(WallReach, IsThatOfOneSphereAtATimeEvenWhereItTouchesExactly) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::wall_reach_test

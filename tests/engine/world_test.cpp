@@ -14,8 +14,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "tests/engine/head_on.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::world_test {
 
 constexpr std::uint64_t kSeed = 1'637;
 TEST(World, TwoEqualBallsHeadOnExchangeTheirVelocities) {
@@ -279,5 +278,4 @@ TEST(World, RefusesWhatItCannotStep) {
   EXPECT_EQ(refusal({}, {}, {1.0, -0.1}), "world: an imposed hold cannot be negative");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::world_test

@@ -5,8 +5,7 @@
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::adaptive_refusals_test {
 
 constexpr const char* kStaircase =
     R"({"factor": "delay_ms", "trials_per_track": 10,
@@ -255,5 +254,4 @@ TEST(TrainingRefusal, ACriterionThatCannotBeMet) {
                      "(most_trials), got 6"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::adaptive_refusals_test

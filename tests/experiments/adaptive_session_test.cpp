@@ -12,8 +12,7 @@
 #include "tests/experiments/asked_study.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::adaptive_session_test {
 
 /// Two tracks of six trials, one for each speed, by a staircase over four delays.
 Protocol adaptive_protocol() {
@@ -271,5 +270,4 @@ TEST(AdaptiveReplay, TellsAChangedAnswerAtTheNextTrialOfItsTrack) {
   EXPECT_EQ(divergences[0].words, "the level chosen was 200, derived anew it is 300");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::adaptive_session_test

@@ -5,8 +5,7 @@
 #include "experiments/exports/anonymise.hpp"
 #include "tests/experiments/whole_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::anonymised_export_test {
 
 namespace fs = std::filesystem;
 
@@ -221,5 +220,4 @@ TEST(StudyCopy, IsTheStudyAndIsNotOverwritten) {
       0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::anonymised_export_test

@@ -7,8 +7,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::answered_session_test {
 
 /// Runs S01 through a study that asks these questions, into study.sqlite.
 ProgramResult run_asked(const TemporaryFolder& folder, const std::vector<std::string>& questions,
@@ -120,5 +119,4 @@ TEST(AnsweredSession, WithATimeTooShortForAnybodyIsCompletedAllTheSame) {
             "18");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::answered_session_test

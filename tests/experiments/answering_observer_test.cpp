@@ -8,8 +8,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/asked_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::answering_observer_test {
 
 CausalityParameters without_spread() {
   const auto file = source_file("experiments/observers/causality.json").string();
@@ -145,5 +144,4 @@ TEST(AnsweringObserver, RatesOfGuessesAndMissesMayStandInItsFile) {
       << refused;
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::answering_observer_test

@@ -5,8 +5,7 @@
 #include "experiments/tables/tsv_line.hpp"
 #include "tests/experiments/bids_rules.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::bids_export_test {
 
 /// The whole study's export, made once.
 const TemporaryFolder& exported() {
@@ -180,5 +179,4 @@ TEST(Gzip, TheSameBytesGiveTheSameFileAndComeBack) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::bids_export_test

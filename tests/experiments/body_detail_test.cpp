@@ -13,8 +13,7 @@
 #include "experiments/stage/body_colours.hpp"
 #endif
 
-namespace impetus {
-namespace {
+namespace impetus::body_detail_test {
 
 constexpr double kStepHz = 60.0;
 constexpr std::int64_t kInView = 15;  // steps in a quarter of a second
@@ -161,5 +160,4 @@ TEST(BodyColours, TheLegendNamesEveryLevelOnce) {
 
 #endif
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::body_detail_test

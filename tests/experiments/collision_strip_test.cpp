@@ -16,8 +16,7 @@
 #include "tests/experiments/read_png.hpp"
 #endif
 
-namespace impetus {
-namespace {
+namespace impetus::collision_strip_test {
 
 constexpr const char* kBlocks = "stimuli/two-l-blocks.json";
 
@@ -156,5 +155,4 @@ TEST_F(CollisionStrip, WhatCannotBePicturedIsRefused) {
 
 #endif
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::collision_strip_test

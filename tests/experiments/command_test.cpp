@@ -3,8 +3,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::command_test {
 
 using nlohmann::json;
 
@@ -257,5 +256,4 @@ TEST(Screen, SavesWhatWasGiven) {
   EXPECT_EQ(json::parse(text_of(folder / "s.json"))["viewing_distance_cm"], 57.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::command_test

@@ -11,8 +11,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::confinement_test {
 
 /// study/protocols/a.json beside study/stimuli/two-spheres.json; a scene outside of study/.
 struct Lab : TemporaryFolder {
@@ -179,5 +178,4 @@ TEST(FilePlace, WithinIsByWholeNames) {
   EXPECT_FALSE(is_named_within("/a", "/a/b"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::confinement_test

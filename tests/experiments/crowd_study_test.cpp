@@ -12,8 +12,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::crowd_study_test {
 
 std::filesystem::path source(const char* path) {
   return std::filesystem::path(source_folder()) / path;
@@ -142,5 +141,4 @@ TEST(CrowdStudy, TheSchedulersStartAlikeAndGoApart) {
   EXPECT_NE(gaze.steps.back().state.hash, near.steps.back().state.hash);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::crowd_study_test

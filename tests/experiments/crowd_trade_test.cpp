@@ -11,8 +11,7 @@
 #include "experiments/trade/removal_curve.hpp"
 #include "tests/experiments/crowded_trade.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::crowd_trade_test {
 
 constexpr std::array kErrors{&VisibleError::gap, &VisibleError::bound};
 constexpr double kRounding = 1e-9;
@@ -181,5 +180,4 @@ TEST(PairLevels, AreWhatEachLevelLeavesOfTheGapWhereOneLooks) {
   EXPECT_NEAR(levels_at(2.3).front().levels.front().left.gap / gap_arcmin, 0.5, 1e-3);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::crowd_trade_test

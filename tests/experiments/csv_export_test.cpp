@@ -11,8 +11,7 @@
 #include "tests/experiments/csv_reading.hpp"
 #include "tests/experiments/whole_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::csv_export_test {
 
 using nlohmann::json;
 
@@ -347,5 +346,4 @@ TEST(CsvExport, WhatIsNoStudyIsRefusedAndNoFolderIsMade) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::csv_export_test

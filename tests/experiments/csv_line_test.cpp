@@ -13,8 +13,7 @@
 #include "experiments/tables/plain_text.hpp"
 #include "tests/experiments/csv_reading.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::csv_line_test {
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
 
@@ -122,5 +121,4 @@ TEST(SchemaWords, EveryColumnOfTheStudyHasWordsOrRefersToARow) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::csv_line_test

@@ -5,8 +5,7 @@
 
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::deadline_work_test {
 
 /// Goes on by the same time at every look.
 class TickingClock final : public Clock {
@@ -139,5 +138,4 @@ TEST(DeadlineWork, AStepUnderItReplaysWithTheTotalItGranted) {
   EXPECT_GT(short_of_work, 0) << "the deadline cut nothing";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::deadline_work_test

@@ -11,8 +11,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::deepest_level_test {
 
 /// The gap study, whose factor is the level; its trees could have 4 levels beyond the root.
 Protocol gap_at_levels(const json& levels, const json& demonstrations = json::array()) {
@@ -91,5 +90,4 @@ TEST(DeepestLevel, TheCourseIsThatOfWholeTrees) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::deepest_level_test

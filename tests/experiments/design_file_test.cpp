@@ -7,8 +7,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::design_file_test {
 
 // ---------------------------------------------------------------- frames
 
@@ -118,5 +117,4 @@ TEST(Protocol, AConditionSurvivesJsonWithEveryTypeOfLevel) {
             R"({"flag":true,"number":100})");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::design_file_test

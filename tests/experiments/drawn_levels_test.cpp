@@ -14,8 +14,7 @@
 #include "experiments/scenes/coarser_meshes.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::drawn_levels_test {
 
 constexpr double kLengthM = 0.022;
 
@@ -154,5 +153,4 @@ TEST(DrawnScene, OnlyACrowdHasCoarserMeshesAndOneSetOfThem) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::drawn_levels_test

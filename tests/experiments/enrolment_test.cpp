@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::enrolment_test {
 
 TEST(Enrolment, IsFoundAgainWithItsPlanInOrder) {
   const TemporaryFolder folder;
@@ -136,5 +135,4 @@ TEST(Enrolment, APlanIsStoredWholeOrNotAtAll) {
             "0000");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::enrolment_test

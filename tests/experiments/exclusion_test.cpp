@@ -6,8 +6,7 @@
 #include "tests/experiments/test_study.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::exclusion_test {
 
 /// A study that one simulated participant, P01, finished.
 std::string finished_study(const TemporaryFolder& folder) {
@@ -61,5 +60,4 @@ TEST(Exclusion, WhatCannotBeExcludedIsRefused) {
   EXPECT_EQ(value_of(study, "SELECT count(*) FROM exclusion"), "1");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::exclusion_test

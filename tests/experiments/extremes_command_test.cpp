@@ -7,8 +7,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::extremes_command_test {
 
 TEST(ExtremesCommand, PrintsWhatIsPromisedAndMeasuredAndWritesItAsJson) {
   const TemporaryFolder folder;
@@ -52,5 +51,4 @@ TEST(ExtremesCommand, RefusesACaseThatThereIsNoneOf) {
   EXPECT_TRUE(ran.errors.ends_with(", got luck\n")) << ran.errors;
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::extremes_command_test

@@ -4,8 +4,7 @@
 
 #include "tests/experiments/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_refusals_test {
 
 /// The sentence for the doll's scene with one value changed.
 std::string refused(const std::string& pointer, json value) {
@@ -242,5 +241,4 @@ TEST(FigureRefusals, CrowdsOfFiguresStandAloneAndNeedRoom) {
             "/: expected the key \"enclosure\" for a crowd, which is missing");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_refusals_test

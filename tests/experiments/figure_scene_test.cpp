@@ -10,8 +10,7 @@
 #include "experiments/scenes/figure_starts.hpp"
 #include "tests/experiments/figure_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_scene_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -301,5 +300,4 @@ TEST(FigureFiles, MayHaveMeshesThatTheSceneHoldsToo) {
       << sentence;
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_scene_test

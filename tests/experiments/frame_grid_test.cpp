@@ -5,8 +5,7 @@
 
 #include "experiments/session/timing_check.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::frame_grid_test {
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -90,5 +89,4 @@ TEST(SyncTest, TriesThreeTimesAtMostAndStopsAtAPass) {
   EXPECT_EQ(failed.tries, 3);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::frame_grid_test

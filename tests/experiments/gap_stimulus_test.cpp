@@ -9,8 +9,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gap_stimulus_test {
 
 constexpr double kHz = 60.0;
 constexpr std::int64_t kContactStep = 240;
@@ -138,5 +137,4 @@ TEST(CollisionTruth, OfTwoSpheresIsOnTheLineOfTheirCentres) {
   EXPECT_NEAR(truth.gap_arcmin, 2.0 * std::atan(0.001 / 0.57) * 3437.7468, 1e-3);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gap_stimulus_test

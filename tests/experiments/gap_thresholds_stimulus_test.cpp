@@ -11,8 +11,7 @@
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gap_thresholds_stimulus_test {
 
 json shells(double gap_arcmin, double above_deg, int distractors) {
   json scene = json::parse(shipped("stimuli/shells.json"));
@@ -206,5 +205,4 @@ TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gap_thresholds_stimulus_test

@@ -12,8 +12,7 @@
 #include "experiments/session/calibration_pages.hpp"
 #include "tests/experiments/calibration_lab.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_calibration_test {
 
 double m_per_deg() { return metres_per_degree(assumed_screen().viewing_distance_m); }
 
@@ -213,5 +212,4 @@ TEST(GazeCalibrated, TheSimulatedEyeLosesMostOfItsOffset) {
   EXPECT_NEAR(raw_deg, 2.5, 3 * 0.46);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_calibration_test

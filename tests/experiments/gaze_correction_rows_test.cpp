@@ -10,8 +10,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_correction_rows_test {
 
 /// A simulated participant's session of the shipped gaze-contingent study, with short stimuli.
 std::string recorded_session(const TemporaryFolder& folder) {
@@ -61,5 +60,4 @@ TEST(GazeCorrectionRows, MakeOfRawSamplesWhatTheStepsUsed) {
   EXPECT_GT(most_corrected_m, 1e-4);  // the simulated eye has an offset: there was something to do
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_correction_rows_test

@@ -11,8 +11,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/calibration_run.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_correction_test {
 
 double between(RandomStream& random, double least, double most) {
   return least + (most - least) * random.uniform();
@@ -162,5 +161,4 @@ TEST(GazeQuality, TheSamplingRateIsMeasured) {
   EXPECT_DOUBLE_EQ(*sampling_hz_of(samples), 250.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_correction_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_latency_test {
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -108,5 +107,4 @@ TEST(GazeLatency, ASampleFromBeforeTheStimulusIsFollowedByTheFirstRecorded) {
   EXPECT_EQ(gaze_latency_p95_ms({step_at(100, 10, 0)}, frames, {seen_at(50)}), 110.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_latency_test

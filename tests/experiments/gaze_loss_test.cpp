@@ -9,8 +9,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "tests/experiments/calibration_lab.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_loss_test {
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -180,5 +179,4 @@ TEST(GazeLatency, WithoutAGazeNoneIsImposed) {
   EXPECT_TRUE(lab.recorder.calibrations.empty());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_loss_test

@@ -11,8 +11,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_observer_test {
 
 constexpr double kStimulus_s = 10.0;
 constexpr std::int64_t kOnset_ns = 5'000'000'000;
@@ -285,5 +284,4 @@ TEST(GazeObserver, BringsItsEyeAndTheOthersHaveNone) {
   EXPECT_EQ(make_observer(causality, 1, "S01", clock, clock)->eye(), nullptr);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_observer_test

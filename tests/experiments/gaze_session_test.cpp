@@ -7,8 +7,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_session_test {
 
 /// The shipped study with stimuli of a tenth of a second and one repetition.
 Protocol tiny_study(const std::function<void(json& protocol, json& scene)>& change = {}) {
@@ -298,5 +297,4 @@ TEST(GazeProtocol, EveryCellMustHaveRoomForItsCrowd) {
             "room for, got 900");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_session_test

@@ -13,8 +13,7 @@
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::gaze_trial_test {
 
 /// The shipped study with stimuli of 1.5 s.
 Protocol short_study(const std::function<void(json& protocol, json& scene)>& change = {}) {
@@ -336,5 +335,4 @@ TEST(GazeTrial, ABudgetInMillisecondsReplaysFromWhatWasGranted) {
   EXPECT_GT(cut_short, 0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::gaze_trial_test

@@ -8,8 +8,7 @@
 #include "engine/dynamics/far_turn.hpp"
 #include "tests/experiments/golden_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::golden_studies_test {
 
 /// Trials recorded for each that was made after the first six.
 struct Recording {
@@ -79,5 +78,4 @@ TEST(GoldenStudies, SomeMoveAndTurnFarInAStep) {
             0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::golden_studies_test

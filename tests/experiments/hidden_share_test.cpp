@@ -9,8 +9,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/collision_truth.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::hidden_share_test {
 
 Vector3 drawn_vector(RandomStream& random, double reach) {
   const double x = reach * (2.0 * random.uniform() - 1.0);
@@ -76,5 +75,4 @@ TEST(HiddenShare, ItIsThatOfEveryRayAgainstEveryFace) {
   EXPECT_GT(partly, 5) << "most gaps were hidden whole or not at all";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::hidden_share_test

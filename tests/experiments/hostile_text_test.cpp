@@ -9,8 +9,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/experiments/whole_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::hostile_text_test {
 
 /// Each has its own way of becoming more than text.
 const std::vector<std::string>& hostile_texts() {
@@ -231,5 +230,4 @@ TEST(HostileText, IsNeverAFormatOnAScreen) {
   EXPECT_GT(calls, 5) << "the screens were not found";
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::hostile_text_test

@@ -3,8 +3,7 @@
 #include "experiments/protocol/json_document.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::json_document_test {
 
 TEST(JsonDocument, MalformedJsonIsRefusedAtItsLineAndColumn) {
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -67,5 +66,4 @@ TEST(JsonDocument, AFileThatCannotBeReadIsRefusedWithTheReason) {
       folder.path().string() + ": expected a JSON file, but it cannot be read: it is a directory");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::json_document_test

@@ -5,8 +5,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::lab_files_test {
 
 // ---------------------------------------------------------------- the observer's file
 
@@ -122,5 +121,4 @@ TEST(ScreenFile, AFileThatCannotBeWrittenIsRefusedWithTheReason) {
             path + ": expected a file that can be written, but it cannot be: Not a directory");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::lab_files_test

@@ -9,8 +9,7 @@
 #include "engine/collision/pair_refinement.hpp"
 #include "tests/engine/random_volumes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::meeting_test {
 
 constexpr std::uint64_t kSeed = 45;
 
@@ -65,5 +64,4 @@ TEST(MeetingPlaces, OfTwoBoxesPutTheirFacesAtTheScreensCentre) {
   EXPECT_NEAR(places.b_m, 0.25, 1e-11);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::meeting_test

@@ -8,8 +8,7 @@
 
 #include "tests/experiments/program.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_command_test {
 
 const char kVertices[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 const char kFaces[] = "f 1 3 2\nf 1 2 4\nf 1 4 3\n";
@@ -73,5 +72,4 @@ TEST(MeshCommand, WhatCannotBeRepairedIsRefusedAndNotWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder / "b.ply"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_command_test

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::migration_test {
 
 /// A recording of each schema before this one, and one of the first files of schema 1.
 constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
@@ -122,5 +121,4 @@ TEST(Migration, AFileInTheWayOfTheKeptOriginalIsNotOverwritten) {
   EXPECT_EQ(value_of(path, "PRAGMA user_version"), "1");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::migration_test

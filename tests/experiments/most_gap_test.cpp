@@ -13,8 +13,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/collision_truth.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::most_gap_test {
 
 constexpr std::uint64_t kSeed = 20250711;
 
@@ -93,5 +92,4 @@ TEST_F(MostGap, OfAWallIsTheTruthsGap) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::most_gap_test

@@ -8,8 +8,7 @@
 #include "experiments/session/replay.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::not_finite_trial_test {
 
 /// The free scene without walls, whose ball flies away so fast that its place is soon no number.
 StagedScene flying_away() {
@@ -46,5 +45,4 @@ TEST(NotFiniteTrial, TheStepNamesTheBodyAndAReplayTakesItOutInTheSameStep) {
   EXPECT_EQ(result.taken_out[0].field, "position");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::not_finite_trial_test

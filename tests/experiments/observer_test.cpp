@@ -11,8 +11,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::observer_test {
 
 CausalityParameters shipped() {
   const auto file = source_file("experiments/observers/causality.json").string();
@@ -176,5 +175,4 @@ TEST(GapObserver, SpeedAndEccentricityHideAGap) {
   EXPECT_LT(observer.seen_gap(15.0, 5.0, 10.0), observer.seen_gap(15.0, 0.0, 10.0));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::observer_test

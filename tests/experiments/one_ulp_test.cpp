@@ -6,8 +6,7 @@
 
 #include "tests/experiments/golden_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::one_ulp_test {
 
 constexpr std::size_t kVariables = 13;
 
@@ -143,5 +142,4 @@ TEST(OneUlp, WhereNoDigestTellsTheHashStillDoes) {
   EXPECT_EQ(result.divergence->named_at, 100);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::one_ulp_test

@@ -13,8 +13,7 @@
 #include "tests/engine/builders.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::parting_test {
 
 constexpr double kEye_m = 10.0;
 
@@ -179,5 +178,4 @@ TEST(TrialStarts, TheFirstOfASceneWithPlacesIsItsOwn) {
   EXPECT_EQ(starts.staged("", 1).world.states()[0].pose.position.x(), metres_of(-5.0));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::parting_test

@@ -10,8 +10,7 @@
 #include "experiments/stage/patch_painter.hpp"
 #endif
 
-namespace impetus {
-namespace {
+namespace impetus::photodiode_patch_test {
 
 /// A headless display with a patch.
 class PatchedDisplay final : public Display {
@@ -189,5 +188,4 @@ TEST(PhotodiodePatch, APixelTellsItsCodeOrThatItIsNone) {
 }
 #endif
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::photodiode_patch_test

@@ -8,8 +8,7 @@
 
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::plan_test {
 
 std::string delays(const Plan& plan, std::size_t count) {
   std::string text;
@@ -98,5 +97,4 @@ TEST(Plan, AnOrderThatCannotExistIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::plan_test

@@ -9,8 +9,7 @@
 #include "experiments/session/adaptive_levels.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::planted_thresholds_test {
 
 constexpr int kParticipants = 16;
 constexpr double kWidth_ms = 45.0;
@@ -163,5 +162,4 @@ TEST(PlantedThreshold, ComesBackByQuestPlusWithinTwoStandardErrors) {
   EXPECT_LT(recovery.standard_error, 5.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::planted_thresholds_test

@@ -5,8 +5,7 @@
 
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::playback_test {
 
 /// One ball in a closed cube of 2 m, on its way to the wall at +x.
 StagedScene ball_in_a_cube() {
@@ -37,5 +36,4 @@ TEST(Playback, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
   EXPECT_EQ(collisions[0].pose_b.position, Vector3::Zero());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::playback_test

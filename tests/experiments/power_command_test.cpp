@@ -12,8 +12,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::power_command_test {
 
 Words power_of(const std::string& protocol, const Words& more) {
   Words words{"power", source_folder() + "/protocols/" + protocol, "--n", "2", "--studies", "1"};
@@ -120,5 +119,4 @@ TEST(NullObserver, IsNotKnownForAnswersNorWithoutWhatIsSetToZero) {
   EXPECT_FALSE(without_effect(load_observer("causality", causality_file()), "clicks"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::power_command_test

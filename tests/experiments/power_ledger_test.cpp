@@ -15,8 +15,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::power_ledger_test {
 
 PowerQuestion a_question() {
   PowerQuestion question;
@@ -170,5 +169,4 @@ TEST(ProcessMark, TellsARunningProcessFromOneThatEndedAndFromWords) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::power_ledger_test

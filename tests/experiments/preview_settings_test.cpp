@@ -7,8 +7,7 @@
 #include "experiments/session/preview_run.hpp"
 #include "tests/experiments/preview_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::preview_settings_test {
 
 TEST(PreviewSettings, EveryChoiceOfSchedulerAndListsIsAGoodSchedule) {
   for (const std::string& scheduler : scheduler_names()) {
@@ -168,5 +167,4 @@ TEST(PreviewRun, ContactsBeforeTheReductionAreFoundOnlyWhenAskedFor) {
   EXPECT_TRUE(run.node_contacts().empty());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::preview_settings_test

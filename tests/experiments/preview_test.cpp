@@ -10,8 +10,7 @@
 #include "tests/experiments/preview_scenes.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::preview_test {
 
 std::uint64_t hash_of(const PreviewRun& run) { return hash_state(run.scene().world.states()).hash; }
 
@@ -348,5 +347,4 @@ TEST(SceneLoading, ARefusalNamesFileAndPlace) {
             ":/bodies/1/name: expected a name of its own, got \"left\" again");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::preview_test

@@ -7,8 +7,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::protocol_page_test {
 
 std::vector<std::filesystem::path> shipped_protocols() {
   std::vector<std::filesystem::path> files;
@@ -79,5 +78,4 @@ TEST(ProtocolPage, ChangesWithTheDesign) {
   EXPECT_NE(after.find("54 trials after 6 of practice"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::protocol_page_test

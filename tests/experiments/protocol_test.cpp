@@ -8,8 +8,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::protocol_test {
 
 // ---------------------------------------------------------------- the protocol's schema
 
@@ -327,5 +326,4 @@ TEST(SceneFile, ALevelDeeperThanTheTreeIsRefused) {
                 ":/engine/level: expected at most 4, the deepest level of the trees, got 5");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::protocol_test

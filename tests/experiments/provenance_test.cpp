@@ -4,8 +4,7 @@
 
 #include "tests/experiments/command_lines.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::provenance_test {
 
 /// "impetus 0.1.0, 0123456789ab-dirty, GNU 12.2.0, -O3 -ffp-contract=off": version, commit,
 /// compiler and flags.
@@ -37,5 +36,4 @@ TEST(Provenance, EverySessionNamesBuildMachineDisplayAndScreen) {
   EXPECT_NE(value("observer"), "");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::provenance_test

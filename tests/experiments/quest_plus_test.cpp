@@ -10,8 +10,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/session/psychometric.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::quest_plus_test {
 
 using Function = QuestPlus::Function;
 using Scale = QuestPlus::Scale;
@@ -240,5 +239,4 @@ TEST(QuestPlus, AWeibullFunctionIsTheSameOnEveryScale) {
   EXPECT_EQ(positive_chance(Function::kWeibull, Scale::kLinear, 0.0, {40.0, 3.0, 0.5, 0.02}), 0.5);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::quest_plus_test

@@ -10,8 +10,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/trade/ratio_of_sums.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::removal_curve_test {
 
 constexpr double kRounding = 1e-9;
 
@@ -143,5 +142,4 @@ TEST(RatioOfSums, SaysNothingOfHowFewNumbersVaryNorOfNothingInAll) {
   EXPECT_NEAR(mean.high - mean.value, 2.776 / std::sqrt(5.0), 0.01);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::removal_curve_test

@@ -4,8 +4,7 @@
 
 #include "tests/experiments/golden_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::replay_test {
 
 TEST(GoldenRecording, EveryCellOfTheDesignReplaysBitForBit) {
   Golden golden;
@@ -107,5 +106,4 @@ TEST(GoldenRecording, ShowsEveryStateToAWatcher) {
   EXPECT_EQ(hashes.back(), steps.back().state.hash);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::replay_test

@@ -12,8 +12,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::replay_view_test {
 
 using Kind = TimelineMark::Kind;
 
@@ -114,5 +113,4 @@ TEST(ReplayView, SaysWhenAStepDiffersFromItsRecord) {
   EXPECT_FALSE(view_of(cube(RegionKind::kTracked), steps).agrees);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::replay_view_test

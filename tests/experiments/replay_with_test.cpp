@@ -8,8 +8,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::replay_with_test {
 
 /// A folder with a copy of a golden recording, a.sqlite.
 struct Copied {
@@ -199,5 +198,4 @@ TEST(SettingChanges, AnotherKindOfTreeBringsItsOwnBranching) {
   EXPECT_EQ(under(scene, {"tree=voxel"})["tree"].dump(), R"({"branching":27,"kind":"voxel"})");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::replay_with_test

@@ -13,8 +13,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::report_command_test {
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
   std::set<std::string> names;
@@ -105,5 +104,4 @@ TEST(RScripts, AreThoseOfTheRepository) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::report_command_test

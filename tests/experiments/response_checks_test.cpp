@@ -5,8 +5,7 @@
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "tests/experiments/asked_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_checks_test {
 
 TEST(ResponseChecks, SomethingMustBeAsked) {
   EXPECT_EQ(asked_refusal(asked_protocol({})),
@@ -112,5 +111,4 @@ TEST(ResponseChecks, ATimeLimitIsPositive) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_checks_test

@@ -10,8 +10,7 @@
 #include "tests/experiments/asked_study.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_kinds_test {
 
 constexpr const char* kSharedTable = "response";
 
@@ -128,5 +127,4 @@ TEST(ResponseKinds, AnObserverThatCannotDoWhatIsAskedIsRefused) {
             "gaze.json:/gaze: expected none for the simulated participant gap, which has no eye");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_kinds_test

@@ -12,8 +12,7 @@
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_study_test {
 
 constexpr double kHz = 60.0;
 constexpr std::int64_t kContactStep = 240;
@@ -253,5 +252,4 @@ TEST(RandomSpin, LimitsAndPlaceAreChecked) {
             "s.json:/meeting/offset_deg: expected bodies that touch, but they pass by, got [9,9]");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_study_test

@@ -7,8 +7,7 @@
 #include "experiments/session/session_pages.hpp"
 #include "tests/experiments/asked_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::responses_test {
 
 constexpr std::size_t kYes = 0;
 constexpr std::size_t kNo = 1;
@@ -184,5 +183,4 @@ TEST(Responses, PracticeFeedbackSaysThatTheTimeWasUp) {
   EXPECT_EQ(page->paragraphs.front(), "You have 5 s to answer.");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::responses_test

@@ -7,8 +7,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::resumption_test {
 
 constexpr ResumeRule kAtTrial{};
 constexpr ResumeRule kAtBlock{ResumeRule::At::kBlock, 0.0};
@@ -151,5 +150,4 @@ TEST(Resume, ThatCannotBeIsRefusedWithTheProtocol) {
       "\"block\"");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::resumption_test

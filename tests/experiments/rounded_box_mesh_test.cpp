@@ -8,8 +8,7 @@
 
 #include "engine/shapes/mass_properties.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::rounded_box_mesh_test {
 
 TriangleMesh stretched(const RoundedBoxMesh& mesh, const RoundedBox& box) {
   TriangleMesh result;
@@ -56,7 +55,6 @@ TEST(RoundedBoxMesh, HasTheContentOfEveryKindOfVolume) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::rounded_box_mesh_test
 
 #endif

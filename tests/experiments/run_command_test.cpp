@@ -6,8 +6,7 @@
 
 #include "tests/experiments/command_lines.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::run_command_test {
 
 using nlohmann::json;
 
@@ -174,5 +173,4 @@ TEST(Run, AFullDiskEndsInOneSentenceAndTheSameCommandGoesOn) {
   EXPECT_EQ(value_of(folder, "PRAGMA integrity_check"), "ok");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::run_command_test

@@ -8,8 +8,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scene_limits_test {
 
 TEST(SceneLimits, ScenesThatAreShippedLieWithinThem) {
   EXPECT_EQ(scene_refusal(free_scene()), "accepted");
@@ -107,5 +106,4 @@ TEST(SceneLimits, TheProgramRefusesToCheckAndToPreviewSuchAScene) {
   EXPECT_EQ(ran.errors, "impetus: " + sentence);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scene_limits_test

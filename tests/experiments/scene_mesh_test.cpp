@@ -13,8 +13,7 @@
 #include "experiments/scenes/scene_tree.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scene_mesh_test {
 
 const char kTetrahedron[] =
     "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -212,5 +211,4 @@ TEST(Base64, ComesBackAsItWas) {
   EXPECT_THROW(bytes_from_base64("ABC"), std::runtime_error);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scene_mesh_test

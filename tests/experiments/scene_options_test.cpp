@@ -6,8 +6,7 @@
 #include "experiments/session/region_source.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scene_options_test {
 
 /// The free scene with two lists by a metric.
 json scheduled_scene(const std::string& scheduler = "size") {
@@ -306,5 +305,4 @@ TEST(SceneOptions, AProtocolsFactorMaySetThem) {
             place + "expected one of \"ignored\", \"capped\", \"stop-at-entry\", got \"often\"");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scene_options_test

@@ -9,8 +9,7 @@
 #include "engine/starting_overlaps.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scene_test {
 
 TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
   const StagedScene scene = built(free_scene());
@@ -265,5 +264,4 @@ TEST(SceneFile, ImpulsesAreFoundInTurnUnlessTogetherIsAskedFor) {
   EXPECT_NE(refused.find("at once"), std::string::npos) << refused;
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scene_test

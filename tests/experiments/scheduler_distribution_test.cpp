@@ -11,8 +11,7 @@
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scheduler_distribution_test {
 
 /// The shipped study: twenty seconds of it, and as much for the pilot, within 5 %.
 Protocol short_study(const json& levels = json::array({"size", "gap", "collision-speed"})) {
@@ -152,5 +151,4 @@ TEST(EqualLists, NeedTwoListsAndAThresholdBetweenThem) {
             "\"/engine/schedule/thresholds/1\"");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scheduler_distribution_test

@@ -10,8 +10,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::series_test {
 
 /// Beside the series, which names no file from elsewhere.
 std::string protocol_path(const std::string& name) { return "protocols/" + name + ".json"; }
@@ -167,5 +166,4 @@ TEST(Series, AsManyObserversAsProtocolsOrOneAreExpected) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::series_test

@@ -6,8 +6,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/small_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::session_list_test {
 
 using nlohmann::json;
 
@@ -177,5 +176,4 @@ TEST(Sessions, OfACopyThatCannotBeWrittenAreListed) {
             "P01");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::session_list_test

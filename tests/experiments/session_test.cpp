@@ -7,8 +7,7 @@
 
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::session_test {
 
 SessionResult run(TestLab& lab, const Plan& plan, const SessionHistory& history = {}) {
   return run_session(lab.protocol.script, plan, history, lab.ports());
@@ -192,5 +191,4 @@ TEST(Session, PracticeFeedbackTellsTheUseOfTheScale) {
                                 "You used one point only. The whole scale is there for you."}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::session_test

@@ -10,8 +10,7 @@
 #include "experiments/session/adaptive_levels.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::shipped_designs_test {
 
 /// All of them, loaded once.
 const std::vector<Protocol>& shipped_protocols() {
@@ -109,5 +108,4 @@ TEST(ShippedDesigns, TheDelaysOfCausalityThresholdsAreShownForTheirFrames) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::shipped_designs_test

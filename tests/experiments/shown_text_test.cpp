@@ -4,8 +4,7 @@
 #include "experiments/session/shown_letters.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::shown_text_test {
 
 /// The shipped study as files in a folder, with one value changed.
 std::string refusal_of_file(const std::string& pointer, const json& value) {
@@ -90,5 +89,4 @@ TEST(ShownLetters, AreInOrderAndApart) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::shown_text_test

@@ -12,8 +12,7 @@
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/protocol/screen_file.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::simulated_eye_test {
 
 using Point = Eigen::Vector2d;  // degrees right of and above the screen's centre
 using Places = std::function<std::vector<Point>(double time_s)>;
@@ -383,5 +382,4 @@ TEST(SimulatedEye, LooksBetweenThePairThatWillCollide) {
   EXPECT_LT((degrees_of(watching.samples.back()) - Point(0, 6)).norm(), 0.2);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::simulated_eye_test

@@ -6,8 +6,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::simulated_group_test {
 
 std::vector<std::string> group_of(int participants) {
   const std::string source = source_folder();
@@ -41,5 +40,4 @@ TEST(SimulatedGroup, AskedForAgainItGoesOnWithWhoHasNotFinished) {
             "3");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::simulated_group_test

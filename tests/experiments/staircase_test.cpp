@@ -9,8 +9,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::staircase_test {
 
 /// The levels shown for these answers, '1' a positive one.
 std::string levels_for(StaircaseTrack track, const std::string& answers) {
@@ -92,5 +91,4 @@ TEST(Staircase, OneUpTwoDownConvergesAt7071) { EXPECT_NEAR(simulated_share(2), 0
 TEST(Staircase, OneUpThreeDownConvergesAt7937) { EXPECT_NEAR(simulated_share(3), 0.7937, 0.01); }
 TEST(Staircase, OneUpFourDownConvergesAt8409) { EXPECT_NEAR(simulated_share(4), 0.8409, 0.01); }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::staircase_test

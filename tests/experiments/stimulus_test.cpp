@@ -8,8 +8,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::stimulus_test {
 
 constexpr double kHz = 60.0;
 /// A hold runs down by one step at a time: at most 72 roundings of 0.3 s, at .15 m/s.
@@ -155,5 +154,4 @@ TEST(CausalityStimulus, TheFirstFrameThatShowedTheContactIsRecorded) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::stimulus_test

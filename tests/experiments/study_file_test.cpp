@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::study_file_test {
 
 TEST(StudyFile, WhatIsNoStudyIsRefusedAndLeftAlone) {
   const TemporaryFolder folder;
@@ -121,5 +120,4 @@ TEST(StudyFile, IsOneFileOnceClosed) {
   EXPECT_EQ(text_of(folder / "a.sqlite").substr(18, 2), "\x01\x01");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::study_file_test

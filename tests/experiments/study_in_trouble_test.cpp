@@ -5,8 +5,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/crash.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::study_in_trouble_test {
 
 /// Starts a session of S01 and waits until some of its trials are acknowledged.
 pid_t session_under_way(const TemporaryFolder& folder) {
@@ -84,5 +83,4 @@ TEST(StudyInTrouble, ASecondSessionOnTheSameFileIsRefusedAndTheFirstGoesOn) {
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM participant"), "1");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::study_in_trouble_test

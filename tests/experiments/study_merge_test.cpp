@@ -9,8 +9,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/small_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::study_merge_test {
 
 using Rows = std::multiset<std::string>;
 
@@ -335,5 +334,4 @@ TEST(Merge, AFullDiskLeavesNothingOfANewStudyAndAnOldOneAsItWas) {
   EXPECT_EQ(value_of(at.a, "PRAGMA integrity_check"), "ok");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::study_merge_test

@@ -6,8 +6,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/small_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::study_verification_test {
 
 using nlohmann::json;
 
@@ -293,5 +292,4 @@ TEST(Verify, AsJsonItIsTheSame) {
   EXPECT_EQ(failed, 1);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::study_verification_test

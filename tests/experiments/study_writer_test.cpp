@@ -3,8 +3,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::study_writer_test {
 
 /// Saves the recorded attempts one by one until one fails; returns how many were acknowledged and
 /// the sentence: "3 file: could not ...".
@@ -266,5 +265,4 @@ TEST(StudyWriter, ADisplayThatClosesInMidTrialLosesNoRow) {
   EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "display closed");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::study_writer_test

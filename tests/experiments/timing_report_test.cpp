@@ -11,8 +11,7 @@
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/fakes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::timing_report_test {
 
 // ---------------------------------------------------------------- a lab of virtual time
 
@@ -306,5 +305,4 @@ TEST(TimingCommand, WhatCannotBeIsRefusedAndNothingIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder / "timing"));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::timing_report_test

@@ -11,8 +11,7 @@
 #include "experiments/timing/flip_statistics.hpp"
 #include "experiments/timing/input_delay.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::timing_statistics_test {
 
 constexpr double kNominalHz = 60.0;
 constexpr double kNominal_ms = 1e3 / kNominalHz;
@@ -192,5 +191,4 @@ TEST(ContentCheck, WhatCannotBeReadIsNotWrongButNotAsPlannedEither) {
   EXPECT_FALSE(check_content({}).all_as_planned());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::timing_statistics_test

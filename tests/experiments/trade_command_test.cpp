@@ -21,8 +21,7 @@
 #include "tests/experiments/test_scenes.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::trade_command_test {
 
 std::string stimulus(const std::string& name) {
   return source_folder() + "/stimuli/" + name + ".json";
@@ -276,5 +275,4 @@ TEST(SceneDemand, WhereNobodyMeetsAllWhoCouldAreMeasured) {
   EXPECT_GT(pairs[0].pair.motions.at(0).approach_m_s, 0.0);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::trade_command_test

@@ -16,8 +16,7 @@
 #include "experiments/trade/trade_option.hpp"
 #include "tests/experiments/trade_pairs.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::trade_measures_test {
 
 constexpr std::uint64_t kSeed = 5;
 
@@ -312,5 +311,4 @@ TEST(TradeOptions, TheFrontierHoldsWhatNothingBeats) {
   EXPECT_EQ(times, (std::vector<double>{1, 5, 50}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::trade_measures_test

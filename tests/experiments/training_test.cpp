@@ -7,8 +7,7 @@
 #include "tests/experiments/asked_study.hpp"
 #include "tests/experiments/test_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::training_test {
 
 json training_protocol() {
   json protocol = asked_protocol({kAskYesNo});
@@ -200,5 +199,4 @@ TEST(Training, TheRuleIsTheOneStated) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::training_test

@@ -14,8 +14,7 @@
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::tree_cache_test {
 
 const TreeSettings kSettings{TreeKind::kOctree, 3, 8};
 
@@ -159,5 +158,4 @@ TEST(TreeCache, TheUsersFolderFollowsTheEnvironment) {
   EXPECT_EQ(folder_under("off", "/c", "/h"), "none");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::tree_cache_test

@@ -10,8 +10,7 @@
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/program.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::tree_command_test {
 
 const char kTetrahedron[] =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -226,5 +225,4 @@ TEST_F(TreePictures, WithoutADisplayThereIsNoWindow) {
 
 #endif
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::tree_command_test

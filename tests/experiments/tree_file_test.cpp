@@ -15,8 +15,7 @@
 #include "tests/experiments/stored_trees.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::tree_file_test {
 
 constexpr std::uint64_t kSeed = 20261121;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -269,5 +268,4 @@ TEST(TreeFile, HeadersThatAreNoneAreRefusedByKey) {
   EXPECT_EQ(refused(with_header(tree, "[0,1,4]", "[0,1,5]")).substr(0, 6), "volume");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::tree_file_test

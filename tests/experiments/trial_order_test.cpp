@@ -12,8 +12,7 @@
 #include "experiments/session/blocks.hpp"
 #include "experiments/session/input_error.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::trial_order_test {
 
 Factor numbered(const std::string& name, int levels) {
   Factor factor{name, {}};
@@ -325,5 +324,4 @@ TEST(AdaptivePlan, InterleavesTracksAtRandomAndNumbersEachInTheOrderShown) {
   EXPECT_NE(plan, make_plan(adaptive_design(), {"x", "P02", 5}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::trial_order_test

@@ -8,8 +8,7 @@
 #include "experiments/session/replay.hpp"
 #include "tests/experiments/asked_study.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::two_interval_test {
 
 struct TwoIntervalLab : TestLab {
   TwoIntervalLab() : TestLab(60.0, asked({kAskTwoInterval, kAskClicks})) {}
@@ -179,5 +178,4 @@ TEST(TwoInterval, TheStandardReplacesItsLevelsAndNothingElse) {
             (Condition{{"a", 1.0}, {"b", 7.0}, {"c", std::string("x")}}));
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::two_interval_test

@@ -9,8 +9,7 @@
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::unattended_run_test {
 
 /// A folder with copies of a protocol and its scene, to be cut short.
 struct Copied {
@@ -159,5 +158,4 @@ TEST(GapThresholdsRun, QuestFindsThePlantedThresholdsWithinTwoOfItsStandardDevia
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::unattended_run_test

@@ -14,8 +14,7 @@
 #include "experiments/stage/enclosure_painter.hpp"
 #endif
 
-namespace impetus {
-namespace {
+namespace impetus::view_test {
 
 json frustum_crowd() {
   json scene = crowd_scene();
@@ -160,5 +159,4 @@ TEST(TurningViewer, PicturesAreOfTheirOwnTime) {
   EXPECT_NE(picture.viewer.eye, scene.viewer.eye);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::view_test

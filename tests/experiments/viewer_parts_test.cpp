@@ -12,8 +12,7 @@
 #include "experiments/session/timeline_jumps.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::viewer_parts_test {
 
 using Kind = TimelineMark::Kind;
 
@@ -269,5 +268,4 @@ TEST(ReplayView, ShowsTheContactsOfAPairForAQuarterOfASecond) {
   EXPECT_TRUE(contacts_at(view, 45).empty());
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::viewer_parts_test

@@ -11,8 +11,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/collision_truth.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::wall_truth_test {
 
 const ClosedCube kCube{0.05};
 const DrawnBody kBall{"ball", 0.01, {}, nullptr};
@@ -76,5 +75,4 @@ TEST(WallTruth, OfAMeshIsItsDistanceFromASlabInTheWallsPlace) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::wall_truth_test

@@ -7,8 +7,7 @@
 #include "experiments/session/playback.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::what_if_test {
 
 constexpr std::uint64_t kSeed = 7;
 constexpr double kRecorded_s = 1.5;
@@ -39,7 +38,7 @@ std::vector<StepRecord> recorded(const StagedScene& scene) {
   return playback.take_steps();
 }
 
-double mean_level(const Course& course) {
+double mean_level(const WhatIfCourse& course) {
   double sum = 0.0;
   for (const SeenCollision& collision : course.collisions) {
     sum += collision.level;
@@ -152,5 +151,4 @@ TEST(Matched, PairsOffTheSameBodiesWithinTheWindowEachOnce) {
   EXPECT_EQ(words, "-:0 0:1 1:- 2:2 3:- -:3 ");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::what_if_test

@@ -9,8 +9,7 @@
 #include "tests/experiments/calibration_lab.hpp"
 #include "tests/experiments/program.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::yoked_region_test {
 
 // ---------------------------------------------------------------- the path
 
@@ -273,5 +272,4 @@ TEST(YokedStudy, AnotherBodyCountIsAnotherScene) {
                 slot + " of gaze-contingent, not 10\n");
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::yoked_region_test

@@ -4,7 +4,7 @@
 #include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
-namespace {
+namespace click_response {
 
 bool is_asked(const Script& script) { return script.clicks.has_value(); }
 
@@ -14,9 +14,10 @@ Text feedback(const Script& /*script*/, const AttemptRecord& record) {
   return {"", {clicks == 0 ? "You did not click." : "You clicked " + times + "."}};
 }
 
-}  // namespace
+}  // namespace click_response
 
 ResponseKind click_kind() {
+  using namespace click_response;
   return {"click",
           "clicks",
           "during the stimulus",

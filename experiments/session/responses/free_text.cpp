@@ -3,7 +3,7 @@
 #include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
-namespace {
+namespace free_text_response {
 
 constexpr const char* kName = "free_text";
 
@@ -26,9 +26,10 @@ void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) 
   record.responses.push_back(response);
 }
 
-}  // namespace
+}  // namespace free_text_response
 
 ResponseKind free_text_kind() {
+  using namespace free_text_response;
   return {kName,
           "free_text",
           "after the stimulus",

@@ -5,7 +5,7 @@
 #include "experiments/session/session_pages.hpp"
 
 namespace impetus {
-namespace {
+namespace rating_response {
 
 constexpr const char* kName = "rating";
 
@@ -50,9 +50,10 @@ Text feedback(const Script& script, const AttemptRecord& record) {
            meaning_of(*script.scale, record.ratings.front().rating) + "."}};
 }
 
-}  // namespace
+}  // namespace rating_response
 
 ResponseKind rating_kind() {
+  using namespace rating_response;
   return {kName,
           "rating",
           "after the stimulus",

@@ -4,7 +4,7 @@
 #include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
-namespace {
+namespace two_interval_response {
 
 constexpr const char* kName = "two_interval";
 
@@ -51,9 +51,10 @@ Text feedback(const Script& script, const AttemptRecord& record) {
                                    (first_is_right ? question.first : question.second) + "”."}};
 }
 
-}  // namespace
+}  // namespace two_interval_response
 
 ResponseKind two_interval_kind() {
+  using namespace two_interval_response;
   return {kName,
           "two_interval",
           "after the second stimulus",

@@ -9,7 +9,7 @@
 #include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
-namespace {
+namespace yes_no_response {
 
 constexpr const char* kName = "yes_no";
 constexpr std::size_t kYes = 0;
@@ -72,9 +72,10 @@ Text feedback(const Script& script, const AttemptRecord& record) {
   return text;
 }
 
-}  // namespace
+}  // namespace yes_no_response
 
 ResponseKind yes_no_kind() {
+  using namespace yes_no_response;
   return {kName,
           "yes_no",
           "after the stimulus",

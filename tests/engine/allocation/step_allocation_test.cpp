@@ -5,8 +5,7 @@
 #include "tests/engine/allocation/counted_new.hpp"
 #include "tests/engine/crowds.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::step_allocation_test {
 
 constexpr std::uint64_t kSeed = 83;
 
@@ -58,5 +57,4 @@ TEST(StepAllocation, NorDoesAnyScheduleOrResponse) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::step_allocation_test

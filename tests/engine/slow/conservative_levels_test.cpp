@@ -23,8 +23,7 @@
 #include "engine/trees/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::conservative_levels_test {
 
 constexpr std::uint64_t kSeed = 510;
 constexpr int kPoses = 10'000;
@@ -172,5 +171,4 @@ TEST(ConservativeLevels, NoTouchIsMissedAndFalseOnesFallWithEveryLevel) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::conservative_levels_test

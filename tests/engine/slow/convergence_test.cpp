@@ -12,8 +12,7 @@
 
 #include "tests/engine/exact_impacts.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::convergence_test {
 
 constexpr std::uint64_t kSeed = 1;
 constexpr int kImpacts = 1'000;
@@ -26,11 +25,11 @@ double median(std::vector<double> values) {
 }
 
 using Medians = std::array<double, kLevels>;
-/// Of the normal (degrees), the point and the velocity; see ImpactErrors.
+/// Of the normal (degrees), the point and the velocity; see KnownImpactErrors.
 using Convergence = std::array<Medians, 3>;
 
 std::vector<Convergence> convergence_of(TreeKind kind, const std::vector<ImpactSolid>& solids,
-                                        const std::vector<ExactImpact>& impacts) {
+                                        const std::vector<KnownImpact>& impacts) {
   std::vector<ContactModel> reductions;
   for (const std::string_view name : reduction_names()) {
     reductions.push_back({make_reduction(name), 4});
@@ -42,13 +41,13 @@ std::vector<Convergence> convergence_of(TreeKind kind, const std::vector<ImpactS
   }
   using Samples = std::array<std::vector<double>, kLevels>;
   std::vector<std::array<Samples, 3>> samples(reductions.size());
-  for (const ExactImpact& impact : impacts) {
+  for (const KnownImpact& impact : impacts) {
     const auto errors =
         errors_by_level(impact, solids, {models[impact.solid_a], models[impact.solid_b]},
                         reductions, kLevels, /*restitution=*/0.5);
     for (std::size_t i = 0; i < reductions.size(); ++i) {
       for (std::size_t level = 0; level < kLevels; ++level) {
-        const ImpactErrors& each = errors[i].at(level);
+        const KnownImpactErrors& each = errors[i].at(level);
         samples[i][0][level].push_back(each.normal_rad * 180.0 / std::numbers::pi);
         samples[i][1][level].push_back(each.point);
         samples[i][2][level].push_back(each.velocity);
@@ -135,7 +134,7 @@ void expect_falls(TreeKind kind, std::string_view reduction, Measure measure,
 TEST(Convergence, MedianErrorsFallWithEveryLevelOfEveryKindAndReductionButForWhatIsListed) {
   const std::vector<ImpactSolid> solids = impact_solids();
   RandomStream random(kSeed, "impacts");
-  std::vector<ExactImpact> impacts;
+  std::vector<KnownImpact> impacts;
   while (impacts.size() < kImpacts) {
     impacts.push_back(next_impact(random, solids));
   }
@@ -167,5 +166,4 @@ TEST(Convergence, MedianErrorsFallWithEveryLevelOfEveryKindAndReductionButForWha
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::convergence_test

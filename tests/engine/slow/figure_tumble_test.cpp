@@ -4,8 +4,7 @@
 
 #include "tests/engine/figure_flight.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::figure_tumble_test {
 
 TEST(FigureTumble, MomentumIsKeptToRoundingHingesAndEnergyWithinStatedNumbers) {
   const Flight flight = fly(100'000, 0.02, Rotation::kMidpoint);
@@ -15,5 +14,4 @@ TEST(FigureTumble, MomentumIsKeptToRoundingHingesAndEnergyWithinStatedNumbers) {
   EXPECT_LT(flight.widest_gap_m, 1e-10);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::figure_tumble_test

@@ -9,8 +9,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "tests/engine/builders.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::long_runs_test {
 
 TEST(LongRuns, AMillionTumblingStepsKeepTheirEnergy) {
   BodyModel model = ball(0.4, 1.0);
@@ -81,5 +80,4 @@ TEST(LongRuns, FifteenEnclosedLBlocksKeepEnergyAndMomentumForTenMinutes) {
   EXPECT_NEAR(total_energy(world) / start, 1.0, 1e-2);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::long_runs_test

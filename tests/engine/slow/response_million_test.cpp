@@ -4,10 +4,8 @@
 
 #include "tests/engine/response_problems.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::response_million_test {
 
 TEST(Response, IsSoundInAMillionRandomProblems) { expect_sound_responses(2002, 1'000'000); }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::response_million_test

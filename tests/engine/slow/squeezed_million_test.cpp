@@ -4,8 +4,7 @@
 
 #include "tests/engine/crowds.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::squeezed_million_test {
 
 TEST(PhaseBudgetLong, SpentAndReservedStayWithinTheBudgetOrTheFloorInAMillionSteps) {
   constexpr std::uint64_t kSeed = 40;
@@ -38,5 +37,4 @@ TEST(PhaseBudgetLong, SpentAndReservedStayWithinTheBudgetOrTheFloorInAMillionSte
   EXPECT_GT(over, 100'000);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::squeezed_million_test

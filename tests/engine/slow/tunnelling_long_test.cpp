@@ -4,8 +4,7 @@
 
 #include "tests/engine/shots.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::tunnelling_long_test {
 
 constexpr std::uint64_t kSeed = 65;
 
@@ -31,5 +30,4 @@ TEST(TunnellingLong, NoBulletOfTenThousandGetsThroughAPlate) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::tunnelling_long_test

@@ -9,8 +9,7 @@
 #include "tests/experiments/demand_scenes.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::scene_allocation_test {
 
 struct Run {
   std::int64_t allocations{0};
@@ -46,5 +45,4 @@ TEST(SceneAllocation, NoStepAllocatesInASecondRunOfAnyScene) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::scene_allocation_test

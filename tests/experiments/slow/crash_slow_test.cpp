@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/experiments/crash.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::crash_slow_test {
 
 TEST(CrashSlow, AHundredAndFiftyKillsLoseNoAcknowledgedTrialAndEverySessionIsCompleted) {
   const CrashSummary summary = kill_and_resume(150, std::random_device{}());
@@ -10,5 +9,4 @@ TEST(CrashSlow, AHundredAndFiftyKillsLoseNoAcknowledgedTrialAndEverySessionIsCom
   EXPECT_GE(summary.in_mid_session, 100);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::crash_slow_test

@@ -8,8 +8,7 @@
 #include "experiments/trade/trial_starts.hpp"
 #include "tests/experiments/crowded_trade.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::crowd_trade_slow_test {
 
 TEST(CrowdTradeSlow, VisibleFirstRemovesAThirdMoreThanBreadthFirstAmongCreatures) {
   json scene = json::parse(shipped("stimuli/creatures-in-a-cube.json"));
@@ -58,5 +57,4 @@ TEST(PartingSlow, ComesLaterWithTheLevelForEveryKindOfTree) {
   }
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::crowd_trade_slow_test

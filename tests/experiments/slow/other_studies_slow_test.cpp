@@ -10,8 +10,7 @@
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::other_studies_slow_test {
 
 const std::string kSource = source_folder();
 
@@ -154,5 +153,4 @@ TEST(ResponseStudyWhole, RunsFromConsentToThanksAndReplays) {
   EXPECT_EQ(replayed.status, 0) << replayed.output;
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::other_studies_slow_test
