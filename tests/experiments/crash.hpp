@@ -23,7 +23,7 @@ namespace impetus {
 
 constexpr std::int64_t kTrialsPlanned = 87;  // 6 of practice, 81 that count
 
-constexpr const char* kCompleted = "SELECT count(*) FROM attempt WHERE outcome = 'completed'";
+constexpr const char* kTrialsCompleted = "SELECT count(*) FROM attempt WHERE outcome = 'completed'";
 
 inline std::string crash_value(const TemporaryFolder& folder, const std::string& sql) {
   SQLite::Database database((folder / "a.sqlite").string(), SQLite::OPEN_READONLY);
@@ -34,7 +34,7 @@ inline std::string crash_value(const TemporaryFolder& folder, const std::string&
 /// Completed attempts that another process sees now; 0 while there is no study yet.
 inline std::int64_t acknowledged(const TemporaryFolder& folder) {
   try {
-    return std::stoll(crash_value(folder, kCompleted));
+    return std::stoll(crash_value(folder, kTrialsCompleted));
   } catch (const SQLite::Exception&) {
     return 0;
   }
@@ -81,7 +81,7 @@ inline void expect_nothing_lost(const TemporaryFolder& folder, std::int64_t befo
 
 /// After the same command again: the whole session, in the planned order, and reproducible.
 inline void expect_whole_session(const TemporaryFolder& folder) {
-  EXPECT_EQ(crash_value(folder, kCompleted), std::to_string(kTrialsPlanned));
+  EXPECT_EQ(crash_value(folder, kTrialsCompleted), std::to_string(kTrialsPlanned));
   EXPECT_EQ(crash_value(folder, "SELECT count(*) FROM trial"), std::to_string(kTrialsPlanned));
   EXPECT_EQ(crash_value(folder, "SELECT count(*) FROM enrolment WHERE finished_utc IS NULL"), "0");
   EXPECT_EQ(crash_value(folder,

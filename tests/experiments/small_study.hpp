@@ -14,16 +14,16 @@ namespace impetus {
 inline Protocol small_protocol(const std::string& title = "small",
                                const std::string& name = "causality") {
   const Protocol shipped = causality();
-  nlohmann::json json = shipped.document.value;
-  json["name"] = name;
-  json["title"] = title;
-  nlohmann::json& design = json["design"];
+  nlohmann::json changed = shipped.document.value;
+  changed["name"] = name;
+  changed["title"] = title;
+  nlohmann::json& design = changed["design"];
   design["repetitions"] = 2;
   design["factors"][0]["levels"] = {0, 100};
   design["factors"][1]["levels"] = {10};
   design["factors"][2]["levels"] = {0};
   design["practice"].erase(design["practice"].begin() + 1, design["practice"].end());
-  return make_protocol(parse_json("small.json", json.dump()), shipped.scene);
+  return make_protocol(parse_json("small.json", changed.dump()), shipped.scene);
 }
 
 inline constexpr const char* kSmallTrials = "5";  // 1 of practice, 2 × 2 that count

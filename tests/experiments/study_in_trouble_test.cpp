@@ -37,7 +37,7 @@ TEST(StudyInTrouble, ARemovedFileIsWrittenAnewBesideWhereItWas) {
   EXPECT_EQ(result.errors,
             "impetus: a.sqlite: removed or replaced while it was written to; all that was saved is "
             "in a.rescued.sqlite\n");
-  EXPECT_GE(std::stoll(value_of(folder, kCompleted, "a.rescued.sqlite")), before);
+  EXPECT_GE(std::stoll(value_of(folder, kTrialsCompleted, "a.rescued.sqlite")), before);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite"));
   expect_goes_on_in(folder, "a.rescued.sqlite");
 }
