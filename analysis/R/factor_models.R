@@ -82,9 +82,8 @@ model_diagnostics <- function(fitted, checks_of) {
 
 # "intercept 0.61, slope 0.70": standard deviations over participants.
 spread_words <- function(model) {
-  deviations <- if (inherits(model, "clmm")) attr(ordinal::VarCorr(model)$participant, "stddev") else
-    if (inherits(model, "merMod")) attr(lme4::VarCorr(model)$participant, "stddev") else
-      model$deviations
+  deviations <- if (inherits(model, "merMod")) attr(lme4::VarCorr(model)$participant, "stddev") else
+    model$deviations
   if (is.null(deviations)) return(NA_character_)
   paste(ifelse(names(deviations) == "slope", "slope", "intercept"), sprintf("%.2f", deviations),
     collapse = ", ")
@@ -105,13 +104,7 @@ rating_checks <- function(models, trials, factor) {
 
 # The largest difference between the observed and the fitted share of any rating at any level.
 largest_misfit <- function(model, trials, factor) {
-  design <- stats::model.matrix(stats::reformulate(sub("\\(.*$", "1", attr(stats::terms(
-    stats::reformulate(names(model$xlevels))), "term.labels"))), trials)[, names(model$beta), drop = FALSE]
-  each <- ordinal::ranef(model)$participant
-  mine <- each[match(as.character(trials$participant), rownames(each)), , drop = FALSE]
-  eta <- as.vector(design %*% model$beta) + mine[[1]]
-  if (ncol(mine) > 1) eta <- eta + mine[[2]] * as.numeric(scale(values_of(trials[[factor]])))
-  below <- stats::plogis(outer(-eta, c(-Inf, model$alpha, Inf), `+`))
+  below <- stats::plogis(outer(-model$eta, c(-Inf, model$alpha, Inf), `+`))
   shares <- below[, -1, drop = FALSE] - below[, -ncol(below), drop = FALSE]
   observed <- outer(as.integer(trials$rating), seq_len(ncol(shares)), `==`) + 0
   max(abs(rowsum(shares - observed, trials[[factor]]) / as.vector(table(trials[[factor]]))))

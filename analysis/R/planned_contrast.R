@@ -57,7 +57,7 @@ contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom) {
     fit_family_or_fall_back(two, terms, "scheduling", tested = character(), kind = kind)
   }
   row <- function(models, coefficients, place) {
-    estimate <- sum_of_coefficients(models$full$beta, stats::vcov(models$full), coefficients)
+    estimate <- sum_of_coefficients(models$full$beta, models$full$covariance, coefficients)
     method <- sprintf("cumulative-link mixed model of %s trials, logit, %s; Wald",
       pair_words(pair, " and "), models$random)
     ratio_row(paste0(family_of(kContrastFamily, pair), without), method,

@@ -6,7 +6,7 @@
 #
 # A factor is tested in the model without interactions, an interaction in the model with all.
 # A likelihood-ratio test compares two models with the same random part, so the family of tests
-# falls back as a whole. (Christensen 2018, package `ordinal`, Laplace approximation)
+# falls back as a whole. (Christensen 2018; the fit itself is cumulative_link.R)
 # SPDX-License-Identifier: MIT
 
 kEffectsFamily <- "mixed model, effects"
@@ -112,7 +112,7 @@ fit_family <- function(trials, terms, random, tested = terms) {
     model <- reduced[[dropped]]
     if (!is.null(model$failure)) return(list(failure = model$failure))
     # A model that contains another cannot be worse; 1e-3 is above the optimiser's tolerance.
-    if (logLik(model$model) > logLik(full$model) + 1e-3) {
+    if (model$model$log_likelihood > full$model$log_likelihood + 1e-3) {
       return(list(failure = "a smaller model fitted better than one that contains it"))
     }
   }
@@ -120,26 +120,23 @@ fit_family <- function(trials, terms, random, tested = terms) {
 }
 
 # One fit: list(model) or list(failure = words). `like`: a fitted model with the same random part,
-# whose variances are the starting place; it is faster, and cold starts miss the optimum when the
-# slope has to stand in for the fixed effect that was dropped.
+# whose spread is the starting place; cold starts miss the optimum when the slope has to stand in
+# for the fixed effect that was dropped.
 fit_rating_model <- function(trials, factors, random, like = NULL, link = "logit") {
-  formula <- stats::reformulate(c(factors, random), "rating")
-  arguments <- list(formula = formula, data = trials, link = link)
-  if (!is.null(like)) {
-    fixed <- if (length(factors) > 0) stats::reformulate(factors, "rating") else rating ~ 1
-    start <- listen_to(stats::coef(ordinal::clm(fixed, data = trials)))$value
-    variances <- utils::tail(like$optRes$par, -length(c(like$alpha, like$beta)))
-    # clmm wants one vector for a random intercept and a list for more.
-    arguments$start <- if (length(variances) == 1) c(start, variances) else list(start, variances)
+  fixed <- if (length(factors) > 0) stats::reformulate(factors, "rating") else rating ~ 1
+  design <- stats::model.matrix(fixed, trials)[, -1, drop = FALSE]
+  start <- listen_to(stats::coef(ordinal::clm(fixed, data = trials, link = link)))
+  if (is.null(start$value) || anyNA(start$value)) {
+    return(list(failure = first_words(c(start$complaints, "its factors cannot be told apart"))))
   }
-  fit <- listen_to(do.call(ordinal::clmm, arguments))
-  model <- fit$value
-  if (is.null(model)) return(list(failure = first_words(fit$complaints)))
-  variances <- listen_to(diag(stats::vcov(model)))$value
-  usable <- length(variances) > 0 && all(is.finite(variances)) && all(variances > 0)
-  if (usable && model$optRes$convergence == 0) return(list(model = model))
-  list(failure = first_words(c(fit$complaints, "its Hessian is singular")))
+  model <- fit_cumulative_link(as.integer(droplevels(trials$rating)), design,
+    as.integer(factor(trials$participant)), if (grepl("slope", random)) trials$slope, link,
+    start$value, if (is.null(like)) kColdSpread else like$spread)
+  if (!is.null(model$failure)) return(model)
+  list(model = model)
 }
+
+kColdSpread <- c(0.5, 0, 0.5)  # logits: of the intercept, of both together, of the slope
 
 # The first line of the first complaint, without the optimiser's code number.
 first_words <- function(complaints) {
@@ -153,7 +150,7 @@ mixed_model_outcome <- function(models, trials, tested, kind = "mixed model",
   method <- sprintf("cumulative-link %s, logit, %s", kind, models$random)
   effects <- lapply(tested, function(dropped) {
     reduced <- models$reduced[[dropped]]
-    chi_squared <- max(0, 2 * as.numeric(logLik(models$full) - logLik(reduced)))
+    chi_squared <- max(0, 2 * (models$full$log_likelihood - reduced$log_likelihood))
     df <- length(models$full$beta) - length(reduced$beta)
     test_row(families[1], paste0(method, "; likelihood-ratio test"), dropped, "chi-squared",
       chi_squared, df, p = stats::pchisq(chi_squared, df, lower.tail = FALSE),
@@ -169,7 +166,7 @@ mixed_model_outcome <- function(models, trials, tested, kind = "mixed model",
 odds_ratios <- function(model, trials, term, method, family) {
   columns <- strsplit(term, ":", fixed = TRUE)[[1]]
   size <- if (length(columns) > 1) "ratio of odds ratios" else "odds ratio of a higher rating"
-  errors <- sqrt(diag(stats::vcov(model)))
+  errors <- sqrt(diag(model$covariance))
   cells <- expand.grid(lapply(trials[columns], levels_above_first), stringsAsFactors = FALSE)
   rows <- lapply(seq_len(nrow(cells)), function(i) {
     cell <- unlist(cells[i, , drop = FALSE])

@@ -94,7 +94,7 @@ link_estimate <- function(part, trials, factors, models, link, coefficient) {
     fit <- if (link == "logit") list(model = models$full) else
       fit_rating_model(trials, factors, models$random, link = link)
     if (!is.null(fit$failure)) return(c(NA, NA))
-    return(c(fit$model$beta[[coefficient]], sqrt(diag(stats::vcov(fit$model)))[[coefficient]]))
+    return(c(fit$model$beta[[coefficient]], sqrt(diag(fit$model$covariance))[[coefficient]]))
   }
   fit <- if (link == "logit") list(model = models$full) else
     fit_answer_model(trials, c(factors, models$random), link)

@@ -12,12 +12,14 @@ test_that("ratings of wine come out as published (Randall 1989; Christensen 2018
     contact = wine$contact)
   models <- fit_family(trials, c("temp", "contact"), "(1 | participant)")
   model <- models$full
-  expect_printed(as.numeric(logLik(model)), -81.57, 2)
+  expect_printed(model$log_likelihood, -81.57, 2)
   expect_printed(unname(model$beta), c(3.0630, 1.8349), 4)
   expect_printed(unname(model$alpha), c(-1.6237, 1.5134, 4.2285, 6.0888), 4)
-  errors <- sqrt(diag(stats::vcov(model)))[c("tempwarm", "contactyes")]
-  expect_printed(unname(errors), c(0.5954, 0.5125), 4)
-  expect_printed(ordinal::VarCorr(model)$participant[[1]], 1.279, 3)
+  errors <- sqrt(diag(model$covariance))[c("tempwarm", "contactyes")]
+  # Those printed are of derivatives by differences, off by 3e-5: .59539 and .51256 by the likelihood
+  # of test_cumulative_link.R.
+  expect_lt(max(abs(errors - c(0.5954, 0.5125))), 1e-4)
+  expect_printed(model$deviations[["intercept"]]^2, 1.279, 3)
   rows <- mixed_model_outcome(models, trials, c("temp", "contact"))$rows
   odds <- rows[rows$family == kOddsFamily, ]
   expect_printed(odds$statistic, c(5.145, 3.580), 3)
@@ -84,10 +86,9 @@ test_that("sleepstudy: participants' slopes give the published fixed effects (Ba
 # Log likelihood of counts with a normal intercept for each participant, the integral over it by the
 # trapezoid rule from -8 to 8 standard deviations. `log_p(y, mu)`: of one count.
 counts_log_likelihood <- function(design, y, person, beta, deviation, log_p) {
-  u <- seq(-8, 8, length.out = 321)
-  eta <- as.vector(design %*% beta)
-  each <- vapply(u, function(z) rowsum(log_p(y, exp(eta + deviation * z)), person)[, 1],
-    numeric(length(unique(person))))
+  u <- seq(-8, 8, length.out = 161)
+  eta <- outer(as.vector(design %*% beta), deviation * u, `+`)
+  each <- rowsum(matrix(log_p(rep(y, length(u)), exp(as.vector(eta))), nrow(eta)), person)
   each <- sweep(each, 2, stats::dnorm(u, log = TRUE) + log(u[2] - u[1]), `+`)
   top <- apply(each, 1, max)
   sum(top + log(rowSums(exp(each - top))))
