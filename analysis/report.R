@@ -23,6 +23,7 @@ main <- function(words) {
   }
   need_packages(packages_for_data(data))
   write_study_report(arguments$out)
+  end_progress()
   say_progress("wrote report.html, figures/ and tables/")
 }
 

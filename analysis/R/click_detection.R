@@ -37,7 +37,7 @@ click_detection <- function(study) {
   usable <- which(!is.na(study$trials$exposure_s) & study$trials$exposure_s > 2 * kClickBinS)
   reason <- why_no_click_regression(study, usable)
   if (!is.null(reason)) return(list(tests = outcome(remarks = reason), words = reason))
-  say_progress("regressing the click rate on the events before (about 10 s for 10 participants) ...")
+  say_progress(kClickRegressionStep)
   events <- click_events(study)
   records <- participants_records(study, events, usable, "all")
   fits <- Filter(Negate(is.null), lapply(records, click_gains))

@@ -12,6 +12,7 @@
 
 kClickFamily <- "clicks, effects"
 kClickRatioFamily <- "clicks, rate ratios"
+kClickInteractionFamily <- "clicks, interaction"
 kClickContrastFamily <- "clicks, planned contrast tracked / random"
 kClickEquivalenceFamily <- "clicks, equivalence of rates"
 kClickPooledFamily <- "clicks, pooled ANOVA, as in the thesis"
@@ -25,30 +26,23 @@ kCountAttempts <- list(
 )
 
 # Likelihood-ratio tests of scheduling, bodies and their interaction, and rate ratios against the
-# first kind, as an outcome.
+# first level, as an outcome.
 click_model_tests <- function(trials) {
   trials <- trials_with_exposure(trials)
   reason <- why_no_click_model(trials, "scheduling")
   if (!is.null(reason)) return(outcome(remarks = reason))
   factors <- varying_factors(trials, c("scheduling", "bodies"))
-  models <- fit_count_family(trials, factors, factors)
-  if (!is.null(models$failure)) return(outcome(remarks = models$remarks))
-  rows <- c(
-    lapply(factors, function(factor) count_effect_row(models, factor, trials)),
-    lapply(levels(droplevels(trials$scheduling))[-1], function(kind) {
-      estimate <- sum_of_coefficients(models$full$beta, models$full$covariance,
-        paste0("scheduling", kind))
-      ratio_row(kClickRatioFamily, paste0(count_method(models), "; Wald"),
-        paste("scheduling:", kind, "against", levels(trials$scheduling)[1]), estimate,
-        "rate ratio", trials)
-    })
-  )
-  result <- outcome(do.call(rbind, rows), c(models$remarks, dispersion_remark(models)))
+  fitted <- click_factor_tests(trials, factors)
+  models <- fitted$models$scheduling
+  if (is.null(models) || !is.null(models$failure)) return(outcome(fitted$rows, fitted$remarks))
+  result <- outcome(fitted$rows, c(fitted$remarks, dispersion_remark(models)))
   if (length(factors) < 2 || has_cell_without_clicks(trials)) return(result)
   both <- fit_count_family(trials, c(factors, "scheduling:bodies"), "scheduling:bodies",
     "mixed model of clicks with interaction")
   if (!is.null(both$failure)) return(all_outcomes(result, outcome(remarks = both$remarks)))
-  all_outcomes(result, outcome(count_effect_row(both, "scheduling:bodies", trials), both$remarks))
+  row <- count_effect_row(both, "scheduling:bodies", trials)
+  row$family <- kClickInteractionFamily
+  all_outcomes(result, outcome(row, both$remarks))
 }
 
 # Rate ratios of one kind to the other, overall and at each number of bodies, and their equivalence tests.

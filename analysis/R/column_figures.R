@@ -29,15 +29,22 @@ figures_of_part <- function(part, functions = NULL) {
   if (part$response == "threshold") return(threshold_column_figures(part, functions))
   measure <- measure_of(part)
   single <- lapply(unname(part$factors), function(factor) list(
-    name = paste0("by-", factor), plot = factor_plot(part, factor, measure),
+    name = figure_name(factor), plot = factor_plot(part, factor, measure),
     caption = factor_figure_caption(part, factor, measure)))
-  pairs <- if (length(part$factors) %in% 2:3) utils::combn(unname(part$factors), 2, simplify = FALSE)
-  double <- lapply(pairs, function(pair) {
-    pair <- axis_first(part$trials, pair)
-    list(name = paste0("by-", pair[1], "-and-", pair[2]), plot = pair_plot(part, pair, measure),
+  double <- lapply(figure_pairs(part), function(pair) {
+    list(name = figure_name(pair), plot = pair_plot(part, pair, measure),
       caption = pair_figure_caption(part, pair, measure))
   })
   c(single, Filter(function(figure) !is.null(figure$plot), double))
+}
+
+figure_name <- function(factors) paste0("by-", paste(factors, collapse = "-and-"))
+
+# The pairs of factors that are shown together, each with that of the axis first.
+figure_pairs <- function(part) {
+  if (!length(part$factors) %in% 2:3) return(list())
+  pairs <- utils::combn(unname(part$factors), 2, simplify = FALSE)
+  lapply(pairs, function(pair) axis_first(part$trials, pair))
 }
 
 # The factor for the axis first: numbers before words, the one with more levels before the other.

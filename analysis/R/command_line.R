@@ -29,6 +29,3 @@ prepare_folder <- function(folder) {
 }
 
 say <- function(lines) writeLines(enc2utf8(lines), stdout(), useBytes = TRUE)
-
-# One line of progress on stderr.
-say_progress <- function(...) message(...)

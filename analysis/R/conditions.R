@@ -12,6 +12,7 @@ refuse <- function(...) {
 # Evaluates `script`; whatever stops it becomes one sentence on stderr and exit status 2.
 or_exit_2 <- function(name, script) {
   exit <- function(sentence) {
+    end_progress()
     message(name, ": ", gsub("\\s*\n\\s*", " ", trimws(sentence)))
     quit(save = "no", status = 2)
   }

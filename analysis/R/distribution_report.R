@@ -61,7 +61,7 @@ report_distribution_study <- function(study) {
   shapes <- shape_table(study$collisions)
   bins <- histogram_table(study$collisions)
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
-  say_progress("drawing the figures (about 15 s) ...")
+  say_progress("drawing the figures ...")
   height <- 20 + 24 * nlevels(study$collisions$scheduler)
   figures <- c(
     write_figure(function() ggplot2::ggplotGrob(histogram_panel(bins)), path("-histograms"), height),

@@ -10,16 +10,21 @@
 # SPDX-License-Identifier: MIT
 
 # Ratings: likelihood-ratio tests and odds ratios of each factor, as an outcome with `models` (by
-# factor) and `trials` as they were fitted. `tested`: those of the factors that are.
-rating_factor_tests <- function(trials, factors, tested = factors) {
+# factor) and `trials` as they were fitted. `tested`: those of the factors that are. `interactions`:
+# "a:b" of two factors, tested beside, with a slope of the first factor.
+rating_factor_tests <- function(trials, factors, tested = factors, interactions = character()) {
   reason <- why_no_mixed_model(trials, factors)
   if (!is.null(reason)) return(outcome(remarks = reason))
   trials$rating <- factor(trials$rating, ordered = TRUE)
-  fit_each_factor(trials, tested, function(factor) {
+  trials[factors] <- lapply(trials[factors], droplevels)
+  fitted <- fit_each_factor(trials, tested, function(factor) {
     models <- fit_family_or_fall_back(trials, factors, factor, tested = factor,
       kind = paste("mixed model for the test of", factor))
     list(models = models, tests = mixed_model_outcome(models, trials, factor))
   })
+  if (length(interactions) == 0) return(fitted)
+  beside <- interaction_tests(trials, factors, factors[1], interactions)
+  c(all_outcomes(fitted, beside), fitted[c("models", "trials")])
 }
 
 # Clicks: the same with counts; rate ratios.
@@ -58,7 +63,7 @@ why_no_factor_of_clicks <- function(trials, factors) {
 # `fit(factor)`: list(models, tests). All tests as one outcome, with models.
 fit_each_factor <- function(trials, factors, fit) {
   fits <- stats::setNames(lapply(factors, function(factor) {
-    say_progress("fitting the mixed model for ", factor, " (about 20 s for 20 participants) ...")
+    say_progress(model_step(factor))
     fit(factor)
   }), factors)
   result <- do.call(all_outcomes, unname(lapply(fits, `[[`, "tests")))

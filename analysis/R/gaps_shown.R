@@ -115,7 +115,7 @@ gap_tests <- function(trials) {
     return(outcome(remarks = "Every gap shown was the same: there is no model of it."))
   }
   trials$rating <- factor(trials$rating, ordered = TRUE)
-  say_progress("fitting the mixed model of the gap shown (about 10 s for 20 participants) ...")
+  say_progress("fitting the mixed model of the gap shown ...")
   kind <- "mixed model of the gap shown"
   models <- fit_family_or_fall_back(trials, "log10_gap", "log10_gap", kind = kind)
   mixed_model_outcome(models, trials, "log10_gap", kind, families = c(kGapFamily, kGapOddsFamily))

@@ -27,7 +27,7 @@ report_gaze_study <- function(study) {
     of_pairs(click_contrast_words), list(detection$words, click_model_words(tests))))
   exposure <- do.call(paragraphs, of_pairs(exposure_words))
 
-  say_progress("drawing the figures (about 10 s) ...")
+  say_progress("drawing the figures ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   files <- c(write_scheduling_figures(study, path), if (!is.null(detection$kernels))
     write_kernel_figure(detection, study$all_simulated, path("-kernels")))
@@ -48,7 +48,7 @@ gaze_study_tests <- function(study, each, detection = outcome()) {
     all_outcomes(contrast_model_tests(trials, without, pair),
       click_contrast_tests(trials, without, pair))
   }
-  say_progress("fitting the mixed models of ratings and clicks (about 60 s for 10 participants) ...")
+  say_progress("fitting the mixed models of ratings and clicks ...")
   on_time <- trials[trials$gaze_late == 0, ]
   sensitivity <- if (nrow(on_time) < nrow(trials)) {
     contrasts(on_time, planned_pair(study), kWithoutLate)
@@ -73,7 +73,7 @@ scheduling_tests <- function(trials) {
   constant <- constant_remarks(setdiff(c("scheduling", "bodies"), factors))
   if (length(factors) == 0) return(constant)
   all_outcomes(constant,
-    mixed_model_tests(trials, factors, slope_of = intersect("scheduling", factors),
+    rating_factor_tests(trials, factors,
       interactions = if (length(factors) == 2) "scheduling:bodies"),
     repeated_measures_tests(trials, factors), friedman_tests(trials, factors))
 }

@@ -61,7 +61,7 @@ constant_factor_remarks <- function(part) constant_remarks(part$constant)$remark
 # ANOVA, Friedman and, for ratings, equivalence: of participants' means of the response.
 tests_of_means <- function(part) {
   if (!is.null(why_no_test_of(part)) || length(part$factors) == 0) return(outcome())
-  say_progress("testing the participants' means ...")
+  say_progress(kMeansStep)
   trials <- part$trials
   factors <- unname(part$factors)
   trials$rating <- trials[[measure_of(part)$of]]
@@ -175,7 +175,7 @@ sensitivity_tables <- function(part, fitted, measure, everything, beside) {
 }
 
 threshold_results <- function(part) {
-  say_progress("fitting psychometric functions (about 5 s for each ten) ...")
+  say_progress(kFunctionsStep)
   functions <- psychometric_functions(part)
   tests <- threshold_tests(part, functions$rows)
   means <- threshold_means(part, functions$rows)

@@ -4,30 +4,16 @@
 #   rating ~ factors + (1 | participant)             when that does not converge
 #   rating ~ factors + interactions + (...)          for the interactions alone
 #
-# A factor is tested in the model without interactions, an interaction in the model with all.
-# A likelihood-ratio test compares two models with the same random part, so the family of tests
-# falls back as a whole. (Christensen 2018; the fit itself is cumulative_link.R)
+# A factor is tested in the model without interactions, with a slope of its own (factor_models.R), an
+# interaction in the model with all. A likelihood-ratio test compares two models with the same random
+# part, so models that are compared fall back together. (Christensen 2018; the fit itself is
+# cumulative_link.R)
 # SPDX-License-Identifier: MIT
 
 kEffectsFamily <- "mixed model, effects"
 kOddsFamily <- "mixed model, odds ratios"
-kInteractionFamily <- "mixed model, ratios of odds ratios"
-
-# Likelihood-ratio tests of each factor and odds ratios of each level against the first, as an
-# outcome. `factors`: columns of `trials`. `slope_of`: the factor whose effect may differ between
-# participants, or none. `interactions`: "a:b" of two factors, tested beside.
-mixed_model_tests <- function(trials, factors, slope_of = character(),
-                              interactions = character()) {
-  reason <- why_no_mixed_model(trials, factors)
-  if (!is.null(reason)) return(outcome(remarks = reason))
-  trials$rating <- factor(trials$rating, ordered = TRUE)
-  trials[factors] <- lapply(trials[factors], droplevels)
-  models <- fit_family_or_fall_back(trials, factors, slope_of)
-  result <- mixed_model_outcome(models, trials, factors)
-  if (length(interactions) == 0 || !is.null(models$failure)) return(result)
-  beside <- interaction_tests(trials, factors, slope_of, interactions)
-  outcome(rbind(result$rows, beside$rows), c(result$remarks, beside$remarks))
-}
+kInteractionFamily <- "mixed model, interactions"
+kInteractionOddsFamily <- "mixed model, ratios of odds ratios"
 
 # Why no cumulative-link mixed model is fitted, in a sentence; NULL where one can be.
 why_no_mixed_model <- function(trials, factors) {
@@ -42,7 +28,8 @@ why_no_mixed_model <- function(trials, factors) {
   )
 }
 
-# Likelihood-ratio tests of each interaction and ratios of odds ratios, as an outcome.
+# Likelihood-ratio tests of each interaction, "a:b" of two factors, and ratios of odds ratios, as an
+# outcome. `slope_of`: the factor whose effect may differ between participants, or none.
 interaction_tests <- function(trials, factors, slope_of, interactions) {
   endless <- interactions[vapply(interactions, function(i) has_one_sided_cell(trials, i), NA)]
   if (length(endless) > 0) {
@@ -51,11 +38,11 @@ interaction_tests <- function(trials, factors, slope_of, interactions) {
       "with interactions has no finite estimate and was not fitted."
     ), paste(gsub(":", " × ", endless), collapse = " and of "))))
   }
-  say_progress("fitting the mixed models with interactions (about 60 s for 20 participants) ...")
+  say_progress("fitting the mixed models with interactions ...")
   kind <- "mixed model with interactions"
   models <- fit_family_or_fall_back(trials, c(factors, interactions), slope_of, interactions, kind)
   mixed_model_outcome(models, trials, interactions, kind,
-    families = c(kEffectsFamily, kInteractionFamily))
+    families = c(kInteractionFamily, kInteractionOddsFamily))
 }
 
 # Is there a cell of the interaction "a:b" that an estimate would push to infinity?

@@ -29,7 +29,7 @@ report_rating_study <- function(study, title, main, others, interactions = FALSE
     collapse = " ")
   caption <- figure_caption(trials, main, others, study$all_simulated)
 
-  say_progress("drawing the figure (about 5 s) ...")
+  say_progress("drawing the figure ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   figures <- write_rating_figure(trials, study$scale, main, others, study$all_simulated, path(""))
   write_test_table(tests, path(".csv"))

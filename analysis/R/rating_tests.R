@@ -2,7 +2,9 @@
 #
 #   primary  mixed model, effects            beside it  repeated-measures ANOVA
 #            mixed model, odds ratios                   Friedman
-#            equivalence (of the other factors)         pooled ANOVA, as in the thesis
+#            equivalence                                pooled ANOVA, as in the thesis
+#
+# All but the last are those of the study's report, made alike, so that both print the same numbers.
 # SPDX-License-Identifier: MIT
 
 # Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
@@ -17,13 +19,12 @@ rating_tests <- function(trials, main, others, interactions = FALSE,
   others <- intersect(others, factors)
   main <- intersect(main, factors)
   if (length(factors) == 0) return(combine_outcomes(constant_remarks(constant)))
-  say_progress("fitting the mixed models (about 30 s for 20 participants) ...")
   pairs <- if (interactions && length(main) == 1) sprintf("%s:%s", main, others)
-  models <- mixed_model_tests(trials, factors, slope_of = main, interactions = pairs)
-  say_progress("testing the participants' means (about 5 s) ...")
+  models <- rating_factor_tests(trials, factors, interactions = pairs)
+  say_progress(kMeansStep)
   combine_outcomes(
     constant_remarks(constant), models, repeated_measures_tests(trials, factors),
-    friedman_tests(trials, factors), equivalence_tests(trials, others, margin),
+    friedman_tests(trials, factors), equivalence_tests(trials, factors, margin),
     if (length(main) > 0) pooled_tests(trials, main, by = utils::head(others, 1))
   )
 }

@@ -52,8 +52,7 @@ odds_words <- function(tests, main, scale) {
 
 # Each interaction that the mixed model tested.
 interaction_words <- function(tests) {
-  rows <- tests_of(tests, kEffectsFamily)
-  rows <- rows[grepl(":", rows$effect, fixed = TRUE), ]
+  rows <- tests_of(tests, kInteractionFamily)
   vapply(seq_len(nrow(rows)), function(i) {
     names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
     sprintf("In the mixed model with interactions, one of %s was %s: %s.",

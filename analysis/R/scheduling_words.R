@@ -97,7 +97,7 @@ click_rate_words <- function(trials) {
 }
 
 click_model_words <- function(tests) {
-  effects <- tests_of(tests, kClickFamily)
+  effects <- rbind(tests_of(tests, kClickFamily), tests_of(tests, kClickInteractionFamily))
   ratios <- tests_of(tests, kClickRatioFamily)
   c(
     if (nrow(effects) > 0) sprintf(

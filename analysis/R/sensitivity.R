@@ -75,8 +75,8 @@ link_sensitivity <- function(part, fitted) {
     trials <- fitted$trials
     trials$slope <- as.numeric(scale(values_of(trials[[factor]])))
     last <- utils::tail(levels(droplevels(trials[[factor]])), 1)
-    do.call(rbind, lapply(c("logit", "probit", "cloglog"), function(link) {
-      say_progress("fitting ", factor, " with the link ", link, " ...")
+    do.call(rbind, lapply(c("logit", kOtherLinks), function(link) {
+      if (link %in% kOtherLinks) say_progress(link_step(factor, link))
       estimate <- link_estimate(part, trials, unname(part$factors), models, link,
         paste0(factor, last))
       data.frame(comparison = sprintf("%s: %s against %s", label_of(factor), last,
@@ -102,6 +102,8 @@ link_estimate <- function(part, trials, factors, models, link, coefficient) {
   c(lme4::fixef(fit$model)[[coefficient]],
     sqrt(diag(as.matrix(stats::vcov(fit$model))))[[coefficient]])
 }
+
+kOtherLinks <- c("probit", "cloglog")
 
 kLinkHeads <- c("Comparison", "Link", "Coefficient", "Standard error", "z", "p")
 

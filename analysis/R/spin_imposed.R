@@ -74,7 +74,7 @@ spin_tests <- function(trials) {
       "or more, ratings that vary and a spin that varies.")))
   }
   trials$rating <- factor(trials$rating, ordered = TRUE)
-  say_progress("fitting the mixed model of the imposed spin (about 5 s for 20 participants) ...")
+  say_progress("fitting the mixed model of the imposed spin ...")
   kind <- "mixed model of the imposed spin"
   models <- fit_family_or_fall_back(trials, "imposed_spin_rad_s", "imposed_spin_rad_s", kind = kind)
   mixed_model_outcome(models, trials, "imposed_spin_rad_s", kind,

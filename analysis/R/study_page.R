@@ -36,8 +36,10 @@ write_study_report <- function(folder) {
   path <- study_of_report_data(file.path(folder, "data"))
   about <- utils::read.csv(file.path(folder, "data/study.csv"), colClasses = "character")
   protocols <- protocols_of(path)
+  parts <- lapply(protocols, parts_of_protocol, path = path)
+  expect_steps(unlist(lapply(parts, steps_of_parts)))
   body <- if (length(protocols) == 0) "<p>Nobody has been enrolled yet.</p>" else
-    unlist(lapply(protocols, protocol_lines, path = path, folder = folder))
+    unlist(Map(protocol_lines, protocols, parts, path = path, folder = folder))
   writeLines(enc2utf8(page_of(about, protocols, body)), file.path(folder, "report.html"),
     useBytes = TRUE)
 }
@@ -63,9 +65,8 @@ html_page <- function(title, body) {
 anchor_of <- function(...) gsub("[^A-Za-z0-9_-]+", "-", paste(..., sep = "-"))
 
 # Everything about one protocol.
-protocol_lines <- function(path, protocol, folder) {
+protocol_lines <- function(protocol, parts, path, folder) {
   say_progress("protocol ", protocol)
-  parts <- parts_of_protocol(path, protocol)
   refused <- Filter(function(part) !is.null(part$why), parts)
   parts <- Filter(function(part) is.null(part$why), parts)
   results <- lapply(parts, function(part) {
@@ -145,7 +146,7 @@ result_lines <- function(result, folder) {
   name <- anchor_of(paste(c(part$protocol, part$response, part$kind), collapse = "-"))
   figures <- unlist(lapply(seq_along(result$figures), function(i) {
     figure <- result$figures[[i]]
-    say_progress("drawing ", figure$name, " ...")
+    say_progress(figure_step(part, figure$name))
     svg <- write_column_figure(figure, file.path(folder, "figures", anchor_of(name, figure$name)))
     c("<figure>", inline_svg(svg, paste0(name, "-", i), figure$caption),
       sprintf("<figcaption>%s</figcaption>", html_text(figure$caption)), "</figure>")

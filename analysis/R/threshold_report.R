@@ -6,13 +6,13 @@
 # SPDX-License-Identifier: MIT
 
 report_threshold_study <- function(study, title) {
-  say_progress("fitting psychometric functions (about 5 s for each ten) ...")
+  say_progress(kFunctionsStep)
   functions <- psychometric_functions(study)
   tests <- threshold_tests(study, functions$rows)
   means <- threshold_means(study, functions$rows)
   data <- c(study_sentences(study), scale_sentence(study))
   results <- paste(threshold_words(study, functions$rows, means, tests), collapse = " ")
-  say_progress("drawing the figures (about 10 s) ...")
+  say_progress("drawing the figures ...")
   path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   figures <- write_threshold_figures(study, functions, path)
   write_test_table(tests, path(".csv"))

@@ -28,7 +28,7 @@ threshold_tests <- function(study, rows) {
       "Fewer than two participants have a threshold: no test was made."))))
   }
   anova <- if (length(study$split) > 0) threshold_anova(study, kept)
-  say_progress("fitting the hierarchical model of all answers (about 20 s) ...")
+  say_progress(kHierarchicalStep)
   combine_outcomes(outcome(remarks = remarks), anova, hierarchical_thresholds(study))
 }
 

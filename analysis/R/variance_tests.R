@@ -114,19 +114,29 @@ friedman_tests <- function(trials, factors) {
     outcome(test_row(kFriedmanFamily, "Friedman's rank test of participants' means", factor,
       "chi-squared", test$statistic[[1]], test$parameter[[1]], p = test$p.value,
       size_name = "Kendall's W", size = kendall_w(complete),
-      interval = bootstrap_interval(complete, kendall_w), interval_level = 0.95,
+      interval = bootstrap_interval(ranks_and_ties(complete), agreement), interval_level = 0.95,
       participants = nrow(complete), trials = nrow(trials)), remarks)
   })
   outcome(do.call(rbind, lapply(outcomes, `[[`, "rows")), unlist(lapply(outcomes, `[[`, "remarks")))
 }
 
 # Agreement of the participants' rankings, from 0 to 1: chi-squared / (n (k - 1)), ties corrected.
-kendall_w <- function(means) {
-  n <- nrow(means)
-  k <- ncol(means)
-  ranks <- t(apply(means, 1, rank))
-  ties <- sum(apply(ranks, 1, function(r) { t <- table(r); sum(t^3 - t) }))
-  12 * sum((colSums(ranks) - n * (k + 1) / 2)^2) / (n^2 * (k^3 - k) - n * ties)
+kendall_w <- function(means) agreement(ranks_and_ties(means))
+
+# One row per participant: the ranks and, last, the correction for ties. A bootstrap draws these rows,
+# so that nobody is ranked twice.
+ranks_and_ties <- function(means) {
+  t(apply(means, 1, function(row) {
+    tied <- table(row)
+    c(rank(row), sum(tied^3 - tied))
+  }))
+}
+
+agreement <- function(ranked) {
+  n <- nrow(ranked)
+  k <- ncol(ranked) - 1
+  sums <- colSums(ranked)
+  12 * sum((sums[-(k + 1)] - n * (k + 1) / 2)^2) / (n^2 * (k^3 - k) - n * sums[[k + 1]])
 }
 
 left_out_remark <- function(test, count) {

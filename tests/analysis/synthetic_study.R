@@ -74,6 +74,13 @@ planted_gaps <- function(trials) {
   kGapsArcmin[cbind(as.character(trials$level), as.character(trials$viewpoint_deg))]
 }
 
+# Effects and odds ratios of factors from one model with a random intercept, as published ones are.
+one_model_tests <- function(trials, factors) {
+  trials$rating <- factor(trials$rating, ordered = TRUE)
+  trials[factors] <- lapply(trials[factors], droplevels)
+  mixed_model_outcome(fit_family_or_fall_back(trials, factors, character()), trials, factors)
+}
+
 # Writes rated trials to a new study file at `path` and returns the path.
 #
 # `trials` has participant, repetition, rating and one column per factor; delay_ms, if

@@ -16,6 +16,7 @@ test_that("the negative-binomial model recovers the planted rates and their disp
   trials <- click_trials(121, participants = 20)
   result <- with_failing("slope", click_model_tests(trials))  # none was planted
   rows <- result$rows[result$rows$family == kClickRatioFamily, ]
+  rows <- rows[startsWith(rows$effect, "scheduling: "), ]
   planted <- kPlantedClicksPerS[kSchedulingKinds][-1] / kPlantedClicksPerS[1]
   error <- log(rows$effect_size) / rows$statistic
   # Three standard errors: misses for one of three ratios in 120 seeds.
@@ -24,7 +25,7 @@ test_that("the negative-binomial model recovers the planted rates and their disp
   theta <- as.numeric(sub("^.*θ = ([0-9.]+).*$", "\\1",
     grep("θ = ", result$remarks, value = TRUE)))
   expect_true(theta > kPlantedTheta / 2 && theta < 2 * kPlantedTheta)
-  effects <- result$rows[result$rows$family == kClickFamily, ]
+  effects <- result$rows[result$rows$family %in% c(kClickFamily, kClickInteractionFamily), ]
   expect_equal(effects$effect, c("scheduling", "bodies", "scheduling:bodies"))
   expect_equal(effects$df1, c(3, 2, 6))
   expect_lt(effects$p[1], 1e-10)
@@ -57,13 +58,13 @@ test_that("Poisson stands in when the negative binomial does not converge, and s
   trials <- click_trials(124, participants = 5)
   result <- with_failing("negative-binomial|slope", click_model_tests(trials))
   expect_match(result$rows$method, "^Poisson mixed model")
-  expect_match(result$remarks, paste0("^The mixed model of clicks \\(negative-binomial, intercept",
-    " and slope for each participant\\) did not converge: planted.$"), all = FALSE)
+  expect_match(result$remarks, paste0("^The mixed model of clicks, for the test of scheduling",
+    " \\(negative-binomial, intercept and slope for each participant\\) did not converge: planted.$"), all = FALSE)
   expect_match(result$remarks, paste("The model of clicks is a Poisson one; Pearson's χ² per",
     "degree of freedom is [0-9.]+ \\(1 for Poisson counts\\)"), all = FALSE)
   none <- with_failing(".", click_model_tests(trials))
   expect_null(none$rows)
-  expect_true("No mixed model of clicks is reported." %in% none$remarks)
+  expect_true("No mixed model of clicks, for the test of scheduling is reported." %in% none$remarks)
 })
 
 test_that("without the package glmmTMB the models are Poisson, and why is said", {

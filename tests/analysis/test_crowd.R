@@ -23,7 +23,7 @@ read_crowd <- function(path) keep_people_apart(read_studies(path, "crowd",
 test_that("the planted effect of the number comes back, and the margin is that of five points", {
   study <- read_crowd(crowd_file(crowd_trials(701, 8)))
   expect_equal(levels(study$trials$bodies), c("50", "100", "250"))
-  tests <- combine_outcomes(mixed_model_tests(study$trials, c("bodies", "scheduler")),
+  tests <- combine_outcomes(one_model_tests(study$trials, c("bodies", "scheduler")),
     equivalence_tests(study$trials, "scheduler", equivalence_margin(study$scale)))
   expect_lt(tests_of(tests, kEffectsFamily, "bodies")$p, 0.001)
   expect_match(equivalence_words(tests_of(tests, kEquivalenceFamily), "scheduler"),

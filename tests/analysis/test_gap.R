@@ -78,9 +78,11 @@ test_that("levels keep their numbers unless there are three from 0", {
 
 test_that("the planted effects of level, and of level by viewpoint and speed, come back", {
   study <- read_gap(write_gap_study(gap_trials(93, participants = 8)))
-  rows <- mixed_model_tests(study$trials, c("level", "speed_percent", "viewpoint_deg"),
-    interactions = c("level:speed_percent", "level:viewpoint_deg"))$rows
-  effects <- rows[rows$family == kEffectsFamily, ]
+  factors <- c("level", "speed_percent", "viewpoint_deg")
+  trials <- transform(study$trials, rating = ordered(rating))
+  rows <- rbind(one_model_tests(trials, factors)$rows, suppressMessages(interaction_tests(trials,
+    factors, character(), c("level:speed_percent", "level:viewpoint_deg")))$rows)
+  effects <- rows[rows$family %in% c(kEffectsFamily, kInteractionFamily), ]
   expect_equal(effects$effect,
     c("level", "speed_percent", "viewpoint_deg", "level:speed_percent", "level:viewpoint_deg"))
   expect_equal(effects$df1, c(2, 2, 2, 4, 4))
@@ -171,5 +173,5 @@ test_that("the whole script recovers the planted gap study of 20 participants (s
   expect_equal(run$status, 0)
   table <- read.csv(file.path(out, "gap.csv"))
   expect_true(all(table$p_holm[table$effect == "level"] < 0.01))  # the thesis: "> 99%"
-  expect_true(all(c(kGapFamily, kInteractionFamily) %in% table$family))
+  expect_true(all(c(kGapFamily, kInteractionFamily, kInteractionOddsFamily) %in% table$family))
 })

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 library(testthat)
 
-# mixed_model_tests on good data, with the fit of some random parts made to fail.
+# The tests on good data, with the fit of some random parts made to fail.
 fit_family_with <- function(failing) {
   trials <- causality_trials(seed = 54, participants = 5)
   trials$delay_ms <- factor(trials$delay_ms)
@@ -10,7 +10,7 @@ fit_family_with <- function(failing) {
   assign("fit_rating_model", function(trials, factors, random, ...) {
     if (random %in% failing) list(failure = "planted") else real(trials, factors, random, ...)
   }, globalenv())
-  mixed_model_tests(trials, "delay_ms", slope_of = "delay_ms")
+  suppressMessages(rating_factor_tests(trials, "delay_ms"))
 }
 
 test_that("the mixed model gives the published fit of the wine data", {
@@ -19,7 +19,7 @@ test_that("the mixed model gives the published fit of the wine data", {
   data(wine, package = "ordinal", envir = environment())
   trials <- data.frame(participant = wine$judge, rating = as.integer(wine$rating),
     temp = wine$temp, contact = wine$contact)
-  rows <- mixed_model_tests(trials, c("temp", "contact"))$rows
+  rows <- one_model_tests(trials, c("temp", "contact"))$rows
   odds <- rows[rows$family == kOddsFamily, ]
   # Published to 4 digits.
   expect_equal(log(odds$effect_size), c(3.063, 1.835), tolerance = 1e-3)
@@ -35,7 +35,7 @@ test_that("likelihood-ratio tests compare with the model without the factor", {
   data(wine, package = "ordinal", envir = environment())
   trials <- data.frame(participant = wine$judge, rating = as.integer(wine$rating),
     temp = wine$temp, contact = wine$contact)
-  rows <- mixed_model_tests(trials, c("temp", "contact"))$rows
+  rows <- one_model_tests(trials, c("temp", "contact"))$rows
   cold <- function(formula) as.numeric(logLik(ordinal::clmm(formula, wine)))
   full <- cold(rating ~ temp + contact + (1 | judge))
   reduced <- c(cold(rating ~ contact + (1 | judge)), cold(rating ~ temp + (1 | judge)))
@@ -54,7 +54,7 @@ test_that("planted odds of a delay are recovered, in order and size", {
   plan$rating <- 1 + (position > -1) + (position > 1.2)
   plan$delay_ms <- factor(plan$delay_ms)
   plan$viewpoint_deg <- factor(plan$viewpoint_deg)
-  rows <- mixed_model_tests(plan, c("delay_ms", "viewpoint_deg"))$rows
+  rows <- one_model_tests(plan, c("delay_ms", "viewpoint_deg"))$rows
   odds <- rows[rows$family == kOddsFamily & startsWith(rows$effect, "delay_ms"), ]
   error <- log(odds$effect_size) / odds$statistic
   # Three standard errors: a right model misses it for one coefficient in 370.
@@ -66,7 +66,7 @@ test_that("planted odds of a delay are recovered, in order and size", {
 test_that("a slope of delay for each participant is fitted where it converges", {
   trials <- causality_trials(seed = 3, participants = 12, repetitions = 1)
   trials$delay_ms <- factor(trials$delay_ms)
-  result <- mixed_model_tests(trials, "delay_ms", slope_of = "delay_ms")
+  result <- suppressMessages(rating_factor_tests(trials, "delay_ms"))
   expect_length(result$remarks, 0)
   expect_match(result$rows$method, "(1 + slope | participant)", fixed = TRUE)
 })
@@ -75,15 +75,15 @@ test_that("when no slope converges the model falls back to an intercept and says
   result <- fit_family_with(failing = "(1 + slope | participant)")
   expect_match(result$rows$method, "(1 | participant)", fixed = TRUE)
   expect_equal(result$remarks, paste(
-    "The mixed model with a slope of delay_ms for each participant did not converge (planted);",
-    "the one reported has a random intercept only."
+    "The mixed model for the test of delay_ms with a slope of delay_ms for each participant did not",
+    "converge (planted); the one reported has a random intercept only."
   ))
 })
 
 test_that("when no random part converges no mixed model is reported", {
   result <- fit_family_with(failing = c("(1 + slope | participant)", "(1 | participant)"))
   expect_null(result$rows)
-  expect_match(result$remarks[2], "did not converge (planted), so no mixed model is reported.",
+  expect_match(result$remarks[2], "did not converge (planted), so no mixed model for the test of delay_ms is reported.",
     fixed = TRUE)
 })
 
@@ -92,7 +92,7 @@ test_that("identical participants leave no mixed model, in words and without a w
   trials <- do.call(rbind, lapply(1:6, function(i) transform(one, participant = paste0("P", i))))
   factors <- c("delay_ms", "speed_deg_s", "viewpoint_deg")
   trials[factors] <- lapply(trials[factors], factor)
-  expect_silent(result <- mixed_model_tests(trials, factors))
+  expect_silent(result <- one_model_tests(trials, factors))
   expect_null(result$rows)
   expect_equal(result$remarks, paste(
     "The mixed model with a random intercept did not converge (its Hessian is singular),",
@@ -104,7 +104,7 @@ test_that("levels that separate the ratings are named and no odds ratio is given
   trials <- causality_trials(seed = 52, participants = 5)
   trials$rating <- c("0" = 1, "100" = 2, "300" = 3)[as.character(trials$delay_ms)]
   trials$delay_ms <- factor(trials$delay_ms)
-  result <- mixed_model_tests(trials, "delay_ms", slope_of = "delay_ms")
+  result <- suppressMessages(rating_factor_tests(trials, "delay_ms"))
   expect_null(result$rows)
   expect_equal(result$remarks, paste(
     "The levels of delay_ms separate the ratings completely, so the mixed model has no finite",
@@ -126,6 +126,6 @@ test_that("levels separate when they share no more than a boundary", {
 test_that("two participants are too few for a mixed model", {
   trials <- causality_trials(seed = 53, participants = 2)
   trials$delay_ms <- factor(trials$delay_ms)
-  expect_equal(mixed_model_tests(trials, "delay_ms")$remarks,
+  expect_equal(rating_factor_tests(trials, "delay_ms")$remarks,
     "The mixed model needs three participants or more and was not fitted.")
 })
