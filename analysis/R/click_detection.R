@@ -157,7 +157,7 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
   mean_of <- function(gain) mean(gains[[gain]][gains$scheduling == "all"])
   tested <- if (nrow(row) == 0) "" else sprintf(
     ", 95 %% CI [%.3f, %.3f] (circular shift of clicks, %s)", row$interval_low,
-    row$interval_high, p_words(row$p_holm))
+    row$interval_high, both_p_words(row))
   alone <- implied_d_prime(mean_of("bad"), mean_of("baseline"))
   tracked <- do.call(rbind, lapply(pairs, function(pair) {
     tests_of(tests, family_of(kTrackedGainFamily, pair))
@@ -171,7 +171,7 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
       "makes d′ = %.2f, criterion %.2f."), alone[["d_prime"]], alone[["criterion"]]),
     vapply(seq_len(NROW(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
       sentence_case(tracked$effect[i]), tracked$effect_size[i], tracked$interval_low[i],
-      tracked$interval_high[i], p_words(tracked$p_holm[i])), "")
+      tracked$interval_high[i], both_p_words(tracked[i, ])), "")
   )
 }
 

@@ -93,7 +93,7 @@ part_methods <- function(part) {
 
 kAnalysisWords <- c(
   rating = paste("Ratings were analysed with cumulative-link mixed models (logit link, Laplace",
-    "approximation), each factor in a model with all factors as fixed effects and an intercept and a",
+    "approximation, maximised by its exact gradient), each factor in a model with all factors as fixed effects and an intercept and a",
     "slope of that factor for each participant (an intercept alone where that did not converge),",
     "tested by likelihood ratio; odds ratios have 95 % Wald intervals, which are too narrow for few",
     "participants. Beside them stand a repeated-measures ANOVA of participants' cell means",
@@ -117,7 +117,8 @@ analysis_words <- function(parts) {
   people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
   c(if (length(people) < 2) "One participant's data are described; no test across participants was made." else c(
     unname(kAnalysisWords[kinds]),
-    "The unit of every test is the participant; p is corrected after Holm within each family."),
+    paste("The unit of every test is the participant. Beside each test's own p stands the one",
+      "corrected after Holm within its family; what is said to be found rests on the corrected one.")),
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
 }
 

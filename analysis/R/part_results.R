@@ -140,7 +140,7 @@ interaction_sentences <- function(tests) {
     if (any(found)) sprintf("Interactions in the repeated-measures ANOVA: %s.", paste(names[found],
       vapply(which(found), function(i) F_words(rows[i, ]), ""), sep = ", ", collapse = "; ")),
     if (any(!found)) sprintf("Not detected, which is not evidence of absence: %s.",
-      paste(names[!found], p_words(rows$p_holm[!found]), sep = ", ", collapse = "; "))
+      paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; "))
   )
 }
 
@@ -165,7 +165,8 @@ sensitivity_tables <- function(part, fitted, measure, everything, beside) {
         "tests of participants' means of %s, p uncorrected."), tolower(measure$title))),
     if (!is.null(links)) list(name = "sensitivity-link", title = "Sensitivity: the link",
       heads = kLinkHeads, rows = links, note = paste("The same mixed model under other links;",
-        "compare z, for the unit of a coefficient is that of its link. – did not converge.")),
+        "compare z, for the unit of a coefficient is that of its link; p uncorrected. – did not",
+        "converge.")),
     if (!is.null(beside$matching)) list(name = "sensitivity-windows",
       title = "Sensitivity: windows in which a click belongs to a collision",
       heads = gsub("_", " ", names(beside$matching)), rows = beside$matching,

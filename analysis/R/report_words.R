@@ -1,7 +1,8 @@
 # Results in words: one paragraph, a caption, and the file that holds them.
 #
-# Two rules: a p above .05 is never called "no difference" (the equivalence tests speak to that),
-# and every p in words is the one adjusted within its family.
+# Three rules: a p above .05 is never called "no difference" (the equivalence tests speak to that);
+# beside every test's own p stands the one corrected within its family, by name; and what is said to
+# be found rests on the corrected one.
 # SPDX-License-Identifier: MIT
 
 # The paragraph. `main`: the factor of interest; `others`: those tested for equivalence too.
@@ -84,7 +85,7 @@ equivalence_words <- function(rows, factor) {
   margin <- paste(margin, "points")
   if (all(shown)) {
     return(sprintf("All differences by %s lie within %s (two one-sided tests, %s; %s).",
-      plain_name(factor), margin, largest_p(rows$p_holm), summary))
+      plain_name(factor), margin, largest_p(rows), summary))
   }
   sprintf("For %s, equivalence within %s was not shown between %s (%s).", name_and_unit(factor),
     margin, paste(gsub("against", "and", pairs[!shown]), collapse = ", "), summary)
@@ -105,7 +106,7 @@ anova_words <- function(tests, main) {
   if (nrow(interactions) == 0) return(sentence)
   found <- interactions[interactions$p_holm < kSignificance, ]
   paste(sentence, if (nrow(found) == 0) "No interaction was detected." else
-    sprintf("Interactions detected: %s.", paste(found$effect, p_words(found$p_holm),
+    sprintf("Interactions detected: %s.", paste(found$effect, both_p_words(found),
       sep = ", ", collapse = "; ")))
 }
 
@@ -123,7 +124,7 @@ pooled_words <- function(tests, main) {
   apart <- rows[rows$effect != main, ]
   place <- strsplit(sub("^.* at ", "", apart$effect), " ", fixed = TRUE)
   each <- vapply(place, function(words) paste(name_and_unit(words[1]), words[2]), "")
-  separately <- paste0("; at ", each, ", ", p_words(apart$p_holm), collapse = "")
+  separately <- paste0("; at ", each, ", ", both_p_words(apart), collapse = "")
   sprintf("As in the thesis, a pooled single-factor ANOVA (treats trials as independent): %s%s.",
     F_words(row), if (nrow(apart) == 0) "" else separately)
 }
@@ -136,19 +137,28 @@ name_and_unit <- function(factor) {
 }
 
 chi_squared_words <- function(row) {
-  sprintf("χ²(%d) = %.1f, %s", as.integer(row$df1), row$statistic, p_words(row$p_holm))
+  sprintf("χ²(%d) = %.1f, %s", as.integer(row$df1), row$statistic, both_p_words(row))
 }
 
 F_words <- function(row) {
   df <- function(x) format(round(x, 1), nsmall = if (x == round(x)) 0 else 1, trim = TRUE)
-  sprintf("F(%s, %s) = %.1f, %s", df(row$df1), df(row$df2), row$statistic, p_words(row$p_holm))
+  sprintf("F(%s, %s) = %.1f, %s", df(row$df1), df(row$df2), row$statistic, both_p_words(row))
 }
 
 p_words <- function(p) {
   ifelse(p < 0.001, "p < .001", paste0("p = ", sub("^0", "", sprintf("%.3f", p))))
 }
 
-largest_p <- function(p) sub("p", if (max(p) < 0.001) "all p" else "largest p", p_words(max(p)))
+# "p = .449, Holm-corrected p = .889": of each test its own, and the one corrected within its family.
+both_p_words <- function(rows) {
+  sprintf("%s, Holm-corrected %s", p_words(rows$p), p_words(rows$p_holm))
+}
+
+# "largest p = .004, Holm-corrected .012" of several tests.
+largest_p <- function(rows) {
+  largest <- data.frame(p = max(rows$p), p_holm = max(rows$p_holm))
+  paste(if (largest$p_holm < 0.001) "all" else "largest", both_p_words(largest))
+}
 
 # What the figure shows, for beneath it.
 figure_caption <- function(trials, main, beside, simulated) {

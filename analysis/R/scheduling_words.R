@@ -1,17 +1,16 @@
-# The planned contrast, the clicks and the exposure in words. Two rules as in report_words.R: a large
-# p is never "no difference", and every p is the one adjusted within its family.
+# The planned contrast, the clicks and the exposure in words, by the rules of report_words.R.
 # SPDX-License-Identifier: MIT
 
 # "overall", "at 5 bodies" of a contrast's label.
 place_of <- function(effect) sub("^.*, ", "", effect)
 
-# "overall 1.92, 95 % CI [1.20, 3.05], p = .012; at 5 bodies ..."
+# "overall 1.92, 95 % CI [1.20, 3.05], p = .012, Holm-corrected p = .048; at 5 bodies ..."
 estimates_words <- function(rows, format = "%.2f") {
   number <- function(x) sub("-", "−", sprintf(format, x), fixed = TRUE)
   paste0(place_of(rows$effect), " ", number(rows$effect_size), ", ",
     round(100 * rows$interval_level), " % CI [", number(rows$interval_low), ", ",
     number(rows$interval_high), "]", ifelse(is.na(rows$p_holm), "", paste0(", ",
-      p_words(rows$p_holm))), collapse = "; ")
+      both_p_words(rows))), collapse = "; ")
 }
 
 # What the primary tests of a contrast allow to be said. `better`, `worse`: "rated better" ...;
@@ -173,7 +172,7 @@ manipulation_words <- function(tests, pair = kTrackedRandom) {
 differences_words <- function(rows) {
   signed <- function(x) gsub("-", "−", formatC(x, digits = 3, format = "fg", flag = "+#"))
   paste0(rows$effect, " ", signed(rows$effect_size), ", 95 % CI [", signed(rows$interval_low), ", ",
-    signed(rows$interval_high), "], ", p_words(rows$p_holm), collapse = "; ")
+    signed(rows$interval_high), "], ", both_p_words(rows), collapse = "; ")
 }
 
 # The primary contrasts again without the trials marked late; nothing when there are none.

@@ -122,5 +122,5 @@ pooled_warning <- function() {
   sprintf(paste("A pooled test treats trials as independent, which they are not: where participants",
     "differ in their slopes (standard deviation .7 logit) it rejected in %.0f %% of 2,000 simulated",
     "studies without any effect, instead of 5 %%. It is given for comparison with older work, and",
-    "is no evidence."), 100 * kPooledNullRate)
+    "is no evidence; p uncorrected."), 100 * kPooledNullRate)
 }

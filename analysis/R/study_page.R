@@ -178,7 +178,7 @@ test_lines <- function(rows) {
       participants = mine$participants)
     c(sprintf("<h4>%s</h4>", html_text(family)),
       sprintf("<p class=\"note\">%s</p>", html_text(paste(unique(mine$method), collapse = "; or "))),
-      html_table(shown, c("Effect", "Statistic", "p", "p (Holm)", size_head(mine),
+      html_table(shown, c("Effect", "Statistic", "p", "Holm-corrected p", size_head(mine),
         interval_head(mine), "Participants")))
   }))
 }

@@ -73,16 +73,37 @@ test_that("ratings that are all equal make no test and say so", {
 test_that("a large p is never called no difference", {
   row <- function(family, effect, ...) test_row(family, "m, logit, (1 | participant)", effect, ...)
   tests <- combine_outcomes(outcome(rbind(
-    row(kEffectsFamily, "delay_ms", "chi-squared", 1.2, 2, p = 0.55),
+    row(kEffectsFamily, "delay_ms", "chi-squared", 1.6, 2, p = 0.449),
+    row(kEffectsFamily, "speed_deg_s", "chi-squared", 1.2, 2, p = 0.55),
     row(kEquivalenceFamily, "speed_deg_s: 10 against 5", "t", 0.5, 19, p = 0.3, size = 0.2,
       interval = c(-0.1, 0.5))
   )))
   expect_equal(model_words(tests, "delay_ms"), paste(
     "In the cumulative-link mixed model (random intercept for each participant), an effect of",
-    "delay was not detected, which is not evidence of its absence: χ²(2) = 1.2, p = .550."))
-  expect_equal(other_factor_words(tests, "speed_deg_s"), paste(
+    "delay was not detected, which is not evidence of its absence: χ²(2) = 1.6, p = .449,",
+    "Holm-corrected p = .898."))
+  expect_equal(other_factor_words(tests, "speed_deg_s")[2], paste(
     "For speed (°/s), equivalence within ±0.15 points was not shown between 10 and 5",
     "(largest difference +0.20, 90 % CI [-0.10, 0.50])."))
+})
+
+test_that("words give a test's own p and the corrected one, by name, wherever they stand", {
+  row <- function(family, p, ...) test_row(family, "m, margin ±0.15", "a: b", p = p, ...)
+  tests <- combine_outcomes(outcome(rbind(
+    row("F", 0.004, "F", 6.1, 1.7, 32.4), row("F", 0.02, "F", 5, 2, 38),
+    row("R", 0.0002, "z", 3.7, NA, size = 2, interval = c(1.2, 3.1), interval_level = 0.95),
+    row("R", 0.3, "z", 1, NA, size = 1.1, interval = c(0.9, 1.3), interval_level = 0.95),
+    row("E", 0.001, "t", 4, 9, size = 0.01, interval = c(-0.1, 0.1)),
+    row("E", 0.012, "t", 4, 9, size = 0.02, interval = c(-0.1, 0.1)))))
+  expect_equal(F_words(tests_of(tests, "F")[1, ]),
+    "F(1.7, 32.4) = 6.1, p = .004, Holm-corrected p = .008")
+  expect_equal(estimates_words(tests_of(tests, "R")), paste(
+    "a: b 2.00, 95 % CI [1.20, 3.10], p < .001, Holm-corrected p < .001;",
+    "a: b 1.10, 95 % CI [0.90, 1.30], p = .300, Holm-corrected p = .300"))
+  expect_equal(differences_words(tests_of(tests, "R")[2, ]),
+    "a: b +1.10, 95 % CI [+0.900, +1.30], p = .300, Holm-corrected p = .300")
+  expect_match(equivalence_words(tests_of(tests, "E"), "a"),
+    "(two one-sided tests, largest p = .012, Holm-corrected p = .012; largest", fixed = TRUE)
 })
 
 test_that("factors are labelled with their units", {

@@ -144,13 +144,39 @@ test_that("a factorial study of ratings is recognised and reported whole", {
   }
 })
 
+test_that("the study's own script and its report print the same numbers, p and corrected p", {
+  path <- small_study(few_trials(47, participants = 5, speeds = c(5, 15)))
+  report <- made_report(path)
+  out <- new_folder()
+  run <- run_script("causality.R", path, "--out", out)
+  expect_equal(run$status, 0)
+  ours <- read.csv(file.path(out, "causality.csv"))
+  theirs <- read.csv(file.path(report$folder, "tables/causality-rating-tests.csv"))
+  ours <- ours[ours$family != kPooledFamily, ]
+  by_name <- function(rows) {
+    rows <- rows[order(rows$family, rows$effect), ]
+    rownames(rows) <- NULL
+    rows
+  }
+  expect_equal(by_name(ours), by_name(theirs))
+  effects <- ours[ours$family == kEffectsFamily, ]
+  expect_equal(effects$effect, c("delay_ms", "speed_deg_s"))
+  words <- paste(readLines(file.path(out, "causality.md"), encoding = "UTF-8"), collapse = " ")
+  for (i in 1:2) {
+    printed <- chi_squared_words(effects[i, ])
+    expect_match(printed, "Holm-corrected p")
+    expect_match(words, printed, fixed = TRUE)
+    expect_says(report, html_text(printed))
+  }
+})
+
 test_that("each factor's own slope is in the model that tests it", {
   trials <- causality_trials(33, participants = 8, repetitions = 1)
   columns <- c("delay_ms", "speed_deg_s")
   trials[columns] <- lapply(trials[columns], factor)
   fitted <- suppressMessages(rating_factor_tests(trials, columns))
-  trials$rating <- factor(trials$rating, ordered = TRUE)
-  alone <- mixed_model_outcome(fit_family_or_fall_back(trials, columns, "delay_ms"), trials, columns)
+  rated <- transform(trials, rating = factor(rating, ordered = TRUE))
+  alone <- mixed_model_outcome(fit_family_or_fall_back(rated, columns, "delay_ms"), rated, columns)
   of_delay <- function(result) result$rows[result$rows$effect == "delay_ms", c("statistic", "df1", "p")]
   expect_equal(of_delay(fitted), of_delay(alone), tolerance = 1e-3)
   # Fitted shares are those of ordinal's own fitted values.
