@@ -24,9 +24,10 @@ or_exit_2 <- function(name, script) {
   )
 }
 
-# Refuses unless every package is installed, naming the Debian packages that are missing.
+# Refuses unless every package is installed, naming the Debian packages that are missing. A package is
+# loaded where it is first used: together they take seconds, and a small study needs few of them.
 need_packages <- function(packages) {
-  missing <- packages[!vapply(packages, requireNamespace, logical(1), quietly = TRUE)]
+  missing <- packages[!vapply(packages, function(package) nzchar(system.file(package = package)), NA)]
   if (length(missing) == 0) return(invisible())
   refuse(
     "expected these R packages to be installed: ", paste(missing, collapse = ", "),

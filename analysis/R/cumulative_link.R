@@ -197,8 +197,12 @@ described_link_fit <- function(data, at, found) {
     return(list(failure = "its Hessian is singular"))
   }
   # How far the log likelihood is from its top, were it a parabola.
-  below_top <- sum(here$gradient[inside] * covariance %*% here$gradient[inside]) / 2
-  if (below_top > kBelowTop) return(list(failure = "the optimiser stopped before the top"))
+  step <- as.vector(covariance %*% here$gradient[inside])
+  if (sum(here$gradient[inside] * step) / 2 > kBelowTop) {
+    return(list(failure = "the optimiser stopped before the top"))
+  }
+  here <- at(replace(found$par, inside, found$par[inside] - step))  # the last step, Newton's
+  parts <- parts_of_place(data, here$place)
   of_beta <- data$thresholds + seq_len(ncol(data$design))
   names <- colnames(data$design)
   list(alpha = parts$alpha, beta = stats::setNames(parts$beta, names),

@@ -85,7 +85,7 @@ html_table <- function(rows, heads = names(rows)) {
 }
 
 # "< .001", ".042": p without its letter.
-p_cell <- function(p) ifelse(is.na(p), NA, sub("^p = |^p ", "", p_words(p)))
+p_cell <- function(p) ifelse(is.na(p), NA, sub(" ", "\u00a0", sub("^p = |^p ", "", p_words(p))))
 
 # 12, 1,234, 0.123, 45.6, 1.2e+10: whole numbers whole, others to three significant digits.
 format_number <- function(x) {

@@ -19,8 +19,8 @@ h1 { font-size: 1.8rem; line-height: 1.2; } h2 { margin-top: 3rem; border-top: 2
 table { border-collapse: collapse; font-size: .84rem; margin: .4rem 0 .2rem; }
 th { text-align: left; vertical-align: bottom; border-bottom: 1.5px solid #1b1b1b; }
 th, td { padding: .18rem .7rem .18rem 0; vertical-align: top; }
-td { border-bottom: 1px solid #ddd; } .number, th.number { text-align: right; white-space: nowrap;
-  font-variant-numeric: tabular-nums; }
+td { border-bottom: 1px solid #ddd; } .number, th.number { text-align: right; }
+td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
 .wide { overflow-x: auto; } .note, figcaption, nav { font-size: .88rem; color: #444; }
 figure { display: inline-block; vertical-align: top; margin: .6rem 1.2rem 1rem 0; width: 85mm;
   max-width: 100%; } figure svg { width: 85mm; max-width: 100%; height: auto; }
@@ -173,7 +173,9 @@ test_lines <- function(rows) {
     mine <- rows[rows$family == family, ]
     statistic <- ifelse(is.na(mine$statistic_name), NA, sprintf("%s%s = %s",
       sub("chi-squared", "χ²", mine$statistic_name), df_words(mine), format_number(mine$statistic)))
-    shown <- data.frame(effect = mine$effect, statistic = statistic, p = p_cell(mine$p),
+    statistic <- gsub(" ", "\u00a0", statistic)  # a table breaks no line inside a number
+    effect <- gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE)
+    shown <- data.frame(effect = effect, statistic = statistic, p = p_cell(mine$p),
       holm = p_cell(mine$p_holm), size = mine$effect_size, interval = interval_cell(mine),
       participants = mine$participants)
     c(sprintf("<h4>%s</h4>", html_text(family)),

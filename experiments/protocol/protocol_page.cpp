@@ -237,13 +237,18 @@ std::string recorded(const Protocol& protocol) {
   return page;
 }
 
+constexpr const char* kPrintedP =
+    "\nOf each test the analysis prints its own p and, by name, the one corrected after Holm "
+    "within "
+    "its family of tests; what it says to be found rests on the corrected one.\n";
+
 std::string commands(const Protocol& protocol) {
-  const std::string who = has_participants(protocol.document.value) ? " --participant P01" : "";
+  const bool people = has_participants(protocol.document.value);
   return heading("How to run it") + "```sh\nbuild/impetus run protocols/" + protocol.name +
-         ".json --db study.sqlite" + who +
+         ".json --db study.sqlite" + (people ? " --participant P01" : "") +
          "\nbuild/impetus replay study.sqlite\n"
          "Rscript analysis/" +
-         protocol.name + ".R study.sqlite --out figures/\n```\n";
+         protocol.name + ".R study.sqlite --out figures/\n```\n" + (people ? kPrintedP : "");
 }
 
 }  // namespace
