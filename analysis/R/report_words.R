@@ -30,8 +30,7 @@ means_words <- function(trials, main) {
 model_words <- function(tests, main) {
   row <- tests_of(tests, kEffectsFamily, main)
   if (nrow(row) == 0) return(character())
-  random <- if (grepl("slope", row$method)) "intercept and slope" else "intercept"
-  sprintf("In the cumulative-link mixed model (random %s for each participant), %s: %s.", random,
+  sprintf("In the cumulative-link mixed model (%s), %s: %s.", random_words(row$method),
     effect_words(row), chi_squared_words(row))
 }
 
@@ -66,8 +65,8 @@ interaction_words <- function(tests) {
 # One other factor: what the model found, then what the equivalence tests show.
 other_factor_words <- function(tests, factor) {
   row <- tests_of(tests, kEffectsFamily, factor)
-  effect <- if (nrow(row) > 0) sprintf("In the same model, %s: %s.", effect_words(row),
-    chi_squared_words(row))
+  effect <- if (nrow(row) > 0) sprintf("In the model for %s (%s), %s: %s.", plain_name(factor),
+    random_words(row$method), effect_words(row), chi_squared_words(row))
   rows <- tests_of(tests, kEquivalenceFamily)
   rows <- rows[startsWith(rows$effect, paste0(factor, ": ")), ]
   if (nrow(rows) == 0) return(effect)

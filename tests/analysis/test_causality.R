@@ -82,6 +82,9 @@ test_that("a large p is never called no difference", {
     "In the cumulative-link mixed model (random intercept for each participant), an effect of",
     "delay was not detected, which is not evidence of its absence: χ²(2) = 1.6, p = .449,",
     "Holm-corrected p = .898."))
+  expect_equal(other_factor_words(tests, "speed_deg_s")[1], paste(
+    "In the model for speed (random intercept for each participant), an effect of speed was not",
+    "detected, which is not evidence of its absence: χ²(2) = 1.2, p = .550, Holm-corrected p = .898."))
   expect_equal(other_factor_words(tests, "speed_deg_s")[2], paste(
     "For speed (°/s), equivalence within ±0.15 points was not shown between 10 and 5",
     "(largest difference +0.20, 90 % CI [-0.10, 0.50])."))
