@@ -37,12 +37,13 @@ end_progress <- function() {
   work$steps <- numeric()
 }
 
-# "(3 of 14; 12 s so far, about 40 s left)": what is left, from how long the steps before took.
+# "(3 of 14; 12 s so far, about 40 s left)": what is left, from how long the steps before took, as
+# soon as they are a tenth of all.
 step_words <- function(steps, at, seconds) {
   before <- sum(utils::head(steps, at - 1))
   left <- seconds * (sum(steps) - before) / before
   sprintf("(%d of %d; %s so far%s)", as.integer(at), length(steps), time_words(seconds),
-    if (before > 0) sprintf(", about %s left", time_words(left)) else "")
+    if (before >= sum(steps) / 10) sprintf(", about %s left", time_words(left)) else "")
 }
 
 # "12 s", "4 min"

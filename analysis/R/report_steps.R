@@ -27,7 +27,7 @@ steps_of_results <- function(part) {
     return(c(stats::setNames(10 * share, kFunctionsStep), stats::setNames(20 * share, kHierarchicalStep)))
   }
   links <- if (part$response != "clicks") unlist(lapply(factors, link_step, kOtherLinks))
-  seconds <- c(rating = 1, answer = 5, clicks = 10)[[part$response]] * share
+  seconds <- 0.3 + c(rating = 1, answer = 5, clicks = 10)[[part$response]] * share
   c(
     stats::setNames(rep(2 * seconds, length(factors)), vapply(factors, model_step, "")),
     if (part$response == "clicks") stats::setNames(10 * share, kClickRegressionStep),

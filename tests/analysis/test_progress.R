@@ -16,6 +16,7 @@ test_that("a step says which of how many it is, and what is left from the steps 
   steps <- c(fit = 3, test = 1, draw = 2)
   expect_equal(step_words(steps, 1, 0.2), "(1 of 3; 0 s so far)")
   expect_equal(step_words(steps, 2, 30), "(2 of 3; 30 s so far, about 30 s left)")
+  expect_equal(step_words(c(fit = 1, draw = 12), 2, 30), "(2 of 2; 30 s so far)")
   expect_equal(step_words(steps, 3, 400), "(3 of 3; 7 min so far, about 3 min left)")
 })
 
