@@ -6,6 +6,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -150,6 +151,8 @@ void Gui::pass_events() {
       break;
     }
     edited = edited || is_editing_key(event);
+    pointer_used_ =
+        pointer_used_ || event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN;
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (is_key(event)) {
       // As they were with this key; ImGui's own code takes them as they are by now.
@@ -162,6 +165,7 @@ void Gui::pass_events() {
 
 void Gui::forget_input() {
   waiting_.clear();
+  pointer_used_ = false;
   ImGuiIO& io = ImGui::GetIO();
   std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
   io.ClearInputCharacters();
@@ -172,6 +176,9 @@ void Gui::begin() {
   pass_events();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplSDL2_NewFrame();
+  if (!pointer_used_) {
+    ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // nowhere
+  }
   ImGui::NewFrame();
   ImGui::SetNextWindowPos(ImVec2(0, 0));
   ImGui::SetNextWindowSize(ImVec2(width(), height()));

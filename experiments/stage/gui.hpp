@@ -38,7 +38,8 @@ class Gui {
   /// Whether handed-over events still wait for the next frame.
   [[nodiscard]] bool input_waits() const { return !waiting_.empty(); }
 
-  /// Forgets keys and letters on their way, so that a new screen starts clean.
+  /// Forgets keys and letters on their way, and where the pointer rests, so that a new screen
+  /// starts clean: nothing is under the pointer until it moves or clicks.
   void forget_input();
 
   /// Starts a frame: one window without decoration that covers the display.
@@ -60,6 +61,7 @@ class Gui {
   GlWindow& window_;
   Fonts fonts_;
   std::deque<SDL_Event> waiting_;
+  bool pointer_used_{false};  ///< moved or clicked since input was forgotten
 };
 
 }  // namespace impetus

@@ -18,9 +18,10 @@ fail() {
   exit 1
 }
 
-# Sets DISPLAY and `server`.
+# open_display [SIZE]: sets DISPLAY and `server`.
 open_display() {
-  Xvfb -displayfd 3 -noreset -screen 0 1280x1024x24 3>display 2>/dev/null &
+  : >display
+  Xvfb -displayfd 3 -noreset -screen 0 "${1:-1280x1024}x24" 3>display 2>/dev/null &
   server=$!
   for _ in $(seq 100); do
     [ -s display ] && break
@@ -28,6 +29,11 @@ open_display() {
   done
   DISPLAY=:$(cat display)
   export DISPLAY
+}
+
+# pixel X Y: its colour, such as #E2E2E2.
+pixel() {
+  import -silent -window root -crop "1x1+$1+$2" -depth 8 txt:- | grep -o '#[0-9A-F]\{6\}' | head -1
 }
 
 query() { sqlite3 -cmd '.timeout 2000' study.sqlite "$1" 2>/dev/null || echo none; }
