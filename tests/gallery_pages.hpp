@@ -23,17 +23,20 @@ inline Page text(std::string title, std::vector<std::string> paragraphs,
 }
 
 inline Page consent() {
-  return text("Taking part",
-              {"You are invited to take part in a study on how people see moving objects collide. "
-               "You will watch short scenes with two balls and judge each one. There are no right "
-               "or wrong answers.",
-               "It takes about 20 minutes. We keep your answers and their times, your age and "
-               "gender if you choose to give them, and nothing that names you. The data may be "
-               "published without your name.",
-               "Taking part is voluntary. You may pause or stop at any time with the Esc key, "
-               "without giving a reason, and ask for your data to be deleted.",
-               "Do you agree to take part?"},
-              {{"Yes, I agree", "y"}, {"No, I do not", "n"}});
+  Page page =
+      text("Taking part",
+           {"You are invited to take part in a study on how people see moving objects collide. "
+            "You will watch short scenes with two balls and judge each one. There are no right "
+            "or wrong answers.",
+            "It takes about 20 minutes. We keep your answers and their times, your age and "
+            "gender if you choose to give them, and nothing that names you. The data may be "
+            "published without your name.",
+            "Taking part is voluntary. You may pause or stop at any time with the Esc key, "
+            "without giving a reason, and ask for your data to be deleted.",
+            "Do you agree to take part?"},
+           {{"Yes, I agree", "y"}, {"No, I do not", "n"}});
+  page.statement = "I have read this and agree to take part; I may stop at any time.";
+  return page;
 }
 
 inline Page long_text() {

@@ -188,6 +188,7 @@ std::string resuming(const Script& script) {
 std::string words_shown(const Script& script) {
   std::string page = heading("What the participant reads");
   page += quoted(script.welcome) + quoted(script.consent);
+  page += "Agreed to, or not: “" + markdown_text(script.consent_statement) + "”\n\n";
   for (const Text& text : script.instructions) {
     page += quoted(text);
   }

@@ -56,6 +56,7 @@ struct Page {
   Layout layout{Layout::kText};
   std::string title;
   std::vector<std::string> paragraphs;
+  std::string statement{};  ///< under the paragraphs and set apart: what the choices agree to
   std::vector<Field> fields;
   std::vector<Choice> choices;
   std::string low_anchor;      ///< words under the first point of a scale

@@ -135,7 +135,7 @@ struct Script {
   std::string title;
   Text welcome;
   Text consent;
-  std::string consent_statement;  ///< what is agreed to, as stored
+  std::string consent_statement;  ///< what is agreed to, as shown and stored
   std::vector<Field> demographics;
   std::vector<Text> instructions;
   std::vector<Demonstration> demonstrations;

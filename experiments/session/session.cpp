@@ -50,13 +50,14 @@ class Session {
     if (history_.answered.contains(kConsentId)) {
       return true;
     }
-    const auto answer = ask(consent_page(script_.consent, progress()));
+    const Page page = consent_page(script_.consent, script_.consent_statement, progress());
+    const auto answer = ask(page);
     if (!answer) {
       return false;
     }
     const bool agreed = answer->choice == 0;
-    ports_.recorder.save(QuestionRecord{"consent", kConsentId, script_.consent_statement,
-                                        agreed ? "agreed" : "declined"});
+    ports_.recorder.save(
+        QuestionRecord{"consent", kConsentId, page.statement, agreed ? "agreed" : "declined"});
     return agreed || talk_.end(SessionEnding::kDeclined);
   }
 

@@ -42,8 +42,9 @@ Page text_page(const Text& text, const SessionProgress& progress) {
   return page;
 }
 
-Page consent_page(const Text& text, const SessionProgress& progress) {
+Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress) {
   Page page = text_page(text, progress);
+  page.statement = statement;
   page.choices = {{"Yes, I agree", "y"}, {"No, I do not", "n"}};
   return page;
 }

@@ -22,7 +22,7 @@ std::string meaning_of(const RatingScale& scale, std::int64_t rating);
 
 Text welcome_back(std::int64_t completed_trials);
 Page text_page(const Text& text, const SessionProgress& progress);
-Page consent_page(const Text& text, const SessionProgress& progress);
+Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress);
 Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
 /// Before the trials of a phase; `round` is of practice, 1 for the first.
 Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,

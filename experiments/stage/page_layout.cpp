@@ -7,6 +7,7 @@
 #include "experiments/stage/button_rows.hpp"
 #include "experiments/stage/key_names.hpp"
 #include "experiments/stage/palette.hpp"
+#include "experiments/stage/text_lines.hpp"
 #include "experiments/stage/widgets.hpp"
 
 namespace impetus {
@@ -132,6 +133,20 @@ std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
   return clicked;
 }
 
+/// Beside a bar, as a quotation is set.
+void draw_statement(const std::string& statement, ImFont* font, const Column& column) {
+  const float indent_px = std::round(0.8F * font->FontSize);
+  const float bar_px = std::round(0.18F * font->FontSize);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(column.left + indent_px, from.y));
+  const float height_px =
+      draw_text(statement, font, palette::kText, column.width - indent_px, Align::kLeft);
+  const float bottom = from.y + height_px - (line_height(*font) - font->FontSize);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(column.left, from.y),
+                                            ImVec2(column.left + bar_px, bottom), palette::kAccent);
+  ImGui::SetCursorScreenPos(ImVec2(from.x, from.y + height_px));
+}
+
 void draw_anchors(const Gui& gui, const Page& page, const Column& column) {
   ImFont* font = gui.fonts().body[1];
   const float width_px = 0.42F * column.width;
@@ -164,6 +179,9 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
   for (const std::string& paragraph : page.paragraphs) {
     draw_text(paragraph, gui.fonts().body[reading_size], palette::kText, column.width, align);
     move_down(0.65F * ImGui::GetFontSize());
+  }
+  if (!page.statement.empty()) {
+    draw_statement(page.statement, gui.fonts().body[reading_size], column);
   }
 }
 

@@ -53,6 +53,20 @@ TEST(Session, WithoutConsentNothingIsShown) {
   EXPECT_FALSE(lab.recorder.finished);
 }
 
+TEST(Session, WhatIsAgreedToIsShownAndStoredAsItWasShown) {
+  TestLab lab;
+  lab.protocol.script.consent_statement = "I agree: 100 %s of <b>it</b>,\nall of it.";
+  std::string shown;
+  lab.input.on_page = [&](const Page& page) {
+    shown += page.title == "Your consent" ? page.statement : "";
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  EXPECT_EQ(shown, "I agree: 100 %s of <b>it</b>,\nall of it.");
+  EXPECT_EQ(lab.recorder.answers.front().id, "consent");
+  EXPECT_EQ(lab.recorder.answers.front().text, shown);
+}
+
 TEST(Session, ATrialIsSavedBeforeTheNextIsShown) {
   TestLab lab;
   run(lab, short_plan(lab.protocol, 3));
