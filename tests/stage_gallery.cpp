@@ -247,10 +247,11 @@ void show_preview(Window& window) {
 }
 
 void show_setup(Window& window) {
-  const auto geometry = ask_screen_geometry(window, lab_screen(window));
-  if (geometry) {
-    std::printf("%.4f × %.4f m, %d × %d px, %.3f m away\n", geometry->width_m, geometry->height_m,
-                geometry->width_px, geometry->height_px, geometry->viewing_distance_m);
+  const auto entered = ask_screen(window, {lab_screen(window)});
+  if (entered) {
+    const ScreenGeometry& screen = entered->geometry;
+    std::printf("%.4f × %.4f m, %d × %d px, %.3f m away\n", screen.width_m, screen.height_m,
+                screen.width_px, screen.height_px, screen.viewing_distance_m);
   } else {
     std::printf("cancelled\n");
   }

@@ -9,7 +9,9 @@
 
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/session/lab_screen.hpp"
 #include "experiments/store/resumption_rows.hpp"
+#include "experiments/store/screen_rows.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus {
@@ -64,6 +66,22 @@ std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
   }
   const ResumeRule& rule = part.protocol.script.resume;
   return ResumedSession{rule.at, *age_s, resume(rule, plan, enrolment.history)};
+}
+
+std::string change_of_screen(StudyFile& study, const RunOptions& options,
+                             const Enrolment& enrolment, const ScreenGeometry& screen) {
+  const auto last = last_screen(study.database(), enrolment.id);
+  if (!last || is_same_screen(*last, screen)) {
+    return "";
+  }
+  const std::string now = screen_words(screen);
+  if (!options.changed_screen) {
+    throw InputError(study.name() + ": participant " + options.participant +
+                     " goes on: expected the screen of the session before (" + screen_words(*last) +
+                     "), got " + now +
+                     "; --changed-screen goes on with this one, and keeps a note");
+  }
+  return now + "; in the session before " + screen_words(*last);
 }
 
 std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "experiments/commands/run_options.hpp"
 #include "experiments/store/enrolment.hpp"
@@ -21,6 +22,11 @@ std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
 std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
                                       const RunOptions& options, const Plan& plan,
                                       Enrolment& enrolment);
+
+/// In words, how `screen` differs from the one of the enrolment's last session; "": it does not.
+/// Throws InputError where it does and `options` do not say so.
+std::string change_of_screen(StudyFile& study, const RunOptions& options,
+                             const Enrolment& enrolment, const ScreenGeometry& screen);
 
 /// The plan of a new enrolment, with the part's solved values, and yoked where regions follow
 /// another's gaze. Throws InputError where it cannot be.

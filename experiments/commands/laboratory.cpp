@@ -10,7 +10,6 @@
 #include "experiments/commands/shown_observer.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/display_query.hpp"
 #include "experiments/stage/screen_setup.hpp"
 #include "experiments/stage/window.hpp"
 #endif
@@ -23,6 +22,18 @@ constexpr double kHeadlessHz = 60.0;
 #ifdef IMPETUS_WINDOW
 std::filesystem::path screen_file_of(const LaboratoryOptions& options) {
   return options.screen_file.empty() ? default_screen_file() : options.screen_file;
+}
+
+bool is_entered(const LaboratoryOptions& options) {
+  return !options.screen_file.empty() || std::filesystem::exists(screen_file_of(options));
+}
+
+DisplayMode required_mode(const WindowOptions& window) {
+  try {
+    return shown_mode(window);
+  } catch (const std::runtime_error& error) {
+    throw InputError(std::string(error.what()) + "; run with --observer to go on without a window");
+  }
 }
 #else
 constexpr const char* kNoWindow =
@@ -83,24 +94,21 @@ class WindowLaboratory final : public Laboratory {
   /// looks at needs no ruler.
   ScreenGeometry lab_screen(const LaboratoryOptions& options) {
     const auto file = screen_file_of(options);
-    if (std::filesystem::exists(file) || !options.screen_file.empty()) {
-      measured_ = true;
-      return load_screen(file);
-    }
-    ScreenGeometry screen = assumed_screen();
-    if (!options.observer) {
-      const auto entered = ask_screen_geometry(window_, screen);
+    measured_ = is_entered(options) || !options.observer;
+    if (!is_entered(options)) {
+      const LabScreen assumed{assumed_screen(window_.width_px(), window_.height_px())};
+      if (options.observer) {
+        return assumed.geometry;
+      }
+      const auto entered = ask_screen(window_, assumed);
       if (!entered) {
         throw InputError(
             "the screen's size and distance were not entered; `impetus screen` asks "
             "again");
       }
       save_screen(*entered, file);
-      measured_ = true;
-      screen = *entered;
     }
-    screen.width_px = screen.height_px = 0;
-    return screen;
+    return load_screen_of(file, window_.width_px(), window_.height_px());
   }
 
   SteadyClock clock_;
@@ -118,26 +126,29 @@ double refresh_hz_of(const LaboratoryOptions& options) {
     return kHeadlessHz;
   }
 #ifdef IMPETUS_WINDOW
-  window_options(options.window_size);
-  const auto file = screen_file_of(options);
-  if (std::filesystem::exists(file) || !options.screen_file.empty()) {
-    load_screen(file);
+  const WindowOptions window = window_options(options.window_size);
+  if (is_entered(options)) {
+    load_screen(screen_file_of(options));  // what is wrong with it needs no display to be told
   }
-  try {
-    return display_refresh_hz();
-  } catch (const std::runtime_error& error) {
-    throw InputError(std::string(error.what()) + "; run with --observer to go on without a window");
+  const DisplayMode shown = required_mode(window);
+  if (is_entered(options)) {
+    load_screen_of(screen_file_of(options), shown.width_px, shown.height_px);
   }
+  return shown.refresh_hz;
 #else
   throw InputError(kNoWindow);
 #endif
 }
 
-ScreenGeometry expected_screen(const LaboratoryOptions& options) {
+std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options) {
 #ifdef IMPETUS_WINDOW
-  const bool windowed = !options.observer || options.show;
-  if (windowed && std::filesystem::exists(screen_file_of(options))) {
-    return load_screen(screen_file_of(options));
+  if (!options.observer || options.show) {
+    const DisplayMode shown = required_mode(window_options(options.window_size));
+    if (is_entered(options)) {
+      return load_screen_of(screen_file_of(options), shown.width_px, shown.height_px);
+    }
+    return options.observer ? std::optional(assumed_screen(shown.width_px, shown.height_px))
+                            : std::nullopt;
   }
 #else
   static_cast<void>(options);

@@ -40,12 +40,12 @@ class Laboratory {
 
 /// Frames per second that the laboratory will have, found without opening it. Throws InputError
 /// when it could not be opened: no window in this build, an impossible window size or screen file,
-/// or no display.
+/// pixels that are not square where nobody said so, or no display.
 double refresh_hz_of(const LaboratoryOptions& options);
 
-/// The screen that the laboratory will have, as far as it is known without opening it: an assumed
-/// one where none was entered. Its pixels may be 0.
-ScreenGeometry expected_screen(const LaboratoryOptions& options);
+/// The screen that the laboratory will have; none where it must be asked for when it opens. Throws
+/// InputError as refresh_hz_of() does.
+std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options);
 
 /// Precondition: refresh_hz_of() accepted the options.
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);

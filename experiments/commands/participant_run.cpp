@@ -13,7 +13,9 @@
 #include "experiments/commands/session_warnings.hpp"
 #include "experiments/commands/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/session/lab_screen.hpp"
 #include "experiments/session/steady_clock.hpp"
+#include "experiments/store/screen_rows.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 
@@ -59,8 +61,20 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   return facts;
 }
 
+/// Says of the screen what a reader of the study must know.
+void save_screen_notes(const ScreenGeometry& screen, const std::string& change,
+                       StudyWriter& writer) {
+  if (!change.empty()) {
+    std::fprintf(stderr, "warning: the screen changed: %s\n", change.c_str());
+    writer.save(NoteRecord{kScreenChangedNote, change});
+  }
+  if (!has_square_pixels(screen)) {
+    writer.save(NoteRecord{kPixelsNotSquareNote, pixel_words(screen)});
+  }
+}
+
 /// Says how the session ended.
-void conclude(const SessionResult& result, StudyWriter& writer) {
+void conclude(const SessionResult& result, const RunOptions& options, StudyWriter& writer) {
   const auto done = static_cast<long long>(result.completed_trials);
   const auto total = static_cast<long long>(result.expected_trials);
   switch (result.ending) {
@@ -80,12 +94,23 @@ void conclude(const SessionResult& result, StudyWriter& writer) {
     default:
       writer.end("display closed");
       throw InputError("the window was closed with " + std::to_string(done) + " of " +
-                       std::to_string(total) +
-                       " trials saved; the same command goes on with the next");
+                       std::to_string(total) + " trials saved in " + options.database + " (" +
+                       sitting_words(options.participant, {writer.session_id()}) +
+                       "); the same command goes on with the next");
   }
 }
 
 }  // namespace
+
+std::string sitting_words(const std::string& participant,
+                          const std::vector<std::int64_t>& sessions) {
+  std::string words =
+      "participant " + participant + (sessions.size() == 1 ? ", session" : ", sessions");
+  for (const std::int64_t session : sessions) {
+    words += (session == sessions.front() ? " " : ", ") + std::to_string(session);
+  }
+  return words;
+}
 
 ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, StudyFile& study,
                                std::shared_ptr<Laboratory> laboratory)
@@ -99,10 +124,16 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   }
   gaze_paths_ = gaze_paths_of(plan_, study);
   if (!laboratory_) {
+    if (const auto expected = expected_screen(part.lab); expected && resumed) {
+      change_of_screen(study, options_, *resumed, *expected);
+    }
     LaboratoryOptions lab = part.lab;
     lab.participant = options_.participant;
     lab.seed = resumed ? resumed->seed : options_.seed.value_or(1);
     laboratory_ = open_laboratory(lab);
+  }
+  if (resumed) {
+    screen_change_ = change_of_screen(study, options_, *resumed, laboratory_->display().geometry());
   }
   sync_ = laboratory_->sync_test();
   enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);
@@ -117,6 +148,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   facts.resumed = resumed_;
   StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
+  save_screen_notes(facts.screen, screen_change_, writer);
   if (!sync_.passed && !options_.override_sync_test) {
     writer.save(NoteRecord{"sync test failed", sync_.verdict});
     writer.end("failed");
@@ -131,7 +163,8 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_warnings(result, writer);
-  conclude(result, writer);
+  conclude(result, options_, writer);
+  session_id_ = writer.session_id();
   return result.ending;
 }
 

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "experiments/commands/run_options.hpp"
 #include "experiments/session/gaze_path.hpp"
@@ -13,6 +15,10 @@
 #include "experiments/store/study_writer.hpp"
 
 namespace impetus {
+
+/// "participant P01, session 3", or several of them.
+std::string sitting_words(const std::string& participant,
+                          const std::vector<std::int64_t>& sessions);
 
 class ParticipantRun {
  public:
@@ -28,6 +34,8 @@ class ParticipantRun {
   SessionEnding run(const std::function<void()>& saved);
 
   [[nodiscard]] const std::shared_ptr<Laboratory>& laboratory() const { return laboratory_; }
+  /// In the study, after run().
+  [[nodiscard]] std::int64_t session_id() const { return session_id_; }
   [[nodiscard]] std::size_t planned_trials() const { return enrolment_.trials.size(); }
 
  private:
@@ -40,6 +48,8 @@ class ParticipantRun {
   SyncTest sync_;
   Enrolment enrolment_;
   std::optional<ResumedSession> resumed_;  ///< none: the enrolment's first session
+  std::string screen_change_;              ///< since the session before; "": none
+  std::int64_t session_id_{0};
 };
 
 }  // namespace impetus

@@ -23,6 +23,7 @@
 #include "experiments/protocol/null_observer.hpp"
 #include "experiments/protocol/observer_checks.hpp"
 #include "experiments/protocol/participant_checks.hpp"
+#include "experiments/protocol/screen_file.hpp"
 
 namespace impetus {
 namespace {
@@ -204,7 +205,7 @@ PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
   question.protocol_hash = part.protocol.hash;
   question.observer = part.lab.observer->document.value.dump();
   question.null_observer = without ? without->document.value.dump() : "";
-  question.screen = words_of(expected_screen(part.lab));
+  question.screen = words_of(assumed_screen());
   question.response = response;
   question.model = options.model;
   question.factors = tested_factors(part.protocol, options).dump();

@@ -82,7 +82,7 @@ void show(const JsonDocument& scene, const PreviewOptions& options) {
     return;
   }
   const WindowOptions asked = window_options(options.window_size);
-  const ScreenGeometry screen = chosen_screen(options.screen_file);
+  const ScreenGeometry screen = chosen_screen(options.screen_file, asked);
   ShapeLibrary shapes;
   build_shapes(scene.value, screen, shapes);
   const SteadyClock clock;

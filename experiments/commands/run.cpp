@@ -99,10 +99,12 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
   return parts;
 }
 
-/// One participant goes through the parts that are not finished, before one window.
-void run_participant(const std::vector<RunPart>& parts, const RunOptions& options,
-                     StudyFile& study) {
+/// One participant goes through the parts that are not finished, before one window. Returns the
+/// sessions that were saved.
+std::vector<std::int64_t> run_participant(const std::vector<RunPart>& parts,
+                                          const RunOptions& options, StudyFile& study) {
   std::shared_ptr<Laboratory> window;
+  std::vector<std::int64_t> sessions;
   for (const RunPart& part : parts) {
     const bool last = &part == &parts.back();
     if (!last &&
@@ -112,11 +114,19 @@ void run_participant(const std::vector<RunPart>& parts, const RunOptions& option
       continue;
     }
     ParticipantRun participant(part, options, study, window);
-    if (participant.run({}) != SessionEnding::kFinished) {
-      return;
+    const SessionEnding ending = participant.run({});
+    sessions.push_back(participant.session_id());
+    if (ending != SessionEnding::kFinished) {
+      break;
     }
     window = options.simulated() ? nullptr : participant.laboratory();
   }
+  return sessions;
+}
+
+/// The last line of every run: where all that was recorded is.
+void tell_saved(const RunOptions& options, const std::string& whose) {
+  std::printf("Saved in %s: %s\n", options.database.c_str(), whose.c_str());
 }
 
 bool nobody_takes_part(const Series& series) {
@@ -130,8 +140,8 @@ int run_without_participants(const std::filesystem::path& file, const RunOptions
   plan_for(part.protocol, nobody.participant, nobody.seed.value_or(1));
   solve_what_is_asked(part);
   StudyFile study = StudyFile::open_for_writing(options.database, build_name());
-  run_unattended_part(part, nobody, study);
-  std::printf("Saved in %s\n", options.database.c_str());
+  const std::int64_t session = run_unattended_part(part, nobody, study);
+  tell_saved(nobody, sitting_words(nobody.participant, {session}));
   return kDone;
 }
 
@@ -153,9 +163,10 @@ int run(const RunOptions& options) {
   try {
     if (options.participants > 0) {
       run_simulated_group(parts, options, study);
+      tell_saved(options, group_words(options.participants));
     } else {
-      run_participant(parts, options, study);
-      std::printf("Saved in %s\n", options.database.c_str());
+      tell_saved(options,
+                 sitting_words(options.participant, run_participant(parts, options, study)));
     }
     return kDone;
   } catch (const SQLite::Exception& error) {
@@ -194,6 +205,8 @@ void add_run(CLI::App& app, Command& chosen) {
                     "Round a delay to whole frames; what was realised is stored");
   command->add_flag("--override-sync-test", options->override_sync_test,
                     "Go on when the sync test fails; every trial is marked");
+  command->add_flag("--changed-screen", options->changed_screen,
+                    "Resume on another screen than the session before; a note is kept");
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");

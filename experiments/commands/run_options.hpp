@@ -26,6 +26,7 @@ struct RunOptions {
   bool show{false};
   bool allow_rounding{false};
   bool override_sync_test{false};
+  bool changed_screen{false};  ///< a resumed session may have another screen than the one before
   std::string screen_file;
   std::string window_size;
   std::string photodiode;  ///< the corner of a patch for one; "": none

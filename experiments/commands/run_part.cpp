@@ -10,6 +10,7 @@
 #include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/screen_file.hpp"
 
 namespace impetus {
 namespace {
@@ -47,7 +48,8 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
 void build_shapes(const RunPart& part) {
   ProgressLine line("building the bodies");
   part.shapes->tell([&line](double share) { line.tell(share); });
-  ProtocolScenes(part.protocol, 0.0, part.shapes).build_shapes(expected_screen(part.lab));
+  ProtocolScenes(part.protocol, 0.0, part.shapes)
+      .build_shapes(expected_screen(part.lab).value_or(assumed_screen()));
   part.shapes->tell({});
 }
 

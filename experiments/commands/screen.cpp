@@ -1,7 +1,9 @@
 // `impetus screen`: the lab's screen, entered once and checked with a ruler or a bank card.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/screen_file.hpp"
@@ -20,20 +22,28 @@ struct ScreenOptions {
   double width_cm{0.0};
   double height_cm{0.0};
   double distance_cm{0.0};
+  bool pixels_not_square{false};
   std::string file;
   std::string window_size;
 };
 
-ScreenGeometry ask_in_window(const ScreenGeometry& initial, const ScreenOptions& options) {
+LabScreen ask_in_window(const std::filesystem::path& file, const ScreenOptions& options) {
 #ifdef IMPETUS_WINDOW
+  std::optional<LabScreen> initial;
+  if (std::filesystem::exists(file)) {
+    initial = load_screen(file);
+  }
   const SteadyClock clock;
   Window window(window_options(options.window_size), clock);
-  if (const auto entered = ask_screen_geometry(window, initial)) {
+  if (!initial) {
+    initial = {assumed_screen(window.width_px(), window.height_px())};
+  }
+  if (const auto entered = ask_screen(window, *initial)) {
     return *entered;
   }
   throw InputError("the screen's size and distance were left as they were");
 #else
-  static_cast<void>(initial);
+  static_cast<void>(file);
   static_cast<void>(options);
   throw InputError("this build has no window; give --width-cm, --height-cm and --distance-cm");
 #endif
@@ -43,18 +53,20 @@ int screen(const ScreenOptions& options) {
   const std::filesystem::path file =
       options.file.empty() ? default_screen_file() : std::filesystem::path(options.file);
   const bool given = options.width_cm > 0.0 && options.height_cm > 0.0 && options.distance_cm > 0.0;
-  ScreenGeometry geometry;
+  LabScreen lab;
   if (given) {
-    geometry.width_m = options.width_cm / 100.0;
-    geometry.height_m = options.height_cm / 100.0;
-    geometry.viewing_distance_m = options.distance_cm / 100.0;
+    lab.geometry.width_m = options.width_cm / 100.0;
+    lab.geometry.height_m = options.height_cm / 100.0;
+    lab.geometry.viewing_distance_m = options.distance_cm / 100.0;
+    lab.square_pixels = !options.pixels_not_square;
   } else {
-    geometry = ask_in_window(std::filesystem::exists(file) ? load_screen(file) : assumed_screen(),
-                             options);
+    lab = ask_in_window(file, options);
   }
-  save_screen(geometry, file);
-  std::printf("%.2f cm x %.2f cm seen from %.1f cm, saved in %s\n", geometry.width_m * 100.0,
-              geometry.height_m * 100.0, geometry.viewing_distance_m * 100.0, file.c_str());
+  save_screen(lab, file);
+  const ScreenGeometry& size = lab.geometry;
+  std::printf("%.2f cm x %.2f cm seen from %.1f cm%s, saved in %s\n", size.width_m * 100.0,
+              size.height_m * 100.0, size.viewing_distance_m * 100.0,
+              lab.square_pixels ? "" : ", of pixels that are not square", file.c_str());
   return kDone;
 }
 
@@ -70,6 +82,8 @@ void add_screen(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(10.0, 200.0));
   command->add_option("--distance-cm", options->distance_cm, "From the eye to the screen")
       ->check(CLI::Range(20.0, 300.0));
+  command->add_flag("--pixels-not-square", options->pixels_not_square,
+                    "Keep with these numbers that this screen's pixels really are not square");
   command->add_option("--file", options->file, "Where to keep it instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->callback([options, &chosen] { chosen = [options] { return screen(*options); }; });

@@ -132,6 +132,12 @@ std::string simulated_name(std::int64_t number, std::int64_t count) {
   return "S" + std::string(digits - text.size(), '0') + text;
 }
 
+std::string group_words(std::int64_t count) {
+  const std::string first = simulated_name(1, count);
+  return count == 1 ? "participant " + first
+                    : "participants " + first + " to " + simulated_name(count, count);
+}
+
 void run_simulated_group(const std::vector<RunPart>& parts, const RunOptions& options,
                          StudyFile& study) {
   std::int64_t before = 0;

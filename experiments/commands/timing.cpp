@@ -20,7 +20,6 @@
 #include "experiments/commands/window_lab.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/models/atomic_file.hpp"
-#include "experiments/stage/display_query.hpp"
 #include "experiments/timing/timing_json.hpp"
 #include "experiments/timing/timing_page.hpp"
 #include "experiments/timing/timing_scenes.hpp"
@@ -98,11 +97,10 @@ void print_verdicts(const std::vector<TimingVerdict>& verdicts) {
 
 int report_timing(const TimingOptions& options) {
   const ScreenCorner corner = patch_corner("--patch", options.patch);
-  static_cast<void>(window_options(options.window_size));
+  const WindowOptions window = window_options(options.window_size);
   const std::filesystem::path folder = options.out;
   require_new_files(folder, {"timing.html", "timing.json"}, options.force);
-  static_cast<void>(display_refresh_hz());
-  const ScreenGeometry screen = chosen_screen(options.screen_file);
+  const ScreenGeometry screen = chosen_screen(options.screen_file, window);
   ShapeLibrary shapes;
   const TimingScenes scenes(options.seconds, shapes);
   build_bodies(scenes, screen, shapes);

@@ -51,7 +51,7 @@ RunOptions as_nobody(RunOptions options) {
   return options;
 }
 
-void run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
+std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
   const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
   const Enrolment enrolment =
       resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
@@ -62,6 +62,7 @@ void run_unattended_part(const RunPart& part, const RunOptions& options, StudyFi
                  assumed_screen(), writer, [&line](double share) { line.tell(share); });
   writer.end("finished");
   tell_not_finite(writer);
+  return writer.session_id();
 }
 
 }  // namespace impetus

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "experiments/commands/run_options.hpp"
 #include "experiments/store/study_file.hpp"
 
@@ -12,7 +14,7 @@ namespace impetus {
 RunOptions as_nobody(RunOptions options);
 
 /// Runs the trials that are left, with a line of progress, before an assumed screen. `options` are
-/// as_nobody()'s. Throws what the recorder throws.
-void run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study);
+/// as_nobody()'s. Returns the session that was saved. Throws what the recorder throws.
+std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study);
 
 }  // namespace impetus

@@ -22,4 +22,13 @@ WindowOptions window_options(const std::string& size) {
   return options;
 }
 
+DisplayMode shown_mode(const WindowOptions& window) {
+  DisplayMode mode = display_mode();
+  if (!window.fullscreen) {
+    mode.width_px = window.width_px;
+    mode.height_px = window.height_px;
+  }
+  return mode;
+}
+
 }  // namespace impetus

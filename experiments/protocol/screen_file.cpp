@@ -24,7 +24,8 @@ const json& screen_schema() {
       "schema_version": {"const": 1},
       "width_cm": {"type": "number", "minimum": 10, "maximum": 300},
       "height_cm": {"type": "number", "minimum": 10, "maximum": 200},
-      "viewing_distance_cm": {"type": "number", "minimum": 20, "maximum": 300}
+      "viewing_distance_cm": {"type": "number", "minimum": 20, "maximum": 300},
+      "square_pixels": {"type": "boolean"}
     }
   })");
   return schema;
@@ -42,25 +43,45 @@ std::filesystem::path default_screen_file() {
   return base / "impetus" / "screen.json";
 }
 
-ScreenGeometry load_screen(const std::filesystem::path& path) {
+LabScreen load_screen(const std::filesystem::path& path) {
   const JsonDocument document = read_json(path);
   if (const auto problem = find_schema_problem(screen_schema(), document.value)) {
     refuse(document, problem->pointer, problem->message);
   }
-  ScreenGeometry screen;
-  screen.width_m = document.value["width_cm"].get<double>() / 100.0;
-  screen.height_m = document.value["height_cm"].get<double>() / 100.0;
-  screen.viewing_distance_m = document.value["viewing_distance_cm"].get<double>() / 100.0;
+  LabScreen screen;
+  screen.geometry.width_m = document.value["width_cm"].get<double>() / 100.0;
+  screen.geometry.height_m = document.value["height_cm"].get<double>() / 100.0;
+  screen.geometry.viewing_distance_m = document.value["viewing_distance_cm"].get<double>() / 100.0;
+  screen.square_pixels = document.value.value("square_pixels", true);
   return screen;
 }
 
-void save_screen(const ScreenGeometry& screen, const std::filesystem::path& path) {
+ScreenGeometry load_screen_of(const std::filesystem::path& path, int width_px, int height_px) {
+  const LabScreen lab = load_screen(path);
+  ScreenGeometry screen = lab.geometry;
+  screen.width_px = width_px;
+  screen.height_px = height_px;
+  if (lab.square_pixels && !has_square_pixels(screen)) {
+    throw InputError(path.string() + ":/width_cm: expected a width at which pixels are square " +
+                     "within 1 %, got " + screen_words(screen) + ", each pixel " +
+                     pixel_words(screen) +
+                     "; `impetus screen` measures anew, or keeps that they are not square "
+                     "(--pixels-not-square)");
+  }
+  return screen;
+}
+
+void save_screen(const LabScreen& screen, const std::filesystem::path& path) {
   // To the micrometre: 57, where the product of metres is 56.99999999999999.
   const auto centimetres = [](double metres) { return std::round(metres * 1e6) / 1e4; };
-  const json document{{"schema_version", 1},
-                      {"width_cm", centimetres(screen.width_m)},
-                      {"height_cm", centimetres(screen.height_m)},
-                      {"viewing_distance_cm", centimetres(screen.viewing_distance_m)}};
+  const ScreenGeometry& size = screen.geometry;
+  json document{{"schema_version", 1},
+                {"width_cm", centimetres(size.width_m)},
+                {"height_cm", centimetres(size.height_m)},
+                {"viewing_distance_cm", centimetres(size.viewing_distance_m)}};
+  if (!screen.square_pixels) {
+    document["square_pixels"] = false;
+  }
   std::error_code failed;
   std::filesystem::create_directories(path.parent_path(), failed);
   const std::filesystem::path fresh = path.string() + ".new";
@@ -78,6 +99,11 @@ void save_screen(const ScreenGeometry& screen, const std::filesystem::path& path
   }
 }
 
-ScreenGeometry assumed_screen() { return {0.376, 0.301, 1280, 1024, 0.57}; }
+ScreenGeometry assumed_screen(int width_px, int height_px) {
+  constexpr double kHeight_m = 0.301;
+  // To the millimetre, as a ruler would tell: 37.6 cm of 1280 × 1024 pixels.
+  const double width_m = std::round(1e3 * kHeight_m * width_px / height_px) / 1e3;
+  return {width_m, kHeight_m, width_px, height_px, 0.57};
+}
 
 }  // namespace impetus

@@ -7,13 +7,13 @@
 
 namespace impetus {
 
-double display_refresh_hz() {
+DisplayMode display_mode() {
   constexpr double kAssumedHz = 60.0;
   open_video();
   SDL_DisplayMode mode{};
   const bool known = SDL_GetCurrentDisplayMode(0, &mode) == 0 && mode.refresh_rate > 0;
   SDL_QuitSubSystem(SDL_INIT_VIDEO);
-  return known ? mode.refresh_rate : kAssumedHz;
+  return {known ? mode.refresh_rate : kAssumedHz, mode.w, mode.h};
 }
 
 }  // namespace impetus

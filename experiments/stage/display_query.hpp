@@ -4,8 +4,14 @@
 
 namespace impetus {
 
-/// The display's nominal refresh rate; 60 when it does not say. Throws std::runtime_error with one
-/// sentence when there is no display.
-double display_refresh_hz();
+/// How the display is driven.
+struct DisplayMode {
+  double refresh_hz{0.0};  ///< nominal; 60 when it does not say
+  int width_px{0};
+  int height_px{0};
+};
+
+/// Throws std::runtime_error with one sentence when there is no display.
+DisplayMode display_mode();
 
 }  // namespace impetus

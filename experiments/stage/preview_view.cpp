@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/session/lab_screen.hpp"
 #include "experiments/session/preview_run.hpp"
 #include "experiments/stage/canvas.hpp"
 #include "experiments/stage/colour_legend.hpp"
@@ -162,10 +163,10 @@ class PreviewScreen {
     const ScreenGeometry& screen = run_.scene().viewer.screen;
     const double wide_px = canvas_.gui.width() - panel_width(canvas_.gui) - 2.0F * margin();
     const double high_px = canvas_.gui.height() - chart_height() - 2.0F * margin();
-    const double scale = std::min(wide_px / screen.width_m, high_px / screen.height_m);
+    const PicturePixels largest = largest_picture(screen, wide_px, high_px);
     PixelArea area;
-    area.width = static_cast<int>(scale * screen.width_m);
-    area.height = static_cast<int>(scale * screen.height_m);
+    area.width = largest.width;
+    area.height = largest.height;
     area.left = static_cast<int>(margin() + (wide_px - area.width) / 2);
     area.bottom = static_cast<int>(chart_height() + margin() + (high_px - area.height) / 2);
     return area;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/stage/replay_panes.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "experiments/session/lab_screen.hpp"
 
 namespace impetus {
 
@@ -15,10 +16,10 @@ std::vector<PixelArea> areas_of(const Panes& panes, const Gui& gui, const Screen
   const double gap_px = 0.5 * margin;
   const double wide_px = (content_width(gui) - (panes.count - 1) * gap_px) / panes.count;
   const double high_px = gui.height() - panes.header_px - panes.footer_px - 0.5F * margin;
-  const double scale = std::min(wide_px / screen.width_m, high_px / screen.height_m);
+  const PicturePixels largest = largest_picture(screen, wide_px, high_px);
   PixelArea area;
-  area.width = static_cast<int>(scale * screen.width_m);
-  area.height = static_cast<int>(scale * screen.height_m);
+  area.width = largest.width;
+  area.height = largest.height;
   area.bottom = static_cast<int>(panes.footer_px + 0.5F * margin + (high_px - area.height) / 2);
   const double whole_px = panes.count * area.width + (panes.count - 1) * gap_px;
   std::vector<PixelArea> areas;

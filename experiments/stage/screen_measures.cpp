@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/stage/screen_measures.hpp"
 
-#include <cmath>
 #include <cstdio>
+
+#include "experiments/session/lab_screen.hpp"
 
 namespace impetus {
 namespace {
-
-constexpr double kSquareWithin = 0.02;
 
 bool is_plausible(const std::optional<double>& entered_cm, const PlausibleMeasure& measure) {
   return entered_cm && *entered_cm >= measure.least_cm && *entered_cm <= measure.most_cm;
@@ -48,18 +47,16 @@ std::optional<PixelsPerMetre> pixels_per_metre(const EnteredMeasures& entered, i
 }
 
 std::string warning_about(const EnteredMeasures& entered, int width_px, int height_px) {
-  const auto pixels = pixels_per_metre(entered, width_px, height_px);
-  const double ratio = pixels ? pixels->down / pixels->across : 1.0;  // width of a pixel / height
-  if (std::abs(ratio - 1.0) <= kSquareWithin) {
+  if (!pixels_per_metre(entered, width_px, height_px)) {
     return "";
   }
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "With %d × %d pixels each pixel would be %.1f %% %s than high. Please check width "
-                "and height.",
-                width_px, height_px, 100.0 * std::abs(ratio - 1.0),
-                ratio > 1.0 ? "wider" : "narrower");
-  return text;
+  const ScreenGeometry screen{*entered[0] / 100.0, *entered[1] / 100.0, width_px, height_px, 0.0};
+  if (has_square_pixels(screen)) {
+    return "";
+  }
+  return "Of " + std::to_string(width_px) + " × " + std::to_string(height_px) +
+         " pixels each would be " + pixel_words(screen) +
+         ": not square within 1 %. Please check width and height.";
 }
 
 ScreenGeometry geometry_of(const EnteredMeasures& entered, int width_px, int height_px) {

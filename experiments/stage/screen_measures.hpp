@@ -33,7 +33,7 @@ std::string centimetres(double length_m);
 /// One sentence naming what was expected and what was there; empty when all are plausible.
 std::string objection_to(const EnteredMeasures& entered);
 
-/// One sentence when the pixels come out non-square by more than 2 %; otherwise empty.
+/// One sentence when the pixels come out non-square by more than 1 %; otherwise empty.
 std::string warning_about(const EnteredMeasures& entered, int width_px, int height_px);
 
 struct PixelsPerMetre {

@@ -37,9 +37,10 @@ Page instructions() {
 
 class SetupScreen {
  public:
-  SetupScreen(Canvas& canvas, const ScreenGeometry& initial) : canvas_(canvas) {
-    const std::array<double, kMeasures> start{initial.width_m, initial.height_m,
-                                              initial.viewing_distance_m};
+  SetupScreen(Canvas& canvas, const LabScreen& initial)
+      : canvas_(canvas), not_square_(!initial.square_pixels) {
+    const ScreenGeometry& size = initial.geometry;
+    const std::array<double, kMeasures> start{size.width_m, size.height_m, size.viewing_distance_m};
     for (std::size_t i = 0; i < kMeasures; ++i) {
       fields_.emplace_back(
           Field{kPlausible[i].name, kPlausible[i].label, Field::Kind::kNumber, {}, 0.0, 0.0});
@@ -47,7 +48,7 @@ class SetupScreen {
     }
   }
 
-  std::optional<ScreenGeometry> run() {
+  std::optional<LabScreen> run() {
     canvas_.window.show_cursor(true);
     canvas_.gui.forget_input();
     canvas_.pacer.restart();
@@ -67,7 +68,8 @@ class SetupScreen {
  private:
   static constexpr std::size_t kSaveStop = kMeasures;
   static constexpr std::size_t kCancelStop = kMeasures + 1;
-  static constexpr std::size_t kStops = kMeasures + 2;
+  static constexpr std::size_t kShapeStop = kMeasures + 2;  ///< only where it is asked for
+  static constexpr std::size_t kStops = kMeasures + 3;
 
   void take_events() {
     for (const StampedEvent& event : canvas_.events.take()) {
@@ -83,11 +85,14 @@ class SetupScreen {
     message_.clear();
     if (key.sym == SDLK_ESCAPE || (enter && focus_ == kCancelStop)) {
       cancelled_ = true;
+    } else if (enter && focus_ == kShapeStop) {
+      not_square_ = !not_square_;
     } else if (enter) {
       save();
     } else if (key.sym == SDLK_TAB) {
+      const std::size_t stops = warning().empty() ? kShapeStop : kStops;
       const bool back = (key.mod & KMOD_SHIFT) != 0;
-      focus_ = (focus_ + (back ? kStops - 1 : 1)) % kStops;
+      focus_ = (focus_ + (back ? stops - 1 : 1)) % stops;
       focus_moved_ = true;
     }
   }
@@ -95,9 +100,18 @@ class SetupScreen {
   void save() {
     const EnteredMeasures entered = read();
     message_ = objection_to(entered);
-    if (message_.empty()) {
-      saved_ = geometry_of(entered, canvas_.window.width_px(), canvas_.window.height_px());
+    if (message_.empty() && !not_square_) {
+      message_ = warning();
     }
+    if (message_.empty()) {
+      saved_ = {geometry_of(entered, canvas_.window.width_px(), canvas_.window.height_px()),
+                warning().empty()};
+    }
+  }
+
+  /// Of pixels that are not square.
+  [[nodiscard]] std::string warning() const {
+    return warning_about(read(), canvas_.window.width_px(), canvas_.window.height_px());
   }
 
   [[nodiscard]] EnteredMeasures read() const {
@@ -152,9 +166,7 @@ class SetupScreen {
   }
 
   void draw_remark(const Column& column) {
-    const std::string remark = message_.empty() ? warning_about(read(), canvas_.window.width_px(),
-                                                                canvas_.window.height_px())
-                                                : message_;
+    const std::string remark = message_.empty() && !not_square_ ? warning() : message_;
     const float top = ImGui::GetCursorScreenPos().y;
     ImFont* font = canvas_.gui.fonts().small;
     draw_text(remark, font, palette::kWarning, column.width, Align::kLeft);
@@ -171,6 +183,16 @@ class SetupScreen {
     const ImVec2 cancel_px = button_size("Cancel", "  (Esc)");
     if (draw_button(11, {"Cancel", "  (Esc)", cancel_px, focus_ == kCancelStop, false})) {
       cancelled_ = true;
+    }
+    if (!warning().empty()) {
+      ImGui::SetCursorScreenPos(
+          ImVec2(column.left + save_px.x + cancel_px.x + 2.0F * part_gap(), top));
+      const char* words = "The pixels really are not square";
+      const bool focused = focus_ == kShapeStop;
+      if (draw_button(12, {words, "", button_size(words, ""), focused, not_square_})) {
+        not_square_ = !not_square_;
+        message_.clear();
+      }
     }
     ImGui::SetCursorScreenPos(ImVec2(column.left, top + save_px.y + 1.4F * part_gap()));
   }
@@ -190,16 +212,17 @@ class SetupScreen {
   std::size_t focus_{0};
   bool focus_moved_{true};
   std::string message_;
-  std::optional<ScreenGeometry> saved_;
+  bool not_square_;  ///< somebody said so
+  std::optional<LabScreen> saved_;
   bool cancelled_{false};
 };
 
 }  // namespace
 
-std::optional<ScreenGeometry> ask_screen_geometry(Window& window, const ScreenGeometry& initial) {
-  std::optional<ScreenGeometry> geometry;
-  while_display_lasts([&] { geometry = SetupScreen(window.canvas(), initial).run(); });
-  return geometry;
+std::optional<LabScreen> ask_screen(Window& window, const LabScreen& initial) {
+  std::optional<LabScreen> entered;
+  while_display_lasts([&] { entered = SetupScreen(window.canvas(), initial).run(); });
+  return entered;
 }
 
 }  // namespace impetus

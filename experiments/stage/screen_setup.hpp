@@ -4,12 +4,14 @@
 
 #include <optional>
 
+#include "experiments/session/lab_screen.hpp"
 #include "experiments/stage/window.hpp"
 
 namespace impetus {
 
-/// Asks for width, height and viewing distance, starting from `initial` (metres; 0: empty).
-/// Returns nothing when cancelled or when the display closes. Pixels are the window's.
-std::optional<ScreenGeometry> ask_screen_geometry(Window& window, const ScreenGeometry& initial);
+/// Asks for width, height and viewing distance, starting from `initial` (metres; 0: empty), and
+/// where pixels come out not square, whether they really are so. Returns nothing when cancelled or
+/// when the display closes. Pixels are the window's.
+std::optional<LabScreen> ask_screen(Window& window, const LabScreen& initial);
 
 }  // namespace impetus

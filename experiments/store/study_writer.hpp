@@ -87,6 +87,9 @@ class StudyWriter final : public Recorder {
 
   [[nodiscard]] const FrameCount& frames() const { return frames_; }
 
+  /// Of the row that this began, once it is written: after await_saved() or end().
+  [[nodiscard]] std::int64_t session_id() const { return session_id_; }
+
   /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
   void end(const std::string& ending);
 

@@ -16,6 +16,7 @@
 #include "experiments/study/plan_check.hpp"
 #include "experiments/study/protocol_shelf.hpp"
 #include "experiments/study/remarks.hpp"
+#include "experiments/study/screen_check.hpp"
 #include "experiments/study/stored_rules.hpp"
 
 namespace impetus {
@@ -70,10 +71,13 @@ class StudyChecks {
         count_of(count(database_, "session"), "session") +
             ": build, machine, display, screen, sync test",
         broken_provenance(database_));
+    add("screens", "square pixels, and one screen for each participant, or it was said",
+        unsaid_screens(database_));
     if (further) {
       verification_.checks.push_back(further(study_));
     }
     append(verification_.remarks, remarks_on(database_));
+    append(verification_.remarks, screen_remarks(database_));
     verification_.participants = count(database_, "participant");
     verification_.completed_trials = count(database_, "attempt WHERE outcome = 'completed'");
     verification_.sessions = count(database_, "session");

@@ -256,4 +256,16 @@ TEST(Screen, SavesWhatWasGiven) {
   EXPECT_EQ(json::parse(text_of(folder / "s.json"))["viewing_distance_cm"], 57.0);
 }
 
+TEST(Screen, KeepsThatItsPixelsAreNotSquare) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program(folder, {"screen", "--width-cm", "40", "--height-cm", "30", "--distance-cm", "57",
+                           "--pixels-not-square", "--file", "s.json"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output,
+            "40.00 cm x 30.00 cm seen from 57.0 cm, of pixels that are not square, saved in "
+            "s.json\n");
+  EXPECT_EQ(json::parse(text_of(folder / "s.json"))["square_pixels"], false);
+}
+
 }  // namespace impetus::command_test

@@ -105,19 +105,62 @@ TEST(ScreenFile, EveryRefusalNamesThePlace) {
 TEST(ScreenFile, WhatIsSavedIsLoadedAgain) {
   const TemporaryFolder folder;
   const ScreenGeometry screen{0.376, 0.301, 0, 0, 0.57};
-  save_screen(screen, folder / "new/folder/screen.json");
-  const ScreenGeometry loaded = load_screen(folder / "new/folder/screen.json");
+  save_screen({screen}, folder / "new/folder/screen.json");
+  const ScreenGeometry loaded = load_screen(folder / "new/folder/screen.json").geometry;
   // Kept to the micrometre, in whole digits of a centimetre; one rounding on the way back.
   EXPECT_DOUBLE_EQ(loaded.width_m, screen.width_m);
   EXPECT_DOUBLE_EQ(loaded.height_m, screen.height_m);
   EXPECT_DOUBLE_EQ(loaded.viewing_distance_m, screen.viewing_distance_m);
 }
 
+TEST(ScreenFile, PixelsThatAreNotSquareAreRefusedUnlessItSaysSo) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "screen.json";
+  LabScreen screen{{0.376, 0.301, 0, 0, 0.57}};
+  save_screen(screen, path);
+  EXPECT_EQ(load_screen_of(path, 1280, 1024).width_px, 1280);
+  EXPECT_EQ(refusal([&] { load_screen_of(path, 1920, 1080); }),
+            path.string() +
+                ":/width_cm: expected a width at which pixels are square within 1 %, got 37.6 cm x "
+                "30.1 cm, 1920 x 1080 pixels, seen from 57.0 cm, each pixel 0.196 mm wide and "
+                "0.279 mm high; `impetus screen` measures anew, or keeps that they are not square "
+                "(--pixels-not-square)");
+  screen.square_pixels = false;
+  save_screen(screen, path);
+  EXPECT_FALSE(load_screen(path).square_pixels);
+  EXPECT_EQ(load_screen_of(path, 1920, 1080).height_px, 1080);
+}
+
+TEST(ScreenFile, WhatIsAssumedHasSquarePixelsWhateverTheirNumber) {
+  for (const auto& [width_px, height_px] : std::vector<std::pair<int, int>>{
+           {1280, 1024}, {1920, 1080}, {3440, 1440}, {1080, 1920}, {640, 480}, {7680, 4320}}) {
+    EXPECT_TRUE(has_square_pixels(assumed_screen(width_px, height_px))) << width_px;
+  }
+  EXPECT_EQ(assumed_screen().width_m, 0.376);
+  EXPECT_EQ(assumed_screen(1920, 1080).width_m, 0.535);
+}
+
+TEST(LabScreen, PixelsAreSquareUpToOnePercent) {
+  EXPECT_TRUE(has_square_pixels({0.4, 0.3, 1600, 1200, 0.57}));
+  EXPECT_TRUE(has_square_pixels({0.4 * 1.0099, 0.3, 1600, 1200, 0.57}));
+  EXPECT_FALSE(has_square_pixels({0.4 * 1.0101, 0.3, 1600, 1200, 0.57}));
+  EXPECT_TRUE(has_square_pixels({0.4 / 1.0099, 0.3, 1600, 1200, 0.57}));
+  EXPECT_FALSE(has_square_pixels({0.4 / 1.0101, 0.3, 1600, 1200, 0.57}));
+}
+
+TEST(LabScreen, APartOfAWindowHasTheShapeOfTheWholeScreenInPixels) {
+  const ScreenGeometry stretched{0.376, 0.301, 1920, 1080, 0.57};
+  const PicturePixels beside = largest_picture(stretched, 960, 900);
+  EXPECT_EQ(beside.width, 960);
+  EXPECT_EQ(beside.height, 540);
+  EXPECT_EQ(largest_picture(stretched, 5000, 108).width, 192);
+}
+
 TEST(ScreenFile, AFileThatCannotBeWrittenIsRefusedWithTheReason) {
   const TemporaryFolder folder;
   folder.write("file", "");
   const std::string path = (folder / "file/screen.json").string();
-  EXPECT_EQ(refusal([&] { save_screen(assumed_screen(), path); }),
+  EXPECT_EQ(refusal([&] { save_screen({assumed_screen()}, path); }),
             path + ": expected a file that can be written, but it cannot be: Not a directory");
 }
 

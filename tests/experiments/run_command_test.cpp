@@ -75,7 +75,7 @@ TEST(Run, AnObserversSessionIsRecordedWhole) {
   const TemporaryFolder folder;
   const ProgramResult result = run_program(folder, simulated_run({"--participant", "S01"}));
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output, "Saved in a.sqlite\n");
+  EXPECT_EQ(result.output, "Saved in a.sqlite: participant S01, session 1\n");
   EXPECT_EQ(complaints_of(result), "");
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'main'"), "81");
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial WHERE phase = 'practice'"), "6");
@@ -92,6 +92,36 @@ TEST(Run, AFinishedParticipantIsRefusedAndNothingChanges) {
   // Opening a study for writing changes its header's counters, and nothing else of it.
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
   EXPECT_EQ(text_of(folder / "a.sqlite").size(), before.size());
+}
+
+/// The study's only session as if it had been left, before a wide screen.
+void leave_wide_session(const TemporaryFolder& folder) {
+  SQLite::Database database((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE);
+  database.exec(
+      "UPDATE enrolment SET finished_utc = NULL; UPDATE session SET ending = 'quit', "
+      "screen_width_m = 0.535, screen_width_px = 1920, screen_height_px = 1080");
+}
+
+TEST(Run, ResumingOnAnotherScreenIsRefusedUnlessItIsSaid) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  leave_wide_session(folder);
+  expect_refused(folder, simulated_run({"--participant", "S01"}),
+                 "a.sqlite: participant S01 goes on: expected the screen of the session before "
+                 "(53.5 cm x 30.1 cm, 1920 x 1080 pixels, seen from 57.0 cm), got 37.6 cm x 30.1 "
+                 "cm, 1280 x 1024 pixels, seen from 57.0 cm; --changed-screen goes on with this "
+                 "one, and keeps a note");
+  EXPECT_EQ(value_of(folder, "SELECT count(*) FROM session"), "1");
+  const std::string change =
+      "37.6 cm x 30.1 cm, 1280 x 1024 pixels, seen from 57.0 cm; in the session before 53.5 cm x "
+      "30.1 cm, 1920 x 1080 pixels, seen from 57.0 cm";
+  const ProgramResult result =
+      run_program(folder, simulated_run({"--participant", "S01", "--changed-screen"}));
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "Saved in a.sqlite: participant S01, session 2\n");
+  EXPECT_EQ(complaints_of(result), "warning: the screen changed: " + change + "\n");
+  EXPECT_EQ(value_of(folder, "SELECT text FROM note WHERE kind = 'screen changed'"), change);
+  EXPECT_EQ(run_program(folder, {"verify", "a.sqlite"}).status, 0);
 }
 
 TEST(Run, ResumingWithAnotherSeedIsRefused) {

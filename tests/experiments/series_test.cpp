@@ -55,6 +55,7 @@ TEST(Series, AParticipantGoesThroughAllPartsInOrder) {
   folder.write("two.json", series_text(protocol_path("causality"), protocol_path("gap")));
   const ProgramResult run = run_program(folder, both("--participant", "P01"));
   ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output, "Saved in a.sqlite: participant P01, sessions 1, 2\n");
   EXPECT_EQ(asked(folder,
                   "SELECT group_concat(name || ' ' || series || ' ' || series_place || ' ' || "
                   "ending) FROM (SELECT * FROM session JOIN enrolment ON enrolment.id = "

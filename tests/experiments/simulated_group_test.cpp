@@ -34,6 +34,7 @@ TEST(SimulatedGroup, AskedForAgainItGoesOnWithWhoHasNotFinished) {
   const std::string before = asked(folder, ratings);
   const ProgramResult more = run_program(folder, group_of(3));
   EXPECT_EQ(more.status, 0);
+  EXPECT_EQ(more.output, "Saved in a.sqlite: participants S01 to S03\n");
   EXPECT_EQ(more.errors, "simulated participant 3 of 3\nnote: 2 of them had finished before\n");
   EXPECT_EQ(asked(folder, ratings), before);
   EXPECT_EQ(asked(folder, "SELECT count(*) FROM enrolment_summary WHERE completed_trials = 81"),

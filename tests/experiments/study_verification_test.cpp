@@ -259,6 +259,38 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
   }
 }
 
+/// A second session of the first enrolment, before a screen of other shape in metres and pixels.
+std::string second_session(const std::string& width_m, const std::string& width_px) {
+  return "CREATE TEMP TABLE again AS SELECT * FROM session WHERE id = 1; "
+         "UPDATE again SET id = 3, screen_width_m = " +
+         width_m + ", screen_width_px = " + width_px +
+         "; INSERT INTO session SELECT * FROM again; ";
+}
+
+TEST(Verify, ScreensThatNobodySpokeOfAreWrongAndThoseSaidAreRemarked) {
+  const VerifiedStudy study;
+  const std::string wide = "46.9 cm x 30.1 cm, 1600 x 1024 pixels, seen from 57.0 cm";
+  const std::string usual = "37.6 cm x 30.1 cm, 1280 x 1024 pixels, seen from 57.0 cm";
+  const std::string changed = second_session("0.469", "1600");
+  const std::string eggs = "UPDATE session SET screen_width_px = 1920 WHERE id = 2; ";
+  EXPECT_EQ(first_failure(study.tampered(changed)),
+            "screens: P01, causality, session 3: sat before " + wide + ", in the session before " +
+                usual + ", and nobody said that the screen changed");
+  EXPECT_EQ(first_failure(study.tampered(eggs)),
+            "screens: P02, causality, session 2: each pixel was 0.196 mm wide and 0.294 mm high "
+            "(37.6 cm x 30.1 cm, 1920 x 1024 pixels, seen from 57.0 cm), and nobody said that they "
+            "are not square");
+  const std::filesystem::path said =
+      study.tampered(changed + "INSERT INTO note VALUES (NULL, 3, 'then', 'screen changed', '')");
+  EXPECT_EQ(first_failure(said), "none");
+  EXPECT_TRUE(remarked(said, "P01 sat before 2 screens: " + usual + "; " + wide));
+  const std::filesystem::path stretched =
+      study.tampered(eggs + "INSERT INTO note VALUES (NULL, 2, 'then', 'pixels not square', '')");
+  EXPECT_EQ(first_failure(stretched), "none");
+  EXPECT_TRUE(remarked(
+      stretched, "1 sessions were before a screen whose pixels, as was said, are not square"));
+}
+
 TEST(Verify, ALogBesideAKilledSessionsFileIsReadAndRemarked) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();

@@ -51,7 +51,7 @@ TEST(UnattendedRun, StoresNobodysTrialsWithTheirThresholdsAndReplays) {
   const ShortDistribution study;
   const ProgramResult ran = study.run({});
   ASSERT_EQ(ran.status, 0) << ran.errors;
-  EXPECT_EQ(ran.output, "Saved in a.sqlite\n");
+  EXPECT_EQ(ran.output, "Saved in a.sqlite: participant nobody, session 1\n");
   EXPECT_EQ(study.asked("SELECT group_concat(pseudonym || simulated) FROM participant"), "nobody1");
   EXPECT_EQ(study.asked("SELECT count(*) FROM enrolment WHERE finished_utc IS NOT NULL"), "1");
   EXPECT_EQ(study.asked("SELECT count(*) FROM trial WHERE solved LIKE "
