@@ -18,7 +18,7 @@ struct ExcludeOptions {
 };
 
 int run_exclude(const ExcludeOptions& options) {
-  if (!std::filesystem::exists(options.database)) {
+  if (std::error_code error; !std::filesystem::exists(options.database, error)) {
     throw InputError(options.database + ": expected an Impetus study, but there is no such file");
   }
   Exclusion exclusion = options.exclusion;

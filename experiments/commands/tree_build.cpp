@@ -12,6 +12,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/tree_commands.hpp"
+#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/named_shape.hpp"
@@ -42,7 +43,7 @@ TreeSettings settings_of(const BuildOptions& options) {
 
 /// A file that is there wins over a shape of its name.
 TriangleMesh mesh_of(const BuildOptions& options) {
-  if (!std::filesystem::exists(options.what)) {
+  if (!is_there(options.what)) {
     return shape_named(options.what, options.resolution);
   }
   if (options.resolution) {

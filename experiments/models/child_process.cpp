@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -42,11 +43,23 @@ bool write_all(int pipe, std::string_view bytes) {
   return true;
 }
 
-[[noreturn]] void be_child(const std::function<std::string()>& work, int pipe, int seconds) {
+/// Bytes that the process may write to and nobody else reads: what RLIMIT_DATA counts.
+std::uint64_t own_bytes() {
+  std::ifstream statm("/proc/self/statm");  // in pages: total, resident, shared, text, 0, data
+  std::uint64_t pages = 0;
+  for (int field = 0; field < 6; ++field) {
+    statm >> pages;
+  }
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+[[noreturn]] void be_child(const std::function<std::string()>& work, int pipe,
+                           const ChildLimits& limits) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would read what it finds
   crash_plainly();
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(seconds));
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.seconds));
+  limit(RLIMIT_DATA, own_bytes() + limits.more_bytes);
   bool done = false;
   try {
     done = write_all(pipe, work());
@@ -78,7 +91,8 @@ int status_of(pid_t child) {
 
 }  // namespace
 
-std::optional<std::string> done_by_child(const std::function<std::string()>& work, int seconds) {
+std::optional<std::string> done_by_child(const std::function<std::string()>& work,
+                                         const ChildLimits& limits) {
   std::fflush(nullptr);  // what waits to be printed is printed once
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) {
@@ -87,7 +101,7 @@ std::optional<std::string> done_by_child(const std::function<std::string()>& wor
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    be_child(work, ends[1], seconds);
+    be_child(work, ends[1], limits);
   }
   close(ends[1]);
   if (child < 0) {

@@ -1,4 +1,4 @@
-// What assimp may open while it reads a mesh: the file, and what lies in its folder.
+// What assimp may open while it reads a mesh: the file, and files that lie in its folder.
 //
 // An OBJ or a glTF file names others by path; one from elsewhere could name any of the user's.
 // SPDX-License-Identifier: MIT
@@ -14,7 +14,7 @@ class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
   explicit ConfinedFiles(const std::filesystem::path& file);
 
-  /// A file elsewhere does not exist, and is not opened.
+  /// What lies elsewhere, or is no regular file, does not exist, and is not opened.
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode = "rb") override;
 

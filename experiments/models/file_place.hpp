@@ -13,8 +13,16 @@ bool is_named_within(const std::filesystem::path& file, const std::filesystem::p
 /// Where links lead; what is not there, or cannot be looked up, is not within.
 bool is_really_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// What is wrong with the place of a file that a scene in `folder` names, in words; "" when nothing
-/// is: it lies within the folder, or is not there.
-std::string problem_of_place(const std::string& file, const std::filesystem::path& folder);
+/// The path that a URI without a scheme is: "%20" is a space, '\\' a '/'.
+std::string decoded_uri(const std::string& uri);
+
+/// Whether links lead to something; one that leads round in a circle, or a name that is too long,
+/// names nothing.
+bool is_there(const std::filesystem::path& file);
+
+/// What is wrong with the place of a file that a scene in `folder`, or `whose` it is, names, in
+/// words; "" when nothing is: it lies within the folder, or is not there.
+std::string problem_of_place(const std::string& file, const std::filesystem::path& folder,
+                             const std::string& whose = "scene");
 
 }  // namespace impetus

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/models/mesh_file.hpp"
 
+#include <cstdint>
+#include <new>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/models/child_process.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_parsing.hpp"
+#include "experiments/models/readable_file.hpp"
 
 namespace impetus {
 namespace {
 
-/// Seconds of computing that the largest sensible file of this size could take.
-int longest_reading_s(const std::filesystem::path& file) {
-  constexpr double kLeastS = 10.0;
-  constexpr double kLeastBytesPerS = 1e6;
-  return static_cast<int>(kLeastS +
-                          static_cast<double>(std::filesystem::file_size(file)) / kLeastBytesPerS);
+/// What the largest sensible file of this size could take.
+ChildLimits limits_of(const std::filesystem::path& file) {
+  constexpr std::uint64_t kLeastS = 10;
+  constexpr std::uint64_t kLeastBytesPerS = 1'000'000;
+  constexpr std::uint64_t kLeastBytes = 2'000'000'000;
+  constexpr std::uint64_t kMostBytesPerByte = 30;
+  const std::uint64_t size = std::filesystem::file_size(file);
+  return {static_cast<int>(kLeastS + size / kLeastBytesPerS),
+          kLeastBytes + size * kMostBytesPerByte};
 }
 
 enum class Outcome : std::uint8_t { kMesh, kRefused };
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
   throw std::runtime_error(file.string() + ": " + problem);
+}
+
+std::string refused(const std::string& sentence) {
+  std::string bytes;
+  append_number(bytes, static_cast<std::uint8_t>(Outcome::kRefused));
+  return bytes + sentence;
 }
 
 /// The outcome, then the mesh or the sentence.
@@ -34,10 +46,11 @@ std::string parsed(const std::filesystem::path& file) {
     append_number(bytes, static_cast<std::uint64_t>(mesh.vertices.size()));
     append_number(bytes, static_cast<std::uint64_t>(mesh.triangles.size()));
     append_mesh(bytes, mesh);
+  } catch (const std::bad_alloc&) {
+    bytes = refused(file.string() +
+                    ": cannot be read as a mesh: it needs more memory than a mesh of its size");
   } catch (const std::exception& error) {
-    bytes.clear();
-    append_number(bytes, static_cast<std::uint8_t>(Outcome::kRefused));
-    bytes += error.what();
+    bytes = refused(error.what());
   }
   return bytes;
 }
@@ -45,10 +58,10 @@ std::string parsed(const std::filesystem::path& file) {
 }  // namespace
 
 TriangleMesh load_mesh(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    refuse(file, std::filesystem::exists(file) ? "is not a file" : "there is no such file");
+  if (const std::string problem = reading_problem(file); !problem.empty()) {
+    refuse(file, problem);
   }
-  const auto bytes = done_by_child([&] { return parsed(file); }, longest_reading_s(file));
+  const auto bytes = done_by_child([&] { return parsed(file); }, limits_of(file));
   if (!bytes || bytes->empty()) {
     refuse(file, "cannot be read as a mesh: its reader broke down over it");
   }

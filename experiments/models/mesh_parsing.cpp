@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/models/mesh_parsing.hpp"
 
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -11,7 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -20,6 +20,8 @@
 #include <utility>
 
 #include "experiments/models/confined_files.hpp"
+#include "experiments/models/mesh_claims.hpp"
+#include "experiments/models/text_words.hpp"
 
 namespace impetus {
 namespace {
@@ -67,21 +69,8 @@ class ErrorLog {
   std::string first_;
 };
 
-/// assimp's PLY reader never returns from a header that does not end.
-void refuse_endless_header(const std::filesystem::path& file) {
-  constexpr std::string_view kEnd = "end_header";
-  std::ifstream stream(file, std::ios::binary);
-  std::string line;
-  if (!std::getline(stream, line) || line.compare(0, 3, "ply") != 0) {
-    return;
-  }
-  while (std::getline(stream, line)) {
-    if (line.starts_with(kEnd) && line.find_last_not_of(" \t\r") + 1 == kEnd.size()) {
-      return;
-    }
-  }
-  refuse_mesh(file, "cannot be read as a mesh: its PLY header has no end");
-}
+/// Cutting a face into triangles takes as long as the square of its corners: of these, a second.
+constexpr unsigned int kMostCorners = 10'000;
 
 /// Places with a coordinate that is not finite; a place that assimp repeats, bit by bit, counts
 /// once.
@@ -115,6 +104,10 @@ bool check(const aiMesh& part, const std::filesystem::path& file) {
         refuse_mesh(file, "a face names vertex " + std::to_string(face.mIndices[corner]) + " of " +
                               std::to_string(part.mNumVertices));
       }
+    }
+    if (face.mNumIndices > kMostCorners) {
+      refuse_mesh(file, "a face has " + std::to_string(face.mNumIndices) + " corners, more than the " +
+                       std::to_string(kMostCorners) + " that are cut into triangles");
     }
     has_polygons = has_polygons || face.mNumIndices > 3;
   }
@@ -170,16 +163,36 @@ void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above
   }
 }
 
+/// What assimp reads beside is not promised, and nobody asked what its files could do.
+void keep_promised_readers(Assimp::Importer& importer) {
+  const std::set<std::string> promised{"obj", "ply", "stl", "off", "gltf", "glb"};
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    std::string_view extensions = importer.GetImporterInfo(i)->mFileExtensions;
+    bool keep = false;
+    for (auto word = take_word(extensions); !word.empty(); word = take_word(extensions)) {
+      keep = keep || promised.contains(std::string(word));
+    }
+    if (Assimp::BaseImporter* reader = importer.GetImporter(i); !keep) {
+      importer.UnregisterLoader(reader);
+    }
+  }
+}
+
 }  // namespace
 
 TriangleMesh parse_mesh(const std::filesystem::path& file) {
-  refuse_endless_header(file);
+  refuse_false_claims(file);
   const ErrorLog errors;
   Assimp::Importer importer;
+  keep_promised_readers(importer);
   importer.SetIOHandler(new ConfinedFiles(file));  // the importer's from now on
   const aiScene* scene = importer.ReadFile(file.string(), 0);
   if (scene == nullptr) {
-    refuse_mesh(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    const std::string error = importer.GetErrorString();
+    if (error.find("bad_alloc") != std::string::npos) {
+      throw std::bad_alloc();
+    }
+    refuse_mesh(file, "cannot be read as a mesh: " + error);
   }
   if (!errors.first().empty()) {
     refuse_mesh(file, "cannot be read as a mesh: " + errors.first());

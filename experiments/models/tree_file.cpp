@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/models/tree_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/models/mesh_bytes.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/models/tree_arrays.hpp"
 #include "experiments/models/tree_header.hpp"
 
@@ -106,14 +105,11 @@ void save_tree(const StoredTree& stored, const std::filesystem::path& file, bool
 }
 
 StoredTree load_tree(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    refuse(file.string(),
-           std::filesystem::exists(file) ? "is not a file" : "there is no such file");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad() || !stream.is_open()) {
-    refuse(file.string(), "cannot be read");
+  std::string bytes;
+  try {
+    bytes = file_bytes(file);
+  } catch (const std::exception& error) {
+    refuse(file.string(), error.what());
   }
   return stored_tree_from(bytes, file.string());
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/json_document.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "experiments/models/readable_file.hpp"
 
 namespace impetus {
 namespace {
@@ -53,6 +52,10 @@ std::string malformed(const std::string& text, const json::parse_error& error) {
                    : "valid JSON, got " + found_at(text, byte));
 }
 
+/// A scene that holds its meshes is the largest; what has more values would be judged for minutes.
+constexpr std::uintmax_t kMostJsonBytes = 500'000'000;
+constexpr std::size_t kMostValues = 1'000'000;
+
 /// More than a screen can hold. What searches texts for patterns calls itself once per letter.
 constexpr std::size_t kLongestText = 10'000;
 
@@ -78,27 +81,35 @@ std::string escaped(const std::string& text) {
   return quoted.substr(1, quoted.size() - 2);
 }
 
-/// Follows the parser through the file: knows where it is, and notices what the grammar lets pass
-/// (of a key that stands twice the parser would silently take the last).
-class Surveyor {
+/// Goes through a file before it is read: knows where it is, and refuses what the grammar lets pass
+/// (of a key that stands twice the parser would silently take the last). Nothing is kept, and what
+/// is refused throws InputError, so that the rest is not looked at.
+class Surveyor final : public json::json_sax_t {
  public:
-  void see(json::parse_event_t event, const json& parsed) {
-    using Event = json::parse_event_t;
-    if (event == Event::value && parsed.is_string()) {
-      see_text(parsed.get_ref<const std::string&>());
-    }
-    if (event == Event::object_start || event == Event::array_start) {
-      enter(event == Event::array_start);
-    } else if (event == Event::key) {
-      see_key(parsed.get<std::string>());
-    } else {
-      if (event != Event::value) {
-        open_.pop_back();
-      }
-      if (!open_.empty()) {
-        ++open_.back().index;
-      }
-    }
+  explicit Surveyor(const std::string& name) : name_(name) {}
+
+  bool null() override { return see_value(); }
+  bool boolean(bool /*value*/) override { return see_value(); }
+  bool number_integer(std::int64_t /*value*/) override { return see_value(); }
+  bool number_unsigned(std::uint64_t /*value*/) override { return see_value(); }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return see_value(); }
+  bool binary(json::binary_t& /*value*/) override { return see_value(); }
+  bool string(std::string& text) override {
+    see_text(text);
+    return see_value();
+  }
+  bool key(std::string& text) override {
+    see_key(text);
+    return true;
+  }
+  bool start_object(std::size_t /*size*/) override { return enter(/*list=*/false); }
+  bool start_array(std::size_t /*size*/) override { return enter(/*list=*/true); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  /// json::parse() says it again.
+  bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
+                   const json::exception& /*error*/) override {
+    return false;
   }
 
   /// JSON Pointer to the value that comes next.
@@ -110,9 +121,6 @@ class Surveyor {
     return pointer.to_string();
   }
 
-  /// "/pointer: expected ..., got ..."; "" when there is nothing to complain of.
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
-
  private:
   struct Level {
     bool list{false};
@@ -121,13 +129,39 @@ class Surveyor {
     std::set<std::string> keys;
   };
 
-  void enter(bool list) {
+  void count_value() {
+    if (++values_ > kMostValues) {
+      complain("expected at most " + std::to_string(kMostValues) + " values in a file, got more");
+    }
+  }
+
+  bool see_value() {
+    count_value();
+    pass_value();
+    return true;
+  }
+
+  void pass_value() {
+    if (!open_.empty()) {
+      ++open_.back().index;
+    }
+  }
+
+  bool enter(bool list) {
     // What reads the value afterwards calls itself once per level.
     constexpr std::size_t kMostLevels = 64;
+    count_value();
     if (open_.size() == kMostLevels) {
       complain("expected at most " + std::to_string(kMostLevels) + " levels of nesting, got more");
     }
     open_.push_back({list, 0, "", {}});
+    return true;
+  }
+
+  bool leave() {
+    open_.pop_back();
+    pass_value();
+    return true;
   }
 
   void see_text(const std::string& text) {
@@ -152,14 +186,13 @@ class Surveyor {
     }
   }
 
-  void complain(const std::string& message) {
-    if (complaint_.empty()) {
-      complaint_ = place() + ": " + message;
-    }
+  [[noreturn]] void complain(const std::string& message) const {
+    throw InputError(name_ + ":" + place() + ": " + message);
   }
 
+  const std::string& name_;
   std::vector<Level> open_;
-  std::string complaint_;
+  std::size_t values_{0};
 };
 
 /// "1e400" from the parser's "... overflow parsing '1e400'".
@@ -171,32 +204,28 @@ std::string between_quotes(const std::string& message) {
 }  // namespace
 
 JsonDocument parse_json(std::string name, std::string text) {
-  Surveyor surveyor;
+  Surveyor surveyor(name);
   json value;
   try {
-    value = json::parse(text, [&surveyor](int, json::parse_event_t event, json& parsed) {
-      surveyor.see(event, parsed);
-      return true;
-    });
+    json::sax_parse(text, &surveyor);
+    value = json::parse(text);
   } catch (const json::parse_error& error) {
     throw InputError(name + ":" + malformed(text, error));
   } catch (const json::out_of_range& error) {
     throw InputError(name + ":" + surveyor.place() +
                      ": expected a number of at most 1.8e308, got " + between_quotes(error.what()));
   }
-  if (!surveyor.complaint().empty()) {
-    throw InputError(name + ":" + surveyor.complaint());
-  }
   return {std::move(name), std::move(text), std::move(value)};
 }
 
 JsonDocument read_json(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    const std::string reason = file ? "it is a directory" : std::strerror(errno);
-    throw InputError(path.string() + ": expected a JSON file, but it cannot be read: " + reason);
+  std::string text;
+  try {
+    text = file_bytes(path, kMostJsonBytes);
+  } catch (const std::runtime_error& error) {
+    throw InputError(path.string() +
+                     ": expected a JSON file, but it cannot be read: " + error.what());
   }
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   return parse_json(path.string(), std::move(text));
 }
 

@@ -2,6 +2,7 @@
 #include "experiments/protocol/named_file.hpp"
 
 #include "experiments/models/file_place.hpp"
+#include "experiments/models/readable_file.hpp"
 
 namespace impetus {
 namespace {
@@ -28,13 +29,13 @@ fs::path named_file(const JsonDocument& document, const fs::path& path, const st
   if (given.is_absolute() || !is_named_within(fs::absolute(file), widest)) {
     refuse(document, pointer, outside);
   }
-  if (!fs::exists(file)) {
-    refuse(document, pointer,
-           "expected " + what + ", seen from this one, got " + name.dump() + ", but there is no " +
-               file.string());
-  }
-  if (!is_really_within(file, widest)) {
+  if (is_there(file) && !is_really_within(file, widest)) {
     refuse(document, pointer, outside + ", which is a link out of it");
+  }
+  if (const std::string problem = reading_problem(file); !problem.empty()) {
+    refuse(document, pointer,
+           "expected " + what + ", seen from this one, got " + name.dump() + ", but " +
+               file.string() + ": " + problem);
   }
   return file;
 }

@@ -3,17 +3,19 @@
 
 #include <utility>
 
+#include "experiments/models/file_place.hpp"
+
 namespace impetus {
 namespace {
 
 std::filesystem::path find_observer(const std::string& name,
                                     const std::filesystem::path& protocol) {
-  if (std::filesystem::exists(name)) {
+  if (is_there(name)) {
     return name;
   }
   const auto root = std::filesystem::absolute(protocol).parent_path().parent_path();
   auto beside = root / "experiments" / "observers" / (name + ".json");
-  if (!std::filesystem::exists(beside)) {
+  if (!is_there(beside)) {
     throw InputError("--observer " + name + ": expected a file, or the name of one in " +
                      beside.parent_path().string());
   }

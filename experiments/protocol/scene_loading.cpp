@@ -2,6 +2,7 @@
 #include "experiments/protocol/scene_loading.hpp"
 
 #include "experiments/models/file_place.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/scenes/figure_files.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
@@ -24,11 +25,11 @@ void hold_figure(JsonDocument& scene, const FigureFile& named,
   }
   std::string problem = problem_of_place(named.file, folder);
   const std::filesystem::path path = folder / named.file;
-  if (problem.empty() && !std::filesystem::is_regular_file(path)) {
-    problem = "expected a figure file, but " + path.string() + ": there is no such file";
-  }
   if (!problem.empty()) {
     refuse(scene, named.pointer, problem);
+  }
+  if (problem = reading_problem(path); !problem.empty()) {
+    refuse(scene, named.pointer, "expected a figure file, but " + path.string() + ": " + problem);
   }
   const JsonDocument figure = read_json(path);
   if (const auto broken = find_schema_problem(figure_schema(), figure.value)) {

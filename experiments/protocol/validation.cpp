@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/validation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -200,6 +203,51 @@ SchemaProblem explain(const json& root, const json& value, const std::vector<std
   return problem;
 }
 
+/// valijson compares each value of a list with each other, which takes hours of a long one: it gets
+/// the schema without this rule, which find_repeat() judges.
+constexpr const char* kNoRepeats = "uniqueItems";
+
+json without_repeat_rules(json schema) {
+  if (schema.is_object()) {
+    schema.erase(kNoRepeats);
+  }
+  if (schema.is_structured()) {
+    for (json& part : schema) {
+      part = without_repeat_rules(std::move(part));
+    }
+  }
+  return schema;
+}
+
+bool has_repeat(const json& list) {
+  const auto is_less = [](const json* one, const json* other) { return *one < *other; };
+  std::set<const json*, decltype(is_less)> seen(is_less);
+  return std::any_of(list.begin(), list.end(),
+                     [&](const json& value) { return !seen.insert(&value).second; });
+}
+
+/// Extends `path` to the first list that has a repeat where the schema allows none.
+bool find_repeat(const json& root, const json* schema, const json& value,
+                 std::vector<std::string>& path) {
+  if (schema == nullptr || !value.is_structured()) {
+    return false;
+  }
+  if (value.is_array() && schema->value(kNoRepeats, false) && has_repeat(value)) {
+    return true;
+  }
+  for (const auto& part : value.items()) {
+    if (part.value().is_structured()) {
+      path.push_back(part.key());
+      if (find_repeat(root, governing(root, *schema, part.key(), value.is_array()), part.value(),
+                      path)) {
+        return true;
+      }
+      path.pop_back();
+    }
+  }
+  return false;
+}
+
 /// valijson names places "<root>", "[key]", "[key]", ...
 std::vector<std::string> path_of(const std::vector<std::string>& context) {
   std::vector<std::string> path;
@@ -214,11 +262,14 @@ std::vector<std::string> path_of(const std::vector<std::string>& context) {
 }  // namespace
 
 std::optional<SchemaProblem> find_schema_problem(const json& schema, const json& value) {
+  const json rules = without_repeat_rules(schema);
   valijson::Schema parsed;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), parsed);
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(rules), parsed);
   valijson::ValidationResults results;
   const valijson::adapters::NlohmannJsonAdapter target(value);
-  if (valijson::Validator().validate(parsed, target, &results)) {
+  std::vector<std::string> repeat;
+  const bool repeats = find_repeat(schema, &schema, value, repeat);
+  if (valijson::Validator().validate(parsed, target, &results) && !repeats) {
     return std::nullopt;
   }
   // Errors are listed from the innermost out: the deepest place is the cause.
@@ -229,6 +280,9 @@ std::optional<SchemaProblem> find_schema_problem(const json& schema, const json&
     if (path.size() > deepest.size()) {
       deepest = std::move(path);
     }
+  }
+  if (repeat.size() > deepest.size()) {
+    deepest = std::move(repeat);
   }
   return explain(schema, value, deepest);
 }

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "experiments/session/input_error.hpp"
@@ -162,11 +163,14 @@ void require_other_participants(const MergePart& part, const MergePart& before) 
 }  // namespace
 
 MergePart open_merge_part(const std::filesystem::path& path) {
+  require_files(path);
   ReadingLock lock(path);
-  if (std::filesystem::exists(path) && !lock.held()) {
+  std::error_code error;
+  const bool is_there = std::filesystem::exists(path, error);
+  if (is_there && !lock.held()) {
     throw InputError(path.string() + ": in use by another Impetus process; end that session first");
   }
-  if (std::filesystem::is_regular_file(path)) {
+  if (is_there) {
     require_whole(path.string(), damage_in(path));
   }
   // Before the study is open: whoever closes its file takes SQLite's locks on it along.

@@ -7,7 +7,10 @@
 #include <unistd.h>
 
 #include <string>
+#include <system_error>
 #include <utility>
+
+#include "experiments/session/input_error.hpp"
 
 namespace impetus {
 namespace {
@@ -30,6 +33,18 @@ void read_something(SQLite::Database& database) {
 }
 
 }  // namespace
+
+void require_files(const std::filesystem::path& path) {
+  for (const char* suffix : {"", "-wal", "-journal"}) {
+    const std::filesystem::path file = path.string() + suffix;
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!error && !std::filesystem::is_regular_file(status)) {
+      throw InputError(file.string() +
+                       ": expected a file of an Impetus study, got something that is not a file");
+    }
+  }
+}
 
 std::unique_ptr<SQLite::Database> open_read_only(const std::filesystem::path& path) {
   constexpr int kPatience_ms = 2000;

@@ -9,6 +9,10 @@
 
 namespace impetus {
 
+/// Throws InputError where the study, its log or its journal is something else than a file: a named
+/// pipe would be waited for. What is not there is no matter.
+void require_files(const std::filesystem::path& path);
+
 /// Opens the database for reading. A copy that was left in write-ahead mode without its log, in a
 /// folder that cannot be written, is read as what it is: a file that nobody changes. Throws
 /// SQLite::Exception.

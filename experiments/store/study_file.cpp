@@ -144,6 +144,7 @@ void require_writable_folder(const std::filesystem::path& path, const std::strin
 StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const std::string& build) {
   StudyFile study;
   study.name_ = path.string();
+  require_files(path);
   study.lock_ = take_lock(study.name_);
   require_writable_folder(path, study.name_);
   try {
@@ -172,7 +173,8 @@ StudyFile StudyFile::open_for_writing(const std::filesystem::path& path, const s
 StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   StudyFile study;
   study.name_ = path.string();
-  if (!std::filesystem::is_regular_file(path)) {
+  require_files(path);
+  if (std::error_code error; !std::filesystem::exists(path, error)) {
     throw InputError(study.name_ + ": expected an Impetus study, but there is no such file");
   }
   try {

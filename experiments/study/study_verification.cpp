@@ -130,7 +130,8 @@ class StudyChecks {
 
 Verification verify_study(const std::filesystem::path& path, const FurtherCheck& further) {
   Verification verification;
-  if (std::filesystem::is_regular_file(path)) {
+  require_files(path);
+  if (std::error_code error; std::filesystem::exists(path, error)) {
     verification.checks.push_back({"file", "whole, no reference broken", damage_in(path)});
     if (!verification.passed()) {
       return verification;

@@ -110,8 +110,7 @@ TEST(Check, AnyUnreadableFileIsStatus1) {
   folder.write("a.json", "{\n  \"name\": }\n");
   expect_refused(folder, {"check", "a.json"}, "a.json:2:11: expected valid JSON, got '}'", 1);
   expect_refused(folder, {"check", "b.json"},
-                 "b.json: expected a JSON file, but it cannot be read: No such file or directory",
-                 1);
+                 "b.json: expected a JSON file, but it cannot be read: there is no such file", 1);
 }
 
 // ---------------------------------------------------------------- replay
@@ -222,8 +221,7 @@ TEST(Screen, WithoutAWindowItAsksForTheNumbers) {
 TEST(Preview, ASceneThatIsNoneIsRefusedBeforeAWindowOpens) {
   const TemporaryFolder folder;
   expect_refused(folder, {"preview", "none.json"},
-                 "none.json: expected a JSON file, but it cannot be read: No such file or "
-                 "directory");
+                 "none.json: expected a JSON file, but it cannot be read: there is no such file");
   folder.write("a.json", "{}");
   expect_refused(folder, {"preview", "a.json"},
                  "a.json:/: expected the key \"schema_version\", which is missing");

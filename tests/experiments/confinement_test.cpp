@@ -1,5 +1,7 @@
 // A protocol, a scene, a mesh or a study that somebody else made opens no file outside its folder.
 // SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/shapes/box_mesh.hpp"
@@ -123,32 +125,137 @@ TEST(Confinement, ASceneNamesMeshesWithinItsFolderLinksFollowed) {
   }
 }
 
-TEST(Confinement, AMeshFileOpensNothingOutsideItsFolder) {
-  const Lab lab;
-  std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-                   "min": [0, 0, 0], "max": [1, 1, 0]}],
-    "bufferViews": [{"buffer": 0, "byteLength": 36}],
-    "buffers": [{"byteLength": 36, "uri": "PLACE/secret.bin"}]})";
-  const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
-  lab.write("elsewhere/secret.bin", bytes);
-  lab.write("study/stimuli/near/secret.bin", bytes);
-  const auto read = [&](const std::string& place) {
-    std::string text = gltf;
-    const auto file = lab.write("study/stimuli/a.gltf", text.replace(text.find("PLACE"), 5, place));
-    return refusal([&] {
+/// A glTF file whose one buffer is the file that `uri` names.
+std::string gltf_with_buffer(const std::string& uri) {
+  const json text{{"asset", {{"version", "2.0"}}},
+                  {"scene", 0},
+                  {"scenes", {{{"nodes", {0}}}}},
+                  {"nodes", {{{"mesh", 0}}}},
+                  {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}}}},
+                  {"accessors",
+                   {{{"bufferView", 0},
+                     {"componentType", 5126},
+                     {"count", 3},
+                     {"type", "VEC3"},
+                     {"min", {0, 0, 0}},
+                     {"max", {1, 1, 0}}}}},
+                  {"bufferViews", {{{"buffer", 0}, {"byteLength", 36}}}},
+                  {"buffers", {{{"byteLength", 36}, {"uri", uri}}}}};
+  return text.dump();
+}
+
+/// Meshes in study/stimuli, their buffers beside them and elsewhere.
+struct MeshLab : Lab {
+  MeshLab() {
+    const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::string bytes(reinterpret_cast<const char*>(corners), sizeof corners);
+    for (const std::string place : {"elsewhere/", "study/", "study/stimuli/near/"}) {
+      write(place + "secret.bin", bytes);
+    }
+    write("study/stimuli/two words.bin", bytes);
+  }
+
+  /// What load_mesh() says of the mesh, without its name.
+  [[nodiscard]] std::string refused(const std::string& uri) const {
+    const auto file = write("study/stimuli/a.gltf", gltf_with_buffer(uri));
+    const std::string sentence = refusal([&] {
       try {
         static_cast<void>(load_mesh(file));
       } catch (const std::runtime_error& error) {
         throw InputError(error.what());
       }
     });
-  };
-  EXPECT_EQ(read("near"), "accepted");
-  EXPECT_NE(read("../../elsewhere"), "accepted");
-  EXPECT_NE(read((lab / "elsewhere").string()), "accepted");
+    const std::string start = file.string() + ": cannot be read as a mesh: /buffers/0/uri: ";
+    return sentence.starts_with(start) ? sentence.substr(start.size()) : sentence;
+  }
+};
+
+TEST(Confinement, AGltfFileNamesBuffersWithinItsFolder) {
+  const MeshLab lab;
+  for (const std::string uri : {"near/secret.bin", "./near/secret.bin", "two words.bin",
+                                "two%20words.bin", "near%2Fsecret.bin"}) {
+    EXPECT_EQ(lab.refused(uri), "accepted") << uri;
+  }
+  const std::string elsewhere = lab / "elsewhere/secret.bin";
+  for (const std::string& uri :
+       {std::string("../secret.bin"), std::string("../../elsewhere/secret.bin"),
+        std::string("%2e%2e/secret.bin"), std::string("%2E%2E%2Fsecret.bin"),
+        std::string("..\\secret.bin"), std::string("near/../../secret.bin"), "file://" + elsewhere,
+        "FILE:" + elsewhere, std::string("https://a.org/secret.bin"), elsewhere,
+        "%2f" + elsewhere.substr(1), std::string("/dev/zero")}) {
+    EXPECT_EQ(lab.refused(uri),
+              "expected a path within the mesh's folder, got " + json(uri).dump());
+  }
+}
+
+TEST(Confinement, ABufferThatIsALinkOutOrNoFileIsRefusedInOurWords) {
+  const MeshLab lab;
+  const std::filesystem::path stimuli = lab / "study/stimuli";
+  std::filesystem::create_symlink("../../elsewhere/secret.bin", stimuli / "link.bin");
+  std::filesystem::create_symlink("../../elsewhere", stimuli / "link");
+  for (const std::string uri : {"link.bin", "link/secret.bin"}) {
+    EXPECT_EQ(lab.refused(uri), "expected a file within the mesh's folder, got " +
+                                    json(uri).dump() + ", which is a link out of it");
+  }
+  std::filesystem::create_symlink("loop.bin", stimuli / "loop.bin");
+  ASSERT_EQ(mkfifo((stimuli / "pipe.bin").c_str(), 0600), 0);
+  const std::string long_name(300, 'x');
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"none.bin", "there is no such file"},
+      {"loop.bin", "its links lead round in a circle"},
+      {"pipe.bin", "it is a named pipe, not a file"},
+      {"near", "it is a directory, not a file"},
+      {long_name, "its name is too long"}};
+  for (const auto& [uri, reason] : cases) {
+    EXPECT_EQ(lab.refused(uri),
+              "expected a file of the mesh's, but " + (stimuli / uri).string() + ": " + reason);
+  }
+}
+
+/// Textures are dropped, so that a mesh need not have them.
+TEST(Confinement, AGltfsImagesAreNotOpened) {
+  const MeshLab lab;
+  ASSERT_EQ(mkfifo((lab / "study/stimuli/pipe.png").c_str(), 0600), 0);
+  json text = json::parse(gltf_with_buffer("near/secret.bin"));
+  text["images"] = {{{"uri", "pipe.png"}}, {{"uri", "../../elsewhere/none.png"}}};
+  text["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  text["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}},
+                       {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}}};
+  EXPECT_EQ(load_mesh(lab.write("study/stimuli/b.gltf", text.dump())).triangles.size(), 1U);
+}
+
+// ---------------------------------------------------------------- pipes, loops, devices
+
+TEST(Confinement, WhatAProtocolNamesIsAFile) {
+  const Lab lab;
+  ASSERT_EQ(mkfifo((lab / "study/stimuli/pipe.json").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop.json", lab / "study/stimuli/loop.json");
+  const std::string long_name = std::string(300, 'x') + ".json";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"pipe.json", "it is a named pipe, not a file"},
+      {"loop.json", "its links lead round in a circle"},
+      {long_name, "its name is too long"}};
+  for (const auto& [name, reason] : cases) {
+    const auto path = lab.protocol("../stimuli/" + name);
+    EXPECT_EQ(protocol_refusal(path),
+              path.string() + ":/scene: expected a file, seen from this one, got \"../stimuli/" +
+                  name + "\", but " + (lab / "study/stimuli" / name).string() + ": " + reason);
+  }
+}
+
+TEST(Confinement, WhatASceneNamesIsAFile) {
+  const Lab lab;
+  ASSERT_EQ(mkfifo((lab / "study/stimuli/pipe.obj").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop.obj", lab / "study/stimuli/loop.obj");
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"pipe.obj", "it is a named pipe, not a file"},
+      {"loop.obj", "its links lead round in a circle"}};
+  for (const auto& [name, reason] : cases) {
+    const auto scene = scene_with_mesh(lab, name);
+    EXPECT_EQ(refusal([&] { read_scene(scene); }),
+              scene.string() + ":/bodies/0/shape/file: expected a mesh file, but " +
+                  (lab / "study/stimuli" / name).string() + ": " + reason);
+  }
 }
 
 TEST(Confinement, AStudysOwnSceneOpensNoFile) {

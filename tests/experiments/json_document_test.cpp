@@ -1,6 +1,9 @@
 // What a JSON file must be before anything in it is read: every refusal, word for word.
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/json_document.hpp"
+
+#include <sys/stat.h>
+
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::json_document_test {
@@ -60,10 +63,68 @@ TEST(JsonDocument, AFileThatCannotBeReadIsRefusedWithTheReason) {
   const TemporaryFolder folder;
   const std::string missing = (folder / "none.json").string();
   EXPECT_EQ(refusal([&] { read_json(missing); }),
-            missing + ": expected a JSON file, but it cannot be read: No such file or directory");
-  EXPECT_EQ(
-      refusal([&] { read_json(folder.path()); }),
-      folder.path().string() + ": expected a JSON file, but it cannot be read: it is a directory");
+            missing + ": expected a JSON file, but it cannot be read: there is no such file");
+  EXPECT_EQ(refusal([&] { read_json(folder.path()); }),
+            folder.path().string() +
+                ": expected a JSON file, but it cannot be read: it is a directory, not a file");
+}
+
+TEST(JsonDocument, OnlyARegularFileIsOpened) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+  std::filesystem::create_symlink("loop.json", folder / "loop.json");
+  folder.write("file", "{}");
+  std::filesystem::create_symlink("/dev/zero", folder / "zero.json");
+  std::filesystem::create_symlink("file", folder / "link.json");
+  const std::string long_name(300, 'x');
+  const std::vector<std::pair<std::filesystem::path, std::string>> cases{
+      {folder / "pipe.json", "it is a named pipe, not a file"},
+      {"/dev/zero", "it is a device, not a file"},
+      {folder / "zero.json", "it is a device, not a file"},
+      {folder / "loop.json", "its links lead round in a circle"},
+      {folder / long_name, "its name is too long"},
+      {folder / "file/a.json", "a part of its path is a file, not a directory"}};
+  for (const auto& [path, reason] : cases) {
+    EXPECT_EQ(refusal([&] { read_json(path); }),
+              path.string() + ": expected a JSON file, but it cannot be read: " + reason);
+  }
+  EXPECT_EQ(refusal([&] { read_json(folder / "link.json"); }), "accepted");
+}
+
+TEST(JsonDocument, AFileOfNothingThatIsHugeIsRefusedUnread) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.write("huge.json", "");
+  std::filesystem::resize_file(path, 1'000'000'000'000);  // sparse: it takes no room
+  EXPECT_EQ(refusal([&] { read_json(path); }),
+            path.string() +
+                ": expected a JSON file, but it cannot be read: it has 1000000000000 bytes, more "
+                "than the 500000000 that are read");
+}
+
+TEST(JsonDocument, MoreValuesThanAnybodyMeansAreRefusedWhereTheyBegin) {
+  std::string text = "{\"a\": [[]";
+  for (int i = 0; i < 1'000'000; ++i) {
+    text += ",0";
+  }
+  EXPECT_EQ(json_refusal(text + "]}"),
+            "a.json:/a/999998: expected at most 1000000 values in a file, got more");
+}
+
+TEST(JsonDocument, BracketsWithoutEndAreRefusedAtTheFirstThatIsTooDeep) {
+  std::string place;
+  for (int level = 0; level < 64; ++level) {
+    place += "/0";
+  }
+  EXPECT_EQ(json_refusal(std::string(10'000'000, '[')),
+            "a.json:" + place + ": expected at most 64 levels of nesting, got more");
+}
+
+TEST(JsonDocument, AListOfManyObjectsIsReadAtOnce) {
+  std::string text = "[{}";
+  for (int i = 1; i < 900'000; ++i) {
+    text += ",{}";
+  }
+  EXPECT_EQ(json_refusal(text + "]"), "accepted");  // a second; hours when each asks for all others
 }
 
 }  // namespace impetus::json_document_test

@@ -176,6 +176,25 @@ TEST(ProtocolChecks, ADesignTooLargeForAnyoneIsRefusedBeforeItFillsTheMemory) {
         "repetitions)"}});
 }
 
+TEST(ProtocolChecks, AFactorOfAHundredThousandLevelsIsRefusedAtOnce) {
+  json levels = json::array();
+  for (int i = 0; i < 100'000; ++i) {
+    levels.push_back(i);
+  }
+  expect_protocol_refusals(
+      {{"/design/factors/0/levels", levels,
+        "/design: expected at most 10000 trials, got 2700000 (levels of all factors × "
+        "repetitions)"}});
+}
+
+TEST(ProtocolChecks, ALevelThatStandsTwiceIsARepeatHoweverItIsWritten) {
+  expect_protocol_refusals(
+      {{"/design/factors/0/levels",
+        {0, 1, 2.0, 2},
+        "/design/factors/0/levels: expected a list of at least 1 value without repeats, got "
+        "[0,1,2.0,2]"}});
+}
+
 TEST(ProtocolChecks, PracticeIsMadeOfTheDesignsCells) {
   expect_protocol_refusals(
       {{"/design/practice/0/delay_ms", 50,
@@ -294,8 +313,8 @@ TEST(SceneFile, ASceneThatIsNotThereIsNamedByTheProtocol) {
   EXPECT_EQ(refusal([&] { load_protocol(path); }),
             path +
                 ":/scene: expected a file, seen from this one, got \"../stimuli/none.json\", "
-                "but there is no " +
-                (folder / "stimuli/none.json").string());
+                "but " +
+                (folder / "stimuli/none.json").string() + ": there is no such file");
 }
 
 TEST(SceneFile, AShapeHasTheMeasuresOfItsKind) {

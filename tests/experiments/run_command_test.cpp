@@ -60,7 +60,7 @@ TEST(Run, WhatTheWindowCannotUseIsRefusedBeforeItOpens) {
       {{"--window", "320x200"},
        "--window 320x200: expected WIDTHxHEIGHT of at least 640x480 pixels"},
       {{"--screen", "none.json"},
-       "none.json: expected a JSON file, but it cannot be read: No such file or directory"},
+       "none.json: expected a JSON file, but it cannot be read: there is no such file"},
       {{"--screen", "screen.json"},
        "screen.json:/: expected the key \"schema_version\", which is missing"}};
   for (const auto& [more, sentence] : cases) {

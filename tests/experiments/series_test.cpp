@@ -134,8 +134,8 @@ TEST(Series, AFileThatIsNotThereIsRefused) {
   EXPECT_EQ(refusal_of(path),
             path.string() +
                 ":/protocols/1: expected a protocol's file, seen from this one, got \"no.json\", "
-                "but there is no " +
-                (folder / "no.json").string());
+                "but " +
+                (folder / "no.json").string() + ": there is no such file");
 }
 
 TEST(Series, AnUnknownKeyIsRefused) {

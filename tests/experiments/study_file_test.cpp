@@ -1,5 +1,7 @@
 // The study file itself: what is none, what cannot be written, what a closed one is.
 // SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus::study_file_test {
@@ -45,6 +47,26 @@ TEST(StudyFile, AMissingFileIsRefusedForReadingAndNotMade) {
             (folder / "no/folder.sqlite").string() +
                 ": expected a file that can be written, but it cannot be: No such file or "
                 "directory");
+}
+
+TEST(StudyFile, AStudyItsLogAndItsJournalAreFiles) {
+  const TemporaryFolder folder;
+  const std::string words =
+      ": expected a file of an Impetus study, got something that is not a file";
+  const std::string pipe = folder / "pipe.sqlite";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(read_refusal(pipe), pipe + words);
+  EXPECT_EQ(open_refusal(pipe), pipe + words);
+  EXPECT_EQ(read_refusal(folder.path()), folder.path().string() + words);
+  const std::string path = folder / "a.sqlite";
+  opened(path);
+  for (const std::string suffix : {"-wal", "-journal"}) {
+    ASSERT_EQ(mkfifo((path + suffix).c_str(), 0600), 0);
+    EXPECT_EQ(read_refusal(path), path + suffix + words);
+    EXPECT_EQ(open_refusal(path), path + suffix + words);
+    std::filesystem::remove(path + suffix);
+  }
+  EXPECT_EQ(read_refusal(path), "accepted");
 }
 
 TEST(StudyFile, AProcessKilledBeforeTheSchemaWasWrittenLeavesAFileThatCanBeUsed) {

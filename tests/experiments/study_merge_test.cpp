@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/study_merge.hpp"
 
+#include <sys/stat.h>
+
 #include <map>
 #include <set>
 
@@ -259,6 +261,7 @@ TEST(Merge, WhatIsNotOneStudyIsRefusedBeforeAnythingIsWritten) {
       small_study(file("gap.sqlite"), {"P04"}, small_protocol("small", "gap"));
   const std::filesystem::path same_person = small_study(file("person.sqlite"), {"P01", "P05"});
   std::filesystem::copy_file(at.a, file("copy.sqlite"));
+  ASSERT_EQ(mkfifo(file("pipe.sqlite").c_str(), 0600), 0);
   const std::string hash = small_protocol().hash;
   const std::vector<std::pair<std::vector<std::filesystem::path>, std::string>> cases{
       {{at.a, file("copy.sqlite")}, file("copy.sqlite").string() + ": the same file as " + a},
@@ -270,7 +273,10 @@ TEST(Merge, WhatIsNotOneStudyIsRefusedBeforeAnythingIsWritten) {
       {{at.a, same_person},
        same_person.string() + ": expected other participants than in " + a + ", got P01 in both"},
       {{at.a, file("none.sqlite")},
-       file("none.sqlite").string() + ": expected an Impetus study, but there is no such file"}};
+       file("none.sqlite").string() + ": expected an Impetus study, but there is no such file"},
+      {{at.a, file("pipe.sqlite")},
+       file("pipe.sqlite").string() +
+           ": expected a file of an Impetus study, got something that is not a file"}};
   for (const auto& [sources, sentence] : cases) {
     EXPECT_EQ(at.refusal(sources), sentence);
     EXPECT_FALSE(std::filesystem::exists(at.into)) << sentence;

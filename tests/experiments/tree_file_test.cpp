@@ -3,6 +3,7 @@
 #include "experiments/models/tree_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstring>
@@ -165,7 +166,10 @@ TEST(TreeFile, WhatIsNoTreeFileIsRefusedInOneSentence) {
   EXPECT_EQ(sentence_of([&] { load_tree(folder / "a.tree"); }),
             (folder / "a.tree").string() + ": there is no such file");
   EXPECT_EQ(sentence_of([&] { load_tree(folder.path()); }),
-            folder.path().string() + ": is not a file");
+            folder.path().string() + ": it is a directory, not a file");
+  ASSERT_EQ(mkfifo((folder / "pipe.tree").c_str(), 0600), 0);
+  EXPECT_EQ(sentence_of([&] { load_tree(folder / "pipe.tree"); }),
+            (folder / "pipe.tree").string() + ": it is a named pipe, not a file");
   EXPECT_EQ(refused("v 0 0 0\n"),
             "expected a tree file, which begins with \"impetree\", got another kind of file");
   EXPECT_EQ(refused(""),

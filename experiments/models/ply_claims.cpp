@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/models/ply_claims.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "experiments/models/text_words.hpp"
+
+namespace impetus {
+namespace {
+
+/// A file of splats has some sixty.
+constexpr std::size_t kMostProperties = 1000;
+
+struct Property {
+  std::string name;
+  std::string length_type;  ///< of a list; "" else
+  std::string type;
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count{0};
+  std::vector<Property> properties;
+};
+
+struct Header {
+  std::string format;
+  std::vector<Element> elements;
+};
+
+/// What the file claims is false: the words are what().
+class FalseClaim : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+std::string of_bytes(std::string_view bytes) {
+  return ", but the file has " + std::to_string(bytes.size()) + " bytes";
+}
+
+Property property_from(std::string_view line) {
+  Property property;
+  property.type = take_word(line);
+  if (property.type == "list") {
+    property.length_type = take_word(line);
+    property.type = take_word(line);
+  }
+  property.name = take_word(line);
+  return property;
+}
+
+/// Leaves `rest` at the body.
+Header take_header(std::string_view bytes, std::string_view& rest) {
+  Header header;
+  std::size_t properties = 0;
+  while (!rest.empty()) {
+    std::string_view line = take_line(rest);
+    const bool may_end = line.starts_with("end_header");
+    const std::string_view word = take_word(line);
+    if (may_end && word == "end_header" && take_word(line).empty()) {
+      return header;
+    }
+    if (word == "format") {
+      header.format = take_word(line);
+    } else if (word == "element") {
+      const std::string name(take_word(line));
+      const std::string_view count = take_word(line);
+      header.elements.push_back({name, whole_number(count).value_or(0), {}});
+      if (header.elements.back().count > bytes.size()) {
+        throw FalseClaim("its PLY header claims " + std::string(count) + " of the element \"" +
+                         name + "\"" + of_bytes(bytes));
+      }
+    } else if (word == "property" && !header.elements.empty()) {
+      header.elements.back().properties.push_back(property_from(line));
+      ++properties;
+    }
+    if (properties + header.elements.size() > kMostProperties) {
+      throw FalseClaim("its PLY header has more than " + std::to_string(kMostProperties) +
+                       " elements and properties");
+    }
+  }
+  throw FalseClaim("its PLY header has no end");
+}
+
+/// Bytes of a value in a binary file; 0 of an unknown type.
+std::size_t size_of(const std::string& type) {
+  for (const char* one : {"char", "uchar", "int8", "uint8"}) {
+    if (type == one) {
+      return 1;
+    }
+  }
+  for (const char* two : {"short", "ushort", "int16", "uint16"}) {
+    if (type == two) {
+      return 2;
+    }
+  }
+  for (const char* four : {"int", "uint", "float", "int32", "uint32", "float32"}) {
+    if (type == four) {
+      return 4;
+    }
+  }
+  return type == "double" || type == "float64" ? 8 : 0;
+}
+
+/// The values of a body, one after another; each answers whether there was one.
+class Body {
+ public:
+  Body(std::string_view bytes, const std::string& format)
+      : rest_(bytes), text_(format == "ascii"), big_end_first_(format == "binary_big_endian") {}
+
+  bool skip(const std::string& type, std::uint64_t count) {
+    if (!text_) {
+      const std::size_t size = size_of(type);
+      if (size == 0 || count > rest_.size() / size) {
+        return false;
+      }
+      rest_.remove_prefix(count * size);
+      return true;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+      if (take_word(rest_).empty()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// A list's length; none where the body ends, or what is there is no length.
+  std::optional<std::uint64_t> take_length(const std::string& type) {
+    if (text_) {
+      return whole_number(take_word(rest_));
+    }
+    const std::size_t size = size_of(type);
+    if (size == 0 || size > 4 || size > rest_.size()) {
+      return std::nullopt;
+    }
+    std::uint64_t length = 0;
+    for (std::size_t byte = 0; byte < size; ++byte) {
+      const std::size_t from = big_end_first_ ? byte : size - 1 - byte;
+      length = length << 8U | static_cast<unsigned char>(rest_[from]);
+    }
+    rest_.remove_prefix(size);
+    return length;
+  }
+
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
+ private:
+  std::string_view rest_;
+  bool text_;
+  bool big_end_first_;
+};
+
+/// False where the body ends: the reader says so.
+bool pass_element(const Element& element, Body& body, std::string_view bytes) {
+  for (const Property& property : element.properties) {
+    if (property.length_type.empty()) {
+      if (!body.skip(property.type, 1)) {
+        return false;
+      }
+      continue;
+    }
+    const auto length = body.take_length(property.length_type);
+    if (!length) {
+      return false;
+    }
+    if (*length > body.left()) {
+      throw FalseClaim("a list \"" + property.name + "\" of it claims " + std::to_string(*length) +
+                       " values" + of_bytes(bytes));
+    }
+    if (!body.skip(property.type, *length)) {
+      return false;
+    }
+  }
+  return !element.properties.empty();
+}
+
+void pass_body(const Header& header, std::string_view body_bytes, std::string_view bytes) {
+  Body body(body_bytes, header.format);
+  for (const Element& element : header.elements) {
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+      if (!pass_element(element, body, bytes)) {
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string ply_problem(std::string_view bytes) {
+  try {
+    std::string_view rest = bytes;
+    take_line(rest);
+    const Header header = take_header(bytes, rest);
+    pass_body(header, rest, bytes);
+  } catch (const FalseClaim& claim) {
+    return claim.what();
+  }
+  return "";
+}
+
+}  // namespace impetus

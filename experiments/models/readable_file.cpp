@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/models/readable_file.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace impetus {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the operating system says, in words that a reader of scenes understands.
+std::string system_words(int error) {
+  switch (error) {
+    case ENOENT:
+      return "there is no such file";
+    case ENOTDIR:
+      return "a part of its path is a file, not a directory";
+    case ELOOP:
+      return "its links lead round in a circle";
+    case ENAMETOOLONG:
+      return "its name is too long";
+    case EACCES:
+    case EPERM:
+      return "you have no permission to read it";
+    default:
+      return std::strerror(error);
+  }
+}
+
+/// "" of a file.
+std::string type_words(fs::file_type type) {
+  switch (type) {
+    case fs::file_type::regular:
+      return "";
+    case fs::file_type::directory:
+      return "it is a directory, not a file";
+    case fs::file_type::fifo:
+      return "it is a named pipe, not a file";
+    case fs::file_type::socket:
+      return "it is a socket, not a file";
+    default:
+      return "it is a device, not a file";
+  }
+}
+
+}  // namespace
+
+std::string reading_problem(const fs::path& file, std::uintmax_t most_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (error) {
+    return system_words(error.value());
+  }
+  if (std::string words = type_words(status.type()); !words.empty()) {
+    return words;
+  }
+  if (::access(file.c_str(), R_OK) != 0) {
+    return system_words(errno);
+  }
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  return bytes <= most_bytes ? ""
+                             : "it has " + std::to_string(bytes) + " bytes, more than the " +
+                                   std::to_string(most_bytes) + " that are read";
+}
+
+std::string file_bytes(const fs::path& file, std::uintmax_t most_bytes) {
+  if (const std::string problem = reading_problem(file, most_bytes); !problem.empty()) {
+    throw std::runtime_error(problem);
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(fs::file_size(file), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (!stream.is_open() || stream.bad()) {
+    throw std::runtime_error(system_words(errno));
+  }
+  return bytes;
+}
+
+}  // namespace impetus
