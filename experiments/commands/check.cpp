@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
@@ -116,6 +117,7 @@ void check_one(const std::filesystem::path& file, const CheckOptions& options) {
 }
 
 int check(const CheckOptions& options) {
+  const BuildingLine told;
   int status = kDone;
   for (const std::string& file : options.files) {
     try {

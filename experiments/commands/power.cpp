@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/power_studies.hpp"
 #include "experiments/commands/r_program.hpp"
@@ -241,6 +242,7 @@ void say_what_is_not_simulated(const PowerOptions& options, const std::string& r
 }
 
 int power(const PowerOptions& options) {
+  const BuildingLine told;
   require_power_folder(options.out);
   PowerWork work;
   work.run = run_options_of(options);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 
@@ -111,6 +112,7 @@ void require_no_recording(const JsonDocument& scene) {
 }
 
 int preview(const PreviewOptions& options) {
+  const BuildingLine told;
   const JsonDocument scene = load_scene(options.scene);
   require_no_recording(scene);
   show(scene, options);

@@ -7,7 +7,22 @@
 #include <cstdio>
 #include <utility>
 
+#include "experiments/commands/duration_words.hpp"
+
 namespace impetus {
+namespace {
+
+/// ", about 3 min left", once enough is done to tell; "" of what is short.
+std::string left_words(double share, std::chrono::duration<double> taken) {
+  constexpr double kEnough_s = 1.0;
+  constexpr double kShort_s = 5.0;
+  const double left_s = share > 0.0 ? taken.count() * (1.0 - share) / share : 0.0;
+  return taken.count() < kEnough_s || left_s < kShort_s
+             ? ""
+             : ", about " + duration_words(left_s) + " left";
+}
+
+}  // namespace
 
 ProgressLine::ProgressLine(std::string what)
     : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -22,16 +37,18 @@ void ProgressLine::tell(double share) {
   constexpr std::chrono::seconds kSparse{2};
   const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
   const auto now = std::chrono::steady_clock::now();
+  if (share <= 0.0) {
+    began_at_ = now;
+    told_percent_ = -1;
+  }
   if (percent <= told_percent_ || (!terminal_ && now - told_at_ < kSparse)) {
     return;
   }
   told_percent_ = percent;
   told_at_ = now;
-  if (terminal_) {
-    std::fprintf(stderr, "\r%s %d %%", what_.c_str(), percent);
-  } else {
-    std::fprintf(stderr, "%s %d %%\n", what_.c_str(), percent);
-  }
+  const std::string left = left_words(share, now - began_at_);
+  std::fprintf(stderr, terminal_ ? "\r%s %d %%%s\033[K" : "%s %d %%%s\n", what_.c_str(), percent,
+               left.c_str());
   std::fflush(stderr);
 }
 

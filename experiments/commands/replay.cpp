@@ -6,7 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/commands/build_name.hpp"
+#include "build_info.hpp"
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replay_levels.hpp"
 #include "experiments/commands/replay_truth.hpp"
@@ -134,6 +135,7 @@ void require_one_purpose(const ReplayOptions& options) {
 }
 
 int replay_study(const ReplayOptions& options) {
+  const BuildingLine told;
   require_one_purpose(options);
 #ifndef IMPETUS_WINDOW
   if (options.view) {

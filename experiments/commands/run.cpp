@@ -6,7 +6,8 @@
 #include <set>
 #include <string>
 
-#include "experiments/commands/build_name.hpp"
+#include "build_info.hpp"
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/run_part.hpp"
@@ -147,6 +148,7 @@ int run_without_participants(const std::filesystem::path& file, const RunOptions
 
 /// Everything that can be refused is refused before a window opens or a row is written.
 int run(const RunOptions& options) {
+  const BuildingLine told;
   const Series series = load_series(options.protocol);
   if (nobody_takes_part(series)) {
     return run_without_participants(series.protocols.front(), options);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
@@ -288,6 +289,7 @@ void tell(const std::vector<TradeChoice>& choices, double pairs,
 }
 
 int trade(const TradeOptions& options) {
+  const BuildingLine told;
   check(options);
   const JsonDocument scene = load_scene(options.scene);
   const std::filesystem::path folder = options.out;

@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "experiments/models/building_watch.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/tree_file.hpp"
 
@@ -84,14 +85,15 @@ std::filesystem::path TreeCache::file_of(const TriangleMesh& solid,
 
 VolumeTree TreeCache::tree(const TriangleMesh& solid, const TreeSettings& settings,
                            const Progress& progress) const {
+  const Progress& heard = progress ? progress : BuildingWatch::heard();
   if (!folder_) {
-    return build_tree(solid, settings, progress);
+    return build_tree(solid, settings, heard);
   }
   const std::filesystem::path file = file_of(solid, settings);
   if (auto known = kept(file, solid, settings)) {
     return *std::move(known);
   }
-  StoredTree stored{"", settings, solid, build_tree(solid, settings, progress)};
+  StoredTree stored{"", settings, solid, build_tree(solid, settings, heard)};
   keep(stored, file);
   return std::move(stored.tree);
 }

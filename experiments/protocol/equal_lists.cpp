@@ -12,6 +12,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/playback.hpp"
+#include "experiments/session/unattended.hpp"
 
 namespace impetus {
 namespace {
@@ -24,10 +25,10 @@ struct Pilot {
   double share{0.0};  ///< of them in the first list
 };
 
-Pilot run_pilot(const json& scene, double pilot_s, ShapeLibrary& shapes) {
+Pilot run_pilot(const json& scene, double pilot_s, ShapeLibrary& shapes, const Progress& progress) {
   Playback playback(build_scene(scene, assumed_screen(), 0.0, shapes, "pilot"), 1);
   playback.drop_digests();
-  playback.poses_at(pilot_s);
+  play_to(playback, pilot_s, progress);
   Pilot pilot;
   for (const CollisionRecord& collision : playback.take_collisions()) {
     if (!is_wall(collision.report.bodies.b) && collision.priority) {
@@ -64,12 +65,13 @@ std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& 
   const auto pilot_s = task.entry["pilot_s"].get<double>();
   const auto pointer = task.entry["pointer"].get<std::string>();
   json scene = task.scene;
-  Pilot pilot = run_pilot(scene, pilot_s, shapes);
-  for (int number = 1; number < kMostPilots && !pilot.measures.empty(); ++number) {
-    progress(static_cast<double>(number) / kMostPilots);
+  int number = 0;  // of pilots that are done
+  const Progress tell_pilot = [&](double done) { progress((number + done) / kMostPilots); };
+  Pilot pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
+  for (number = 1; number < kMostPilots && !pilot.measures.empty(); ++number) {
     const double threshold = threshold_of(scene, share, pilot.measures);
     scene[json::json_pointer(pointer)] = threshold;
-    pilot = run_pilot(scene, pilot_s, shapes);
+    pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
     if (!pilot.measures.empty() && std::abs(pilot.share - share) <= within) {
       return {{pointer, threshold}};
     }

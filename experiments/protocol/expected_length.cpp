@@ -4,17 +4,23 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_timing.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus {
+namespace {
+
+double duration_under(const Protocol& protocol, const Condition& condition) {
+  const nlohmann::json scene = scene_under(protocol, condition);
+  return scene_duration_s(scene, intended_hold_s(scene));
+}
+
+}  // namespace
 
 StimulusLength stimulus_length(const Protocol& protocol) {
-  const ProtocolScenes scenes(protocol, 0.0);
   StimulusLength length{std::numeric_limits<double>::infinity(), 0.0};
   for (const Condition& cell : cells(protocol.design)) {
-    const double duration_s = scenes.stage(cell, assumed_screen()).duration_s;
+    const double duration_s = duration_under(protocol, cell);
     length.shortest_s = std::min(length.shortest_s, duration_s);
     length.longest_s = std::max(length.longest_s, duration_s);
   }
@@ -22,7 +28,6 @@ StimulusLength stimulus_length(const Protocol& protocol) {
 }
 
 double expected_minutes(const Protocol& protocol, const Plan& plan) {
-  const ProtocolScenes scenes(protocol, 0.0);
   double seconds = kAssumedReading_s;
   for (const PlannedTrial& trial : plan) {
     if (trial.phase == TrialPhase::kPractice && trial.repetition > 1) {
@@ -30,8 +35,8 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
     }
     seconds += kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3;
     for (const PlannedTrial& shown : stimuli_of(protocol.script, trial)) {
-      seconds += scenes.stage(shown.condition, assumed_screen()).duration_s +
-                 protocol.script.timing.fixation_ms / 1e3;
+      seconds +=
+          duration_under(protocol, shown.condition) + protocol.script.timing.fixation_ms / 1e3;
     }
   }
   return seconds / 60.0;

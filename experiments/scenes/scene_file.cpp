@@ -23,6 +23,7 @@
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_spin.hpp"
+#include "experiments/scenes/scene_timing.hpp"
 
 namespace impetus {
 namespace {
@@ -113,11 +114,8 @@ void set_timing(const json& scene, StagedScene& staged) {
   staged.step_hz = scene["engine"]["step_hz"].get<double>();
   if (scene.contains("meeting")) {
     staged.contact_s = scene["meeting"]["lead_s"].get<double>();
-    staged.duration_s =
-        staged.contact_s + staged.realised_hold_s + scene["meeting"]["follow_s"].get<double>();
-  } else {
-    staged.duration_s = scene["duration_s"].get<double>();
   }
+  staged.duration_s = scene_duration_s(scene, staged.realised_hold_s);
 }
 
 /// All but the coarser meshes of a crowd, which only drawing needs.
@@ -129,7 +127,7 @@ StagedScene staged_scene(const json& scene, const ScreenGeometry& screen, double
   const json imposed = scene.value("imposed", json::object());
   const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
   SceneBodies bodies = bodies_of(scene, m_per_deg, library, deepest_level);
-  const double intended_s = imposed.value("contact_hold_ms", 0.0) / 1e3;
+  const double intended_s = intended_hold_s(scene);
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
   std::vector<BodyState> states;

@@ -8,19 +8,24 @@
 
 namespace impetus {
 
-AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
-                                   const std::function<void(double share)>& progress) {
-  constexpr double kTell_s = 1.0;  // of simulated time, between words of progress
-  Playback playback(std::move(scene), trial.seed);
-  playback.drop_digests();
-  const double duration_s = playback.scene().duration_s;
-  for (double time_s = 0.0; time_s < duration_s;) {
-    time_s = std::min(time_s + kTell_s, duration_s);
+void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress) {
+  constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
+  constexpr double kMostToldSteps = 250.0;
+  const double tell_s = std::min(kMostTold_s, kMostToldSteps / playback.scene().step_hz);
+  for (double time_s = 0.0; time_s < end_s;) {
+    time_s = std::min(time_s + tell_s, end_s);
     playback.poses_at(time_s);
     if (progress) {
-      progress(time_s / duration_s);
+      progress(time_s / end_s);
     }
   }
+}
+
+AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
+                                   const std::function<void(double share)>& progress) {
+  Playback playback(std::move(scene), trial.seed);
+  playback.drop_digests();
+  play_to(playback, playback.scene().duration_s, progress);
   AttemptRecord record;
   record.slot = trial.slot;
   record.outcome = AttemptOutcome::kCompleted;

@@ -13,6 +13,11 @@
 
 namespace impetus {
 
+class Playback;
+
+/// Plays until `end_s`. `progress` hears of the share that is done, however many steps it takes.
+void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress);
+
 /// One trial from start to end. No frame shows it: its onset is 0. `progress` hears of the share
 /// that is done.
 AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,

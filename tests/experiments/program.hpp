@@ -82,12 +82,12 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// What the program said on stderr but for its progress, such as "simulating 8 %", which a slow
-/// machine makes it tell.
+/// What the program said on stderr but for its progress, such as "simulating 8 %, about 12 s left",
+/// which a slow machine makes it tell.
 inline std::string complaints_of(const ProgramResult& result) {
   std::string complaints;
   for (const std::string& line : lines_of(result.errors)) {
-    complaints += line.ends_with(" %") ? "" : line + "\n";
+    complaints += line.ends_with(" %") || line.ends_with(" left") ? "" : line + "\n";
   }
   return complaints;
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/models/building_watch.hpp"
+
+#include <utility>
+
+namespace impetus {
+namespace {
+
+Progress& present() {
+  static Progress heard;
+  return heard;
+}
+
+}  // namespace
+
+BuildingWatch::BuildingWatch(Progress heard) { present() = std::move(heard); }
+
+BuildingWatch::~BuildingWatch() { present() = {}; }
+
+const Progress& BuildingWatch::heard() { return present(); }
+
+}  // namespace impetus
