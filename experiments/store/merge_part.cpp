@@ -163,7 +163,6 @@ void require_other_participants(const MergePart& part, const MergePart& before) 
 }  // namespace
 
 MergePart open_merge_part(const std::filesystem::path& path) {
-  require_files(path);
   ReadingLock lock(path);
   std::error_code error;
   const bool is_there = std::filesystem::exists(path, error);

@@ -73,8 +73,9 @@ bool has_log(const std::filesystem::path& path) {
   return !missing && size > 0;
 }
 
-ReadingLock::ReadingLock(const std::filesystem::path& path)
-    : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+ReadingLock::ReadingLock(const std::filesystem::path& path) {
+  require_files(path);
+  file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   held_ = file_ >= 0 && ::flock(file_, LOCK_SH | LOCK_NB) == 0;
 }
 

@@ -28,6 +28,7 @@ bool has_log(const std::filesystem::path& path);
 /// outlive the database that is open on the file, whose own locks it would take along.
 class ReadingLock {
  public:
+  /// Throws what require_files() throws.
   explicit ReadingLock(const std::filesystem::path& path);
   ~ReadingLock();
   ReadingLock(ReadingLock&& other) noexcept;

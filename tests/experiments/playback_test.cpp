@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "engine/trees/volume_tree.hpp"
+#include "experiments/session/unattended.hpp"
 
 namespace impetus::playback_test {
 
@@ -34,6 +39,17 @@ TEST(Playback, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
   EXPECT_NEAR(static_cast<double>(collisions[0].step), 90.0, 1.0);
   EXPECT_NEAR(collisions[0].pose_a.position.x(), 0.9, 0.011);
   EXPECT_EQ(collisions[0].pose_b.position, Vector3::Zero());
+}
+
+TEST(Playback, ManyStepsAreToldOfHoweverShortTheirTime) {
+  StagedScene scene = ball_in_a_cube();
+  scene.step_hz = 100'000.0;
+  Playback playback(std::move(scene), 1);
+  std::vector<double> told;
+  play_to(playback, /*end_s=*/0.1, [&](double share) { told.push_back(share); });
+  EXPECT_EQ(told.size(), 40U);  // 10000 steps, 250 at a time
+  EXPECT_EQ(told.back(), 1.0);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
 }
 
 }  // namespace impetus::playback_test

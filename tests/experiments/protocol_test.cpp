@@ -187,6 +187,19 @@ TEST(ProtocolChecks, AFactorOfAHundredThousandLevelsIsRefusedAtOnce) {
         "repetitions)"}});
 }
 
+TEST(ProtocolChecks, MoreDemonstrationsThanAnybodyWatchesAreRefused) {
+  const json one{
+      {"id", "d"}, {"paragraphs", json::array()}, {"set", json::object()}, {"title", "t"}};
+  json demonstrations = json::array();
+  while (demonstrations.size() <= 100) {
+    demonstrations.push_back(one);
+  }
+  expect_protocol_refusals(
+      {{"/session/demonstrations", demonstrations,
+        "/session/demonstrations: expected a list of at most 100 values, got " +
+            demonstrations.dump().substr(0, 60) + "…"}});
+}
+
 TEST(ProtocolChecks, ALevelThatStandsTwiceIsARepeatHoweverItIsWritten) {
   expect_protocol_refusals(
       {{"/design/factors/0/levels",

@@ -8,9 +8,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/mass_properties.hpp"
+#include "experiments/models/building_watch.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
@@ -48,6 +50,20 @@ TEST(TreeCache, ATreeIsBuiltOnceAndComesBackBitForBit) {
   EXPECT_TRUE(without.built);
   EXPECT_EQ(bytes_of_tree(second.tree), bytes_of_tree(first.tree));
   EXPECT_EQ(bytes_of_tree(without.tree), bytes_of_tree(first.tree));
+}
+
+TEST(TreeCache, AWatchHearsOfTreesThatNobodyElseListensTo) {
+  std::vector<double> heard;
+  {
+    const BuildingWatch watch([&](double share) { heard.push_back(share); });
+    static_cast<void>(TreeCache().tree(block(), kSettings));
+    ASSERT_FALSE(heard.empty());
+    EXPECT_EQ(heard.front(), 0.0);
+    heard.clear();
+    EXPECT_TRUE(ask(TreeCache()).built);  // another one listens
+  }
+  static_cast<void>(TreeCache().tree(block(), kSettings));
+  EXPECT_TRUE(heard.empty());
 }
 
 TEST(TreeCache, AnotherMeshOrOtherSettingsAreAnotherTree) {
