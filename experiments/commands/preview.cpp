@@ -35,8 +35,6 @@ struct PreviewOptions {
 
 #ifdef IMPETUS_WINDOW
 
-constexpr double kExactHold = 0.0;
-
 int picture_px(const char* name, int given, int usual) {
   if (given < 0 || given > kLargestPicturePx) {
     throw InputError(std::string(name) + ": expected from 1 to " +
@@ -51,7 +49,7 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
                          picture_px("--height", options.height_px, 360)};
   ShapeLibrary shapes;
   const StagedScene staged =
-      build_scene(scene.value, chosen_screen(options.screen_file), kExactHold, shapes);
+      build_scene(scene.value, chosen_screen(options.screen_file), kUnroundedHold, shapes);
   try {
     const CollisionByLevel collision = collision_by_level(staged);
     write_png(strip_of(collision, staged, size), options.strip);
@@ -66,7 +64,7 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
 void build_shapes(const nlohmann::json& scene, const ScreenGeometry& screen, ShapeLibrary& shapes) {
   ProgressLine line("building the bodies");
   shapes.tell([&line](double share) { line.tell(share); });
-  static_cast<void>(build_scene(scene, screen, kExactHold, shapes));
+  static_cast<void>(build_scene(scene, screen, kUnroundedHold, shapes));
   shapes.tell({});
 }
 
@@ -89,8 +87,8 @@ void show(const JsonDocument& scene, const PreviewOptions& options) {
   const SteadyClock clock;
   Window window(asked, clock);
   window.set_geometry(screen);
-  tell(
-      view_preview(window, build_scene(scene.value, window.geometry(), kExactHold, shapes), clock));
+  tell(view_preview(window, build_scene(scene.value, window.geometry(), kUnroundedHold, shapes),
+                    clock));
 }
 
 #else

@@ -32,10 +32,6 @@ std::vector<TriedOrder> orders_of(const ScheduledTradeOptions& options, const St
                       traversals_of(options));
 }
 
-std::string title_of(const JsonDocument& scene) {
-  return std::filesystem::path(scene.name).stem().string();
-}
-
 /// As asked for; else all but the finest, which is the reference.
 std::vector<int> levels_of(const ScheduledTrade& trade) {
   std::vector<int> levels = trade.levels;
@@ -89,7 +85,7 @@ std::vector<TradeRow> crowd_part(const ScheduledTrade& trade, const ScheduledTra
       budgets.push_back(ordered.budget);
     }
   }
-  return crowd_rows(crowd, title_of(trade.scene));
+  return crowd_rows(crowd, scene_title(trade.scene));
 }
 
 std::vector<TradeRow> parting_part(const ScheduledTrade& trade,
@@ -105,10 +101,14 @@ std::vector<TradeRow> parting_part(const ScheduledTrade& trade,
     return starts.staged(kind, number);
   };
   return parting_rows(partings(start, request, [&line](double share) { line.tell(share); }),
-                      title_of(trade.scene));
+                      scene_title(trade.scene));
 }
 
 }  // namespace
+
+std::string scene_title(const JsonDocument& scene) {
+  return std::filesystem::path(scene.name).stem().string();
+}
 
 void add_options(CLI::App& command, ScheduledTradeOptions& options) {
   command

@@ -25,6 +25,9 @@ struct ScheduledTradeOptions {
   std::vector<std::string> kinds;  ///< of trees in whole trials; none: the scene's own
 };
 
+/// The name of the scene's file without its ending.
+std::string scene_title(const JsonDocument& scene);
+
 void add_options(CLI::App& command, ScheduledTradeOptions& options);
 
 /// What the schedulers are tried on, and with which trees and levels.

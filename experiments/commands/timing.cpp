@@ -106,12 +106,12 @@ int report_timing(const TimingOptions& options) {
   build_bodies(scenes, screen, shapes);
   const TimingReport report = measured(options, corner, screen, scenes);
   const std::vector<TimingVerdict> verdicts = timing_verdicts(report);
-  const std::string json = timing_json(report).dump(2) + "\n";
+  const std::string text = timing_json(report).dump(2) + "\n";
   make_out_folder(folder);
   write_whole_file(folder / "timing.html", timing_page(report));
-  write_whole_file(folder / "timing.json", json);
+  write_whole_file(folder / "timing.json", text);
   if (options.json) {
-    std::fputs(json.c_str(), stdout);
+    std::fputs(text.c_str(), stdout);
   } else {
     print_verdicts(verdicts);
     std::printf("Written to %s and timing.json beside it\n",

@@ -60,7 +60,6 @@ struct TradeOptions {
 constexpr int kUsualDepth = 3;
 constexpr int kGreatestSceneDepth = 6;
 constexpr std::size_t kMostPairs = 6;
-constexpr double kExactHold = 0.0;
 const std::vector<std::string> kTradeFiles{"trade.csv",   "trade.R",    "trade.svg",   "trade.pdf",
                                            "choices.csv", "choices.md", "choices.json"};
 
@@ -114,10 +113,6 @@ int depth_of(const TradeOptions& options, const json& scene) {
     depth = std::max(depth, level);
   }
   return depth;
-}
-
-std::string title_of(const JsonDocument& scene) {
-  return std::filesystem::path(scene.name).stem().string();
 }
 
 bool are_balls(const TradeBodies& bodies) {
@@ -205,9 +200,9 @@ class SceneRuns {
         known_ms_.try_emplace({option.kind, option.level, option.reduction});
     if (is_new) {
       const StagedScene staged = build_scene(scene_with(trade_.scene.value, option, trade_.depth),
-                                             trade_.screen, kExactHold, shapes_);
+                                             trade_.screen, kUnroundedHold, shapes_);
       const std::vector<double> times_ms = step_times_ms(staged, clock_, kLongest_s);
-      append(run_rows(title_of(trade_.scene), option, times_ms), rows_);
+      append(run_rows(scene_title(trade_.scene), option, times_ms), rows_);
       known->second = quantile_of(times_ms, 0.95).value;
     }
     return known->second;
@@ -299,7 +294,7 @@ int trade(const TradeOptions& options) {
               options,
               screen,
               depth_of(options, scene.value),
-              build_scene(scene.value, screen, kExactHold, shapes),
+              build_scene(scene.value, screen, kUnroundedHold, shapes),
               {}};
   check(options.scheduled, trade.staged);
   require_new_files(folder, kTradeFiles, options.force);
@@ -308,7 +303,7 @@ int trade(const TradeOptions& options) {
     ProgressLine line("simulating the scene");
     trade.demand = demand_of(trade.staged, [&line](double share) { line.tell(share); });
   }
-  std::vector<TradeRow> rows = scene_rows(trade.demand, title_of(scene));
+  std::vector<TradeRow> rows = scene_rows(trade.demand, scene_title(scene));
   const ImpactMeasures impacts = add_impacts(trade, shapes, rows);
   append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
                               shapes),
@@ -321,7 +316,7 @@ int trade(const TradeOptions& options) {
   const double pairs = pairs_per_step(trade.demand);
   write_whole_file(folder / "trade.csv", csv_of(rows));
   write_whole_file(folder / "choices.csv", choices_csv(choices));
-  write_whole_file(folder / "choices.md", choices_page(choices, title_of(scene), pairs));
+  write_whole_file(folder / "choices.md", choices_page(choices, scene_title(scene), pairs));
   write_whole_file(folder / "choices.json", settings_text(trade, choices));
   tell(choices, pairs, folder);
   return kDone;

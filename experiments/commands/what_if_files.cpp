@@ -12,8 +12,6 @@ using nlohmann::json;
 
 using Cells = std::vector<std::string>;
 
-std::string whole(std::int64_t value) { return std::to_string(value); }
-
 json number_or_null(double value) { return !std::isnan(value) ? json(value) : json(); }
 
 json json_of(const CourseSums& sums) {
@@ -102,24 +100,25 @@ Cells csv_cells(const ComparedStimulus& each) {
   const WhatIf& outcome = each.outcome;
   const MatchCounts matches = counts_of(outcome);
   Cells cells{each.attempt->participant,
-              whole(each.attempt->trial_id),
-              whole(each.attempt->trial.slot),
-              whole(each.attempt->number),
-              whole(each.interval),
+              std::to_string(each.attempt->trial_id),
+              std::to_string(each.attempt->trial.slot),
+              std::to_string(each.attempt->number),
+              std::to_string(each.interval),
               each.attempt->trial.condition,
               each.has_gaze ? "1" : "0",
               csv_number(seconds_of(outcome.parts_at, each.step_hz)),
               csv_number(seconds_of(outcome.seen_apart_at, each.step_hz)),
-              whole(matches.both),
-              whole(matches.only_then),
-              whole(matches.only_now)};
+              std::to_string(matches.both),
+              std::to_string(matches.only_then),
+              std::to_string(matches.only_now)};
   for (const WhatIfCourse* course : {&outcome.then, &outcome.now}) {
     const CourseSums sums = sums_of(*course);
     for (const std::string& cell :
-         {whole(sums.collisions), csv_number(sums.mean(sums.levels)),
+         {std::to_string(sums.collisions), csv_number(sums.mean(sums.levels)),
           csv_number(sums.mean(sums.visible_arcmin)), csv_number(sums.mean(sums.at_gaze_arcmin)),
-          whole(sums.work_spent), whole(sums.steps_over_budget), whole(sums.pops),
-          whole(sums.stopped_short), whole(sums.imposed_holds), whole(sums.imposed_spins)}) {
+          std::to_string(sums.work_spent), std::to_string(sums.steps_over_budget),
+          std::to_string(sums.pops), std::to_string(sums.stopped_short),
+          std::to_string(sums.imposed_holds), std::to_string(sums.imposed_spins)}) {
       cells.push_back(cell);
     }
   }

@@ -17,15 +17,13 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-std::string whole(std::int64_t value) { return std::to_string(value); }
-
 /// "-" of what is not a number.
 std::string decimals(double value, int digits) {
   return !std::isnan(value) ? formatted("%.*f", digits, value) : "-";
 }
 
 std::string both_whole(std::int64_t then, std::int64_t now) {
-  return whole(then) + " -> " + whole(now);
+  return std::to_string(then) + " -> " + std::to_string(now);
 }
 
 std::string both_decimals(double then, double now, int digits = 2) {
@@ -39,17 +37,17 @@ Cells cells_of(const ComparedStimulus& each) {
   const CourseSums then = sums_of(outcome.then);
   const CourseSums now = sums_of(outcome.now);
   const MatchCounts matches = counts_of(outcome);
-  std::string trial = whole(each.attempt->trial_id);
-  trial += each.attempt->number > 1 ? " attempt " + whole(each.attempt->number) : "";
-  trial += each.interval > 1 ? " interval " + whole(each.interval) : "";
+  std::string trial = std::to_string(each.attempt->trial_id);
+  trial += each.attempt->number > 1 ? " attempt " + std::to_string(each.attempt->number) : "";
+  trial += each.interval > 1 ? " interval " + std::to_string(each.interval) : "";
   return {trial,
           each.attempt->participant,
           decimals(seconds_of(outcome.parts_at, each.step_hz), 3),
           decimals(seconds_of(outcome.seen_apart_at, each.step_hz), 3),
           both_whole(then.collisions, now.collisions),
-          whole(matches.both),
-          whole(matches.only_then),
-          whole(matches.only_now),
+          std::to_string(matches.both),
+          std::to_string(matches.only_then),
+          std::to_string(matches.only_now),
           both_decimals(then.mean(then.levels), now.mean(now.levels)),
           both_decimals(then.mean(then.visible_arcmin), now.mean(now.visible_arcmin)),
           both_decimals(then.mean(then.at_gaze_arcmin), now.mean(now.at_gaze_arcmin)),

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/models/false_claim.hpp"
 #include "experiments/models/file_place.hpp"
 #include "experiments/models/little_endian.hpp"
 #include "experiments/models/readable_file.hpp"
@@ -22,12 +23,6 @@ namespace fs = std::filesystem;
 constexpr int kMostLevels = 64;
 /// Of the triangles of all nodes, as many as a mesh of any use could have.
 constexpr double kMostCorners = 6e7;
-
-/// What the file claims is false: the words are what().
-class FalseClaim : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Of a GLB: the magic, its version and length, then the length and kind of the chunk of JSON.
 std::string_view json_text(std::string_view bytes) {

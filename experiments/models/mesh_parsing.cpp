@@ -70,7 +70,7 @@ class ErrorLog {
 };
 
 /// Cutting a face into triangles takes as long as the square of its corners: of these, a second.
-constexpr unsigned int kMostCorners = 10'000;
+constexpr unsigned int kMostFaceCorners = 10'000;
 
 /// Places with a coordinate that is not finite; a place that assimp repeats, bit by bit, counts
 /// once.
@@ -105,9 +105,10 @@ bool check(const aiMesh& part, const std::filesystem::path& file) {
                               std::to_string(part.mNumVertices));
       }
     }
-    if (face.mNumIndices > kMostCorners) {
-      refuse_mesh(file, "a face has " + std::to_string(face.mNumIndices) + " corners, more than the " +
-                       std::to_string(kMostCorners) + " that are cut into triangles");
+    if (face.mNumIndices > kMostFaceCorners) {
+      refuse_mesh(file, "a face has " + std::to_string(face.mNumIndices) +
+                            " corners, more than the " + std::to_string(kMostFaceCorners) +
+                            " that are cut into triangles");
     }
     has_polygons = has_polygons || face.mNumIndices > 3;
   }

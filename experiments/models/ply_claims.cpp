@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/models/false_claim.hpp"
 #include "experiments/models/text_words.hpp"
 
 namespace impetus {
@@ -30,12 +31,6 @@ struct Element {
 struct Header {
   std::string format;
   std::vector<Element> elements;
-};
-
-/// What the file claims is false: the words are what().
-class FalseClaim : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 std::string of_bytes(std::string_view bytes) {

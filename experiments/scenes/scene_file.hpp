@@ -31,6 +31,9 @@ struct FrameBoundValue {
 };
 const std::vector<FrameBoundValue>& frame_bound_values();
 
+/// Of build_scene(): a hold keeps its length, whatever the display.
+inline constexpr double kUnroundedHold = 0.0;
+
 /// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
 /// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
 /// the same start. `seed` is the trial's: random spin and distractors are drawn with it. No tree is

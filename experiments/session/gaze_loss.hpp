@@ -16,7 +16,7 @@
 namespace impetus {
 
 /// What `AttemptRecord::interrupted_by` says of a trial that is shown again for it.
-inline constexpr const char* kGazeLost = "gaze lost";
+inline constexpr const char* kGazeLostNote = "gaze lost";
 
 /// A valid sample tells no longer than this where the eye is, when none follows.
 inline constexpr std::int64_t kGazeHolds_ns = 100'000'000;

@@ -19,7 +19,7 @@ namespace {
 const char* name_of(Interruption interruption) {
   return interruption == Interruption::kPauseRequested  ? "pause"
          : interruption == Interruption::kDisplayClosed ? "display closed"
-                                                        : kGazeLost;
+                                                        : kGazeLostNote;
 }
 
 /// Runs the phases of one attempt in order; a phase returns false when it was interrupted.

@@ -31,7 +31,7 @@ struct AttemptResult {
 /// and asks the script's questions. Each frame shows the state for its scheduled time, so every
 /// participant sees the same frames. Where the script asks for it, clicks are kept and the gaze is
 /// followed during the stimulus. A trial that `may_be_repeated` ends before its questions when too
-/// much of the gaze was lost, interrupted by kGazeLost. Throws what the recorder throws.
+/// much of the gaze was lost, interrupted by kGazeLostNote. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
                           const SessionProgress& progress, const Ports& ports,
                           bool may_be_repeated = false);

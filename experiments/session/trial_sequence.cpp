@@ -104,10 +104,10 @@ void TrialSequence::note_lost_gaze(const AttemptRecord& record) {
   if (gaze_was_lost_) {
     ++troubles_.lost_trials;
     sitting_.ports.recorder.save(
-        NoteRecord{kGazeLost, "trial " + std::to_string(record.slot) + ", attempt " +
-                                  std::to_string(record.number) + ": " +
-                                  std::to_string(std::lround(100.0 * *record.gaze_lost_share)) +
-                                  " % of the stimulus"});
+        NoteRecord{kGazeLostNote, "trial " + std::to_string(record.slot) + ", attempt " +
+                                      std::to_string(record.number) + ": " +
+                                      std::to_string(std::lround(100.0 * *record.gaze_lost_share)) +
+                                      " % of the stimulus"});
   }
 }
 

@@ -78,10 +78,12 @@ void apply_style(float body_px) {
   colour(ImGuiCol_NavHighlight, IM_COL32(0, 0, 0, 0));
 }
 
-bool is_key(const SDL_Event& event) { return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP; }
+bool is_of_keyboard(const SDL_Event& event) {
+  return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
+}
 
 bool is_ours(const SDL_Event& event) {
-  if (!is_key(event)) {
+  if (!is_of_keyboard(event)) {
     return false;
   }
   const SDL_Keycode key = event.key.keysym.sym;
@@ -89,7 +91,7 @@ bool is_ours(const SDL_Event& event) {
 }
 
 bool is_editing_key(const SDL_Event& event) {
-  if (!is_key(event)) {
+  if (!is_of_keyboard(event)) {
     return false;
   }
   const SDL_Keysym& key = event.key.keysym;
@@ -134,7 +136,7 @@ void Gui::load_fonts() {
 }
 
 void Gui::feed(const SDL_Event& event) {
-  const bool repeats = is_key(event) && event.key.repeat != 0;  // ImGui repeats by itself
+  const bool repeats = is_of_keyboard(event) && event.key.repeat != 0;  // ImGui repeats by itself
   if (!is_ours(event) && !repeats) {
     waiting_.push_back(event);
   }
@@ -154,7 +156,7 @@ void Gui::pass_events() {
     pointer_used_ =
         pointer_used_ || event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN;
     ImGui_ImplSDL2_ProcessEvent(&event);
-    if (is_key(event)) {
+    if (is_of_keyboard(event)) {
       // As they were with this key; ImGui's own code takes them as they are by now.
       ImGui::GetIO().KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
       ImGui::GetIO().KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;

@@ -12,7 +12,6 @@ namespace impetus {
 namespace {
 
 constexpr int kMostBlocks = 100;
-constexpr double kExactHold = 0.0;
 
 }  // namespace
 
@@ -32,7 +31,7 @@ StagedScene TimingScenes::stage(const PlannedTrial& trial, const ScreenGeometry&
   if (!crowd) {
     scene["engine"]["region"]["kind"] = "tracked";
   }
-  return build_scene(scene, screen, kExactHold, *shapes_, "timing", trial.seed);
+  return build_scene(scene, screen, kUnroundedHold, *shapes_, "timing", trial.seed);
 }
 
 StagedScene TimingScenes::stage_demonstration(const std::string& id,

@@ -14,8 +14,7 @@
 #include "experiments/models/child_process.hpp"
 #include "tests/engine/mesh_files.hpp"
 
-namespace impetus {
-namespace {
+namespace impetus::mesh_claims_test {
 
 class MeshClaims : public MeshFiles {};
 
@@ -170,5 +169,4 @@ TEST(ChildProcess, MemoryBeyondItsLimitIsNotHad) {
   EXPECT_EQ(taken(500'000'000), std::nullopt);
 }
 
-}  // namespace
-}  // namespace impetus
+}  // namespace impetus::mesh_claims_test
