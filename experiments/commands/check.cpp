@@ -9,6 +9,7 @@
 
 #include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/shipped_file.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
 #include "experiments/protocol/participant_checks.hpp"
@@ -139,7 +140,9 @@ void add_check(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Validate protocols, or series of them, and print their designs");
-  command->add_option("files", options->files, "Files of protocols or series")->required();
+  command->add_option("files", options->files, "Files of protocols or series")
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()

@@ -19,6 +19,7 @@
 #include "experiments/commands/power_studies.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/run_part.hpp"
+#include "experiments/commands/shipped_file.hpp"
 #include "experiments/exports/r_scripts.hpp"
 #include "experiments/power/process_mark.hpp"
 #include "experiments/protocol/null_observer.hpp"
@@ -285,7 +286,8 @@ int power(const PowerOptions& options) {
 
 void add_options(CLI::App& command, PowerOptions& options) {
   command.add_option("protocol", options.protocol, "Protocol file, such as protocols/gap.json")
-      ->required();
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
   command
       .add_option("--observer", options.observer,
                   "The simulated participant in whom the effect is planted: its name or file")

@@ -13,6 +13,7 @@
 #include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/level_collision.hpp"
@@ -123,7 +124,9 @@ void add_preview(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<PreviewOptions>();
   CLI::App* command = app.add_subcommand(
       "preview", "Run a scene in a window, and change its schedule while it runs");
-  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("scene", options->scene, "Scene file")
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
   command->add_option("--screen", options->screen_file,
                       "Screen file instead of the user's settings");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");

@@ -11,6 +11,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/participant_run.hpp"
 #include "experiments/commands/run_part.hpp"
+#include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/simulated_group.hpp"
 #include "experiments/commands/unattended_run.hpp"
 #include "experiments/protocol/participant_checks.hpp"
@@ -184,7 +185,8 @@ void add_run(CLI::App& app, Command& chosen) {
   command
       ->add_option("protocol", options->protocol,
                    "Protocol file, such as protocols/causality.json, or a series of them")
-      ->required();
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
   command->add_option("--db", options->database, "Study file; made when it does not exist")
       ->capture_default_str();
   command->add_option("--participant", options->participant,

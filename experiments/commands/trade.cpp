@@ -22,6 +22,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/scheduled_trade.hpp"
 #include "experiments/commands/sentences.hpp"
+#include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
@@ -328,7 +329,9 @@ void add_trade(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<TradeOptions>();
   CLI::App* command = app.add_subcommand(
       "trade", "Measure speed against accuracy on a scene, and advise what to choose");
-  command->add_option("scene", options->scene, "Scene file")->required();
+  command->add_option("scene", options->scene, "Scene file")
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
   command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
   command->add_option("--kinds", options->kinds, "Of " + listed(tree_kind_names()) + "; all")
       ->delimiter(',');

@@ -233,7 +233,7 @@ std::vector<SceneProblem> distractor_problems(const json& scene) {
   for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
     if (!distractor_states(scene, bodies, meeting, viewer, hold_s, seed)) {
       return {
-          {"/distractors/count", "expected as many as there is bounds for beside the two, got " +
+          {"/distractors/count", "expected as many as there is room for beside the two, got " +
                                      scene["distractors"]["count"].dump()}};
     }
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <regex>
 
+#include "engine/world.hpp"
+#include "experiments/store/migration.hpp"
 #include "tests/experiments/command_lines.hpp"
 
 namespace impetus::provenance_test {
@@ -11,10 +13,17 @@ namespace impetus::provenance_test {
 const std::regex kBuildText(
     R"(impetus \d+\.\d+\.\d+, (unknown commit|[-.\w]+), \w+ \d+[.\d]*, .*-ffp-contract=off.*)");
 
-TEST(Provenance, TheProgramNamesItsVersionCommitCompilerAndFlags) {
+TEST(Provenance, TheProgramNamesVersionCommitCompilerAndWhatItReplays) {
   const TemporaryFolder folder;
-  const std::string version = run_program(folder, {"--version"}).output;
-  EXPECT_TRUE(std::regex_match(version.substr(0, version.size() - 1), kBuildText)) << version;
+  const std::string said = run_program(folder, {"--version"}).output;
+  EXPECT_TRUE(std::regex_match(
+      said, std::regex("impetus \\d+\\.\\d+\\.\\d+\n"
+                       "commit: (unknown commit|[-.\\w]+)\n"
+                       "compiler: \\w+ \\d+[.\\d]*, .*-ffp-contract=off.*\n"
+                       "replays recordings of format: 1 to " +
+                       std::to_string(kRecordingFormat) + "\nreads studies of schema: 1 to " +
+                       std::to_string(kSchemaVersion) + "\n")))
+      << said;
 }
 
 TEST(Provenance, EverySessionNamesBuildMachineDisplayAndScreen) {

@@ -1,0 +1,84 @@
+// Refuses a type whose name two headers give: where one program links both, each may be taken for
+// the other (the one-definition rule), and no compiler needs to say so.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/places/places.hpp"
+
+namespace impetus::one_definition_test {
+
+using Headers = std::map<std::string, std::string>;  ///< path and text
+
+/// The types that a header defines outside of others: those that begin a line.
+std::set<std::string> types_of(const std::string& text) {
+  static const std::regex definition(
+      R"(^(struct|class|union|enum( class| struct)?) (\w+)[^;]*\{.*)");
+  std::set<std::string> types;
+  std::istringstream lines(text);
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, match, definition)) {
+      types.insert(match[3]);
+    }
+  }
+  return types;
+}
+
+/// A sentence for each name that more than one header gives to a type.
+std::vector<std::string> shared_names(const Headers& headers) {
+  std::map<std::string, std::string> homes;
+  std::vector<std::string> found;
+  for (const auto& [path, text] : headers) {
+    for (const std::string& type : types_of(text)) {
+      const auto [home, is_new] = homes.emplace(type, path);
+      if (!is_new) {
+        found.push_back(type + " is a type of " + home->second + " and of " + path);
+      }
+    }
+  }
+  return found;
+}
+
+Headers all_headers() {
+  Headers headers;
+  const std::filesystem::path root(source_folder());
+  for (const char* folder : {"engine", "experiments", "tests"}) {
+    for (const auto& each : std::filesystem::recursive_directory_iterator(root / folder)) {
+      if (each.path().extension() == ".hpp") {
+        std::stringstream text;
+        text << std::ifstream(each.path()).rdbuf();
+        headers[std::filesystem::relative(each.path(), root).string()] = text.str();
+      }
+    }
+  }
+  return headers;
+}
+
+TEST(OneDefinition, NoTypesNameStandsInTwoHeaders) {
+  const Headers headers = all_headers();
+  ASSERT_GT(headers.size(), 300U);
+  for (const std::string& sentence : shared_names(headers)) {
+    ADD_FAILURE() << sentence;
+  }
+}
+
+TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
+  const Headers headers{
+      {"a.hpp", "class Course {\n};\nstruct Inner;\n"},
+      {"b.hpp", "struct Course final : Base {\n  struct Own {\n  };\n};\nstruct Inner {};\n"},
+      {"c.hpp", "enum class Inner : int { kOne };\nstruct Course;\n  struct Own {\n"}};
+  EXPECT_EQ(shared_names(headers),
+            (std::vector<std::string>{"Course is a type of a.hpp and of b.hpp",
+                                      "Inner is a type of b.hpp and of c.hpp"}));
+}
+
+}  // namespace impetus::one_definition_test
