@@ -232,9 +232,8 @@ std::vector<SceneProblem> distractor_problems(const json& scene) {
   constexpr std::uint64_t kTries = 5;
   for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
     if (!distractor_states(scene, bodies, meeting, viewer, hold_s, seed)) {
-      return {
-          {"/distractors/count", "expected as many as there is room for beside the two, got " +
-                                     scene["distractors"]["count"].dump()}};
+      return {{"/distractors/count", "expected as many as there is room for beside the two, got " +
+                                         scene["distractors"]["count"].dump()}};
     }
   }
   return {};
