@@ -122,7 +122,7 @@ int check(const CheckOptions& options) {
   int status = kDone;
   for (const std::string& file : options.files) {
     try {
-      for (const std::filesystem::path& protocol : load_series(file).protocols) {
+      for (const std::filesystem::path& protocol : load_series(shipped_file(file)).protocols) {
         check_one(protocol, options);
       }
     } catch (const std::runtime_error& error) {
@@ -140,9 +140,7 @@ void add_check(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Validate protocols, or series of them, and print their designs");
-  command->add_option("files", options->files, "Files of protocols or series")
-      ->required()
-      ->transform([](const std::string& name) { return shipped_file(name); });
+  command->add_option("files", options->files, "Files of protocols or series")->required();
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()
