@@ -28,7 +28,7 @@ struct KnownSolid {
 
 Matrix3 diagonal(double xx, double yy, double zz) { return Vector3(xx, yy, zz).asDiagonal(); }
 
-TriangleMesh moved(TriangleMesh mesh, const Vector3& way) {
+TriangleMesh moved_mesh(TriangleMesh mesh, const Vector3& way) {
   for (Vector3& vertex : mesh.vertices) {
     vertex += way;
   }
@@ -201,14 +201,14 @@ TEST(MassProperties, MovedAMillionDiametersLoseOnlyWhatTheCoordinatesLost) {
   // A coordinate of 1e6 diameters is rounded by at most 2⁻⁵³ of itself, 1.2e-10 diameters; the
   // volume of a solid that is thin by a factor of s loses s times that, the inertia about the
   // third and fifth powers of length.
-  RandomStream random(kSeed, "moved");
+  RandomStream random(kSeed, "moved_mesh");
   for (const KnownSolid& known : known_solids()) {
     if (known.name == "needle") {
       continue;  // thinner than its coordinates' rounding allows a share of
     }
     for (int trial = 0; trial < 20; ++trial) {
       const Vector3 way = 1e6 * diameter_m(known.mesh) * random_direction(random);
-      MassProperties found = solid_of(moved(known.mesh, way), 1.0);
+      MassProperties found = solid_of(moved_mesh(known.mesh, way), 1.0);
       found.centre -= way;
       expect_known(known, found, 1e-8);
     }
@@ -221,7 +221,7 @@ TEST(MassProperties, MovedExactlyAreTheSameBits) {
   for (const TriangleMesh& mesh : {box_mesh({2.0, 0.5, 0.25}), octahedron(1.5),
                                    prism(3.0, 2.0, 1.5), l_block_mesh(2.0, 0.5)}) {
     const MassProperties near = solid_of(mesh, 1.0);
-    const MassProperties far = solid_of(moved(mesh, way), 1.0);
+    const MassProperties far = solid_of(moved_mesh(mesh, way), 1.0);
     EXPECT_EQ(far.volume_m3, near.volume_m3);
     EXPECT_EQ(far.inertia, near.inertia);
     EXPECT_LT((far.centre - way - near.centre).norm(), 0x1p-30);

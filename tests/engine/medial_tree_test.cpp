@@ -30,7 +30,7 @@ struct NamedSolid {
   TriangleMesh mesh;
 };
 
-TriangleMesh scaled(TriangleMesh mesh, double by) {
+TriangleMesh scaled_mesh(TriangleMesh mesh, double by) {
   for (Vector3& vertex : mesh.vertices) {
     vertex *= by;
   }
@@ -52,10 +52,11 @@ TriangleMesh two_bodies() {
 }
 
 std::vector<NamedSolid> solids() {
-  return {{"box", box_mesh({1.0, 0.6, 0.35})},     {"thin plate", box_mesh({1.0, 0.8, 0.002})},
-          {"needle", box_mesh({1.0, 1e-4, 1e-4})}, {"L-block", small_l_block()},
-          {"torus", torus_mesh(0.5, 0.2, 24, 10)}, {"two bodies", two_bodies()},
-          {"tiny", scaled(small_l_block(), 1e-6)}, {"huge", scaled(small_l_block(), 1e6)}};
+  return {
+      {"box", box_mesh({1.0, 0.6, 0.35})},          {"thin plate", box_mesh({1.0, 0.8, 0.002})},
+      {"needle", box_mesh({1.0, 1e-4, 1e-4})},      {"L-block", small_l_block()},
+      {"torus", torus_mesh(0.5, 0.2, 24, 10)},      {"two bodies", two_bodies()},
+      {"tiny", scaled_mesh(small_l_block(), 1e-6)}, {"huge", scaled_mesh(small_l_block(), 1e6)}};
 }
 
 void expect_held(const char* name, const BuiltTree& built) {

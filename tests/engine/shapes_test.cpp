@@ -38,7 +38,7 @@ TriangleMesh hollowed(TriangleMesh mesh, const TriangleMesh& cavity) {
   return mesh;
 }
 
-TriangleMesh moved(TriangleMesh mesh, const Vector3& offset) {
+TriangleMesh moved_mesh(TriangleMesh mesh, const Vector3& offset) {
   for (Vector3& vertex : mesh.vertices) {
     vertex += offset;
   }
@@ -190,7 +190,7 @@ TEST(SolidOf, TononsTetrahedronAMillionDiametersAwayLosesOnlyWhatItsCoordinatesL
   // Diameter about 55: coordinates near 5.5e7 are rounded by 4e-9, 1e-10 of the diameter; inertia
   // grows with the fifth power of length.
   const Vector3 offset(5.5e7, -5.5e7, 5.5e7);
-  MassProperties solid = solid_of(moved(tonon_tetrahedron(), offset), 1.0);
+  MassProperties solid = solid_of(moved_mesh(tonon_tetrahedron(), offset), 1.0);
   solid.centre -= offset;
   expect_known(solid, kTononExact, /*relative=*/1e-9);
 }
@@ -198,7 +198,7 @@ TEST(SolidOf, TononsTetrahedronAMillionDiametersAwayLosesOnlyWhatItsCoordinatesL
 TEST(SolidOf, ACubeWithExactCoordinatesIsTheSameAnywhere) {
   const Vector3 offset(0x1p21, -0x1p22, 0x1p20);
   const MassProperties near = solid_of(cube(2.0), 1.0);
-  const MassProperties far = solid_of(moved(cube(2.0), offset), 1.0);
+  const MassProperties far = solid_of(moved_mesh(cube(2.0), offset), 1.0);
   EXPECT_EQ(far.mass_kg, near.mass_kg);
   EXPECT_EQ(far.inertia, near.inertia);
   EXPECT_EQ(far.centre, offset + near.centre);

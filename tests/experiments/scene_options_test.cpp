@@ -20,12 +20,12 @@ json with_schedule(const std::string& key, json value, const std::string& schedu
   return changed(scheduled_scene(scheduler), "/engine/schedule/" + key, std::move(value));
 }
 
-const WorldSettings& settings_of(const StagedScene& scene) { return scene.world.settings(); }
+const WorldSettings& world_settings(const StagedScene& scene) { return scene.world.settings(); }
 
 TEST(SceneOptions, WhatASceneLeavesOutIsAsTheEngineHasIt) {
   const StagedScene scene = built(free_scene());
   const WorldSettings usual;
-  const WorldSettings& settings = settings_of(scene);
+  const WorldSettings& settings = world_settings(scene);
   EXPECT_EQ(settings.contacts.reduction, usual.contacts.reduction);
   EXPECT_EQ(settings.contacts.most_per_pair, usual.contacts.most_per_pair);
   EXPECT_EQ(settings.tunnelling, usual.tunnelling);
@@ -46,7 +46,7 @@ TEST(SceneOptions, EveryReductionOfTheEngineIsOneOfTheSchemas) {
     const json scene = changed(free_scene(), "/engine/contacts",
                                {{"reduction", names.back()}, {"most_per_pair", 7}});
     EXPECT_EQ(scene_refusal(scene), "accepted") << name;
-    EXPECT_EQ(settings_of(built(scene)).contacts.most_per_pair, 7);
+    EXPECT_EQ(world_settings(built(scene)).contacts.most_per_pair, 7);
   }
   EXPECT_EQ(known.get<std::vector<std::string>>(), names);
   EXPECT_EQ(
@@ -59,7 +59,7 @@ TEST(SceneOptions, EveryReductionOfTheEngineIsOneOfTheSchemas) {
 
 TEST(SceneOptions, WhatBecomesOfFastBodiesIsAskedForByName) {
   const auto asked = [](const char* name) {
-    return settings_of(built(changed(free_scene(), "/engine/tunnelling", name))).tunnelling;
+    return world_settings(built(changed(free_scene(), "/engine/tunnelling", name))).tunnelling;
   };
   EXPECT_EQ(asked("ignored"), Tunnelling::kIgnored);
   EXPECT_EQ(asked("capped"), Tunnelling::kCapped);
@@ -73,9 +73,9 @@ TEST(SceneOptions, TestsAlongTheWaysOfFastBodiesAreLimitedWhereASceneSays) {
   const auto with = [](const json& tests) {
     return changed(free_scene(), "/engine/most_entry_tests", tests);
   };
-  EXPECT_EQ(settings_of(built(free_scene())).most_entry_tests, kUnlimitedTests);
-  EXPECT_EQ(settings_of(built(with(0))).most_entry_tests, 0);
-  EXPECT_EQ(settings_of(built(with(250'000))).most_entry_tests, 250'000);
+  EXPECT_EQ(world_settings(built(free_scene())).most_entry_tests, kUnlimitedTests);
+  EXPECT_EQ(world_settings(built(with(0))).most_entry_tests, 0);
+  EXPECT_EQ(world_settings(built(with(250'000))).most_entry_tests, 250'000);
   EXPECT_EQ(scene_refusal(with(-1)),
             "/engine/most_entry_tests: expected a whole number ≥ 0 and ≤ 1000000000, got -1");
   EXPECT_EQ(scene_refusal(with("few")),
@@ -84,9 +84,9 @@ TEST(SceneOptions, TestsAlongTheWaysOfFastBodiesAreLimitedWhereASceneSays) {
 
 TEST(SceneOptions, HowRotationIsSteppedIsAskedForByName) {
   const auto asked = [](const char* name) {
-    return settings_of(built(changed(free_scene(), "/engine/rotation", name))).rotation;
+    return world_settings(built(changed(free_scene(), "/engine/rotation", name))).rotation;
   };
-  EXPECT_EQ(settings_of(built(free_scene())).rotation, WorldSettings{}.rotation);
+  EXPECT_EQ(world_settings(built(free_scene())).rotation, WorldSettings{}.rotation);
   EXPECT_EQ(asked("midpoint"), Rotation::kMidpoint);
   EXPECT_EQ(asked("energy-kept"), Rotation::kEnergyKept);
   EXPECT_EQ(scene_refusal(changed(free_scene(), "/engine/rotation", "euler")),
@@ -97,8 +97,8 @@ TEST(SceneOptions, GravityIsThreeNumbersAndNoneWhenLeftOut) {
   const auto with = [](const json& gravity) {
     return changed(free_scene(), "/engine/gravity_m_s2", gravity);
   };
-  EXPECT_EQ(settings_of(built(free_scene())).gravity_m_s2, Vector3(0.0, 0.0, 0.0));
-  EXPECT_EQ(settings_of(built(with({0, -9.81, 0.5}))).gravity_m_s2, Vector3(0.0, -9.81, 0.5));
+  EXPECT_EQ(world_settings(built(free_scene())).gravity_m_s2, Vector3(0.0, 0.0, 0.0));
+  EXPECT_EQ(world_settings(built(with({0, -9.81, 0.5}))).gravity_m_s2, Vector3(0.0, -9.81, 0.5));
   EXPECT_EQ(scene_refusal(with({0, -9.81})),
             "/engine/gravity_m_s2: expected a list of 3 values, got [0,-9.81]");
   EXPECT_EQ(scene_refusal(with({0, -1001, 0})),
@@ -109,15 +109,15 @@ TEST(SceneOptions, PassesOfTheResponseAreUnlimitedWhenLeftOut) {
   const auto with = [](int passes) {
     return changed(free_scene(), "/engine/response_passes", passes);
   };
-  EXPECT_EQ(settings_of(built(free_scene())).most_response_passes, kUnlimitedPasses);
-  EXPECT_EQ(settings_of(built(with(10))).most_response_passes, 10);
+  EXPECT_EQ(world_settings(built(free_scene())).most_response_passes, kUnlimitedPasses);
+  EXPECT_EQ(world_settings(built(with(10))).most_response_passes, 10);
   EXPECT_EQ(scene_refusal(with(0)),
             "/engine/response_passes: expected a whole number ≥ 1 and ≤ 1000, got 0");
 }
 
 TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
   const auto asked = [](const char* name) {
-    return settings_of(built(with_schedule("traversal", name))).schedule.traversal;
+    return world_settings(built(with_schedule("traversal", name))).schedule.traversal;
   };
   EXPECT_EQ(asked("depth-first"), Traversal::kDepthFirst);
   EXPECT_EQ(asked("breadth-first"), Traversal::kBreadthFirst);
@@ -132,7 +132,7 @@ TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
 TEST(SceneOptions, PersistenceIsAWholeNumberOfSteps) {
   const json scene = with_schedule("persistence_ms", 100);
   EXPECT_EQ(scene_refusal(scene), "accepted");
-  EXPECT_EQ(settings_of(built(scene)).schedule.persistence_steps, 24);
+  EXPECT_EQ(world_settings(built(scene)).schedule.persistence_steps, 24);
   EXPECT_EQ(
       scene_refusal(with_schedule("persistence_ms", 101)),
       "/engine/schedule/persistence_ms: expected a whole number of steps of 1/240 s, got 101");
@@ -144,8 +144,8 @@ TEST(SceneOptions, ListsTakeSharesOfThePairsInPlaceOfThresholds) {
             "/engine/schedule/thresholds: expected none beside pair_shares, got [1.0]");
   scene["engine"]["schedule"].erase("thresholds");
   EXPECT_EQ(scene_refusal(scene), "accepted");
-  EXPECT_EQ(settings_of(built(scene)).schedule.rule, ListRule::kPairShares);
-  EXPECT_EQ(settings_of(built(scene)).schedule.pair_shares, std::vector<double>{0.25});
+  EXPECT_EQ(world_settings(built(scene)).schedule.rule, ListRule::kPairShares);
+  EXPECT_EQ(world_settings(built(scene)).schedule.pair_shares, std::vector<double>{0.25});
   scene["engine"]["schedule"]["pair_shares"] = {0.25, 0.25};
   EXPECT_EQ(scene_refusal(scene),
             "/engine/schedule/pair_shares: expected one fewer than lists, 1, got 2");
@@ -162,7 +162,7 @@ TEST(SceneOptions, EccentricityFromAPointDoesNotDependOnGaze) {
   // A body where the point is has no eccentricity, wherever the viewer looks.
   PairBounds there;
   there.a.centre = there.b.centre = on_screen(staged.viewer, {metres_of(2.0), metres_of(-1.0)});
-  const PriorityMetric& metric = *settings_of(staged).schedule.metric;
+  const PriorityMetric& metric = *world_settings(staged).schedule.metric;
   EXPECT_NEAR(metric.measure(there, staged.viewer, ScreenPoint{0.1, 0.1}), 0.0, 1e-6);
   EXPECT_EQ(scene_refusal(with_schedule("point_deg", {2, -1})),
             "/engine/schedule/point_deg: expected none with the scheduler size, got [2,-1]");
@@ -205,10 +205,10 @@ TEST(SceneOptions, AFixedRegionHasItsPoint) {
 
 TEST(SceneOptions, ABudgetHasOneLimitAndCountsWhatItSays) {
   const auto budget = [](json value) { return changed(free_scene(), "/engine/budget", value); };
-  EXPECT_EQ(settings_of(built(budget({{"tests_per_step", 9}}))).costs, WorkCosts{});
+  EXPECT_EQ(world_settings(built(budget({{"tests_per_step", 9}}))).costs, WorkCosts{});
   const json all = budget({{"ms_per_step", 1}, {"counts", "all-phases"}});
   EXPECT_EQ(scene_refusal(all), "accepted");
-  EXPECT_EQ(settings_of(built(all)).costs, kAllPhases);
+  EXPECT_EQ(world_settings(built(all)).costs, kAllPhases);
   const std::string place =
       "/engine/budget: expected one of the keys \"tests_per_step\" and "
       "\"ms_per_step\", got ";
@@ -233,11 +233,11 @@ TEST(SceneOptions, MaterialsAreNumberedByNameForBodiesAndWallsAlike) {
   EXPECT_EQ(scene_refusal(material_scene()), "accepted");
   const StagedScene scene = built(material_scene());
   const auto& models = scene.world.models();
-  EXPECT_EQ(models[1].material, settings_of(scene).wall_material);
+  EXPECT_EQ(models[1].material, world_settings(scene).wall_material);
   EXPECT_NE(models[0].material, models[1].material);
   EXPECT_EQ(models[2].material, 0);
-  ASSERT_EQ(settings_of(scene).materials.size(), 1U);
-  const PairRestitution& pair = settings_of(scene).materials[0];
+  ASSERT_EQ(world_settings(scene).materials.size(), 1U);
+  const PairRestitution& pair = world_settings(scene).materials[0];
   EXPECT_EQ(pair.material, models[0].material);
   EXPECT_EQ(pair.other, models[1].material);
   EXPECT_EQ(pair.restitution, 0.25);

@@ -10,6 +10,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "engine/shapes/box_mesh.hpp"
 #include "experiments/models/tree_file.hpp"
+#include "tests/experiments/sentence_of.hpp"
 
 namespace impetus {
 
@@ -51,16 +52,6 @@ inline NodeSurface random_surface(RandomStream& random) {
   surface.density_normal = random_vector(random).normalized().cast<float>();
   surface.fit_error_m = static_cast<float>(random.uniform());
   return surface;
-}
-
-/// The sentence with which something is refused; "accepted" when it is not.
-inline std::string sentence_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 /// A root, three children, and two children of the second of them.

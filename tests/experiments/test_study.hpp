@@ -21,20 +21,12 @@
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 #include "tests/experiments/fakes.hpp"
+#include "tests/experiments/sentence_of.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
 namespace impetus {
 
 inline constexpr const char* kTestBuild = "test build";
-
-inline std::string sentence_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 /// Runs `act` in a child process and returns what it returned there.
 inline std::string in_child(const std::function<std::string()>& act) {
