@@ -201,7 +201,7 @@ TEST(MassProperties, MovedAMillionDiametersLoseOnlyWhatTheCoordinatesLost) {
   // A coordinate of 1e6 diameters is rounded by at most 2⁻⁵³ of itself, 1.2e-10 diameters; the
   // volume of a solid that is thin by a factor of s loses s times that, the inertia about the
   // third and fifth powers of length.
-  RandomStream random(kSeed, "moved_mesh");
+  RandomStream random(kSeed, "moved");
   for (const KnownSolid& known : known_solids()) {
     if (known.name == "needle") {
       continue;  // thinner than its coordinates' rounding allows a share of
