@@ -12,7 +12,8 @@ click_trials <- function(...) {
 
 planted_ratio <- kPlantedClicksPerS[["tracked"]] / kPlantedClicksPerS[["random"]]
 
-test_that("the negative-binomial model recovers the planted rates and their dispersion", {
+test_that("the negative-binomial model recovers the planted rates and their dispersion (slow)", {
+  skip_if_not(run_slow, "--slow not given")
   trials <- click_trials(121, participants = 20)
   result <- with_failing("slope", click_model_tests(trials))  # none was planted
   rows <- result$rows[result$rows$family == kClickRatioFamily, ]

@@ -22,7 +22,8 @@ test_that("the likelihood at the fit is no worse than on a grid over all paramet
   expect_gte(saturated_log_likelihood(data) - fit$deviance / 2, best - 1e-3)
 })
 
-test_that("planted thresholds lie within two bootstrap standard errors nine times in ten", {
+test_that("planted thresholds lie within two bootstrap standard errors nine times in ten (slow)", {
+  skip_if_not(run_slow, "--slow not given")
   set.seed(502)
   x <- rep(kDelaysTestedMs, each = 15)
   inside <- replicate(30, {
