@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/session/page.hpp"
+#include "experiments/record/page.hpp"
 
 namespace impetus {
 

@@ -14,15 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/shapes/icosphere_mesh.hpp"
-#include "engine/shapes/l_block_mesh.hpp"
-#include "experiments/session/playback.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/preview_view.hpp"
-#include "experiments/stage/replay_viewer.hpp"
-#include "experiments/stage/screen_setup.hpp"
-#include "experiments/stage/window.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/run/playback.hpp"
+#include "experiments/viewers/preview_view.hpp"
+#include "experiments/viewers/replays/replay_viewer.hpp"
+#include "experiments/viewers/screen_setup.hpp"
+#include "experiments/window/window.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/gallery_pages.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/numerics/trigonometry.hpp"
-#include "engine/trees/part_shape.hpp"
+#include "engine/trees/builders/part_shape.hpp"
 
 namespace impetus {
 namespace {

@@ -27,8 +27,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/collision/time_of_entry.hpp"
-#include "engine/collision/tunnelling.hpp"
+#include "engine/collision/entry/time_of_entry.hpp"
+#include "engine/collision/entry/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"

@@ -2,7 +2,7 @@
 #include "experiments/commands/build_name.hpp"
 
 #include "build_info.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "experiments/store/migration.hpp"
 
 namespace impetus {

@@ -10,15 +10,15 @@
 #include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/shipped_file.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
-#include "experiments/protocol/participant_checks.hpp"
-#include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_page.hpp"
-#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "experiments/protocol/series_file.hpp"
-#include "experiments/session/plan.hpp"
-#include "experiments/session/response_kinds.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus {
 namespace {

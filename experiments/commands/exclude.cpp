@@ -5,7 +5,7 @@
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/exclusion.hpp"
 
 namespace impetus {

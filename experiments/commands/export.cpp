@@ -13,7 +13,7 @@
 #include "experiments/exports/study_copy.hpp"
 #include "experiments/exports/whole_folder.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

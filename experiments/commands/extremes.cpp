@@ -13,7 +13,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 #include "experiments/models/atomic_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

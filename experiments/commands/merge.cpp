@@ -7,7 +7,7 @@
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/store/study_merge.hpp"
+#include "experiments/store/merging/study_merge.hpp"
 
 namespace impetus {
 namespace {

@@ -9,7 +9,7 @@
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_mending.hpp"
 #include "experiments/models/mesh_report.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "experiments/models/atomic_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/patch_corner.hpp"
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 

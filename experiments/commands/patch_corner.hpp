@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/session/photodiode_patch.hpp"
+#include "experiments/record/photodiode_patch.hpp"
 
 namespace impetus {
 

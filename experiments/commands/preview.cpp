@@ -10,16 +10,16 @@
 #include "experiments/protocol/scene_loading.hpp"
 
 #ifdef IMPETUS_WINDOW
-#include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/run/level_collision.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/session/level_collision.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/collision_strip.hpp"
-#include "experiments/stage/preview_view.hpp"
+#include "experiments/viewers/collision_strip.hpp"
+#include "experiments/viewers/preview_view.hpp"
 #endif
 
 namespace impetus {

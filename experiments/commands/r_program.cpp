@@ -7,7 +7,7 @@
 
 #include <cerrno>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 

@@ -17,7 +17,7 @@
 #include "experiments/exports/r_scripts.hpp"
 #include "experiments/exports/study_copy.hpp"
 #include "experiments/exports/whole_folder.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/session/input_error.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/trade/crowd_rows.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/trade/crowds/crowd_rows.hpp"
 #include "experiments/trade/parting_rows.hpp"
 #include "experiments/trade/trial_starts.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/protocol/json_document.hpp"
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/staged_scene.hpp"
+#include "experiments/settings/json_document.hpp"
 #include "experiments/trade/trade_row.hpp"
 
 namespace impetus {

@@ -7,12 +7,12 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/window_size.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/screen_setup.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/viewers/screen_setup.hpp"
 #endif
 
 namespace impetus {

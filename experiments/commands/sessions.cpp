@@ -5,9 +5,9 @@
 #include <string>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/session_words.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/session_list.hpp"
+#include "experiments/study/session_words.hpp"
 
 namespace impetus {
 namespace {

@@ -8,16 +8,16 @@
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
-#include "experiments/commands/chosen_screen.hpp"
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/chosen_screen.hpp"
+#include "experiments/commands/running/window_lab.hpp"
 #include "experiments/commands/sentences.hpp"
-#include "experiments/commands/window_lab.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/timing/timing_json.hpp"

@@ -17,7 +17,7 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/named_shape.hpp"
 #include "experiments/models/tree_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

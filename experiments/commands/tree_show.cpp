@@ -7,14 +7,14 @@
 
 #include "experiments/commands/tree_commands.hpp"
 #include "experiments/models/tree_file.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/tree_pictures.hpp"
-#include "experiments/stage/tree_view.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/viewers/tree_pictures.hpp"
+#include "experiments/viewers/tree_view.hpp"
 #endif
 
 namespace impetus {

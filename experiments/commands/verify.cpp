@@ -5,9 +5,9 @@
 #include <string>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/replay_check.hpp"
-#include "experiments/commands/verification_words.hpp"
+#include "experiments/commands/replays/replay_check.hpp"
 #include "experiments/study/study_verification.hpp"
+#include "experiments/study/verification_words.hpp"
 
 namespace impetus {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "experiments/stage/display_query.hpp"
-#include "experiments/stage/window.hpp"
+#include "experiments/window/display_query.hpp"
+#include "experiments/window/window.hpp"
 
 namespace impetus {
 

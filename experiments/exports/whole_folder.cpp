@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 
 namespace impetus {
 namespace {

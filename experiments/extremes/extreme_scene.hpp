@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/trees/tree_settings.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace impetus {
 

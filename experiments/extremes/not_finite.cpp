@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"

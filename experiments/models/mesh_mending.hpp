@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/shapes/mesh_repair.hpp"
+#include "engine/shapes/mending/mesh_repair.hpp"
 
 namespace impetus {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "engine/shapes/component_orientation.hpp"
+#include "engine/shapes/mending/component_orientation.hpp"
 #include "engine/shapes/useless_triangles.hpp"
 
 namespace impetus {

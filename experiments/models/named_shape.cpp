@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/shapes/creature_mesh.hpp"
-#include "engine/shapes/icosphere_mesh.hpp"
-#include "engine/shapes/knot_mesh.hpp"
-#include "engine/shapes/l_block_mesh.hpp"
-#include "engine/shapes/swept_mesh.hpp"
-#include "engine/shapes/torus_mesh.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/creature_mesh.hpp"
+#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/swept_mesh.hpp"
+#include "engine/shapes/solids/torus_mesh.hpp"
 
 namespace impetus {
 namespace {

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 
 namespace impetus {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "engine/shapes/triangle_mesh.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/level_quality.hpp"
 
 namespace impetus {

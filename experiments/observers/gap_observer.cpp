@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/numerics/trigonometry.hpp"
-#include "experiments/session/collision_truth.hpp"
+#include "experiments/run/collision_truth.hpp"
 
 namespace impetus {
 

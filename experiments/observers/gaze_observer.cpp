@@ -7,7 +7,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/observers/gap_visibility.hpp"
-#include "experiments/session/collision_truth.hpp"
+#include "experiments/run/collision_truth.hpp"
 
 namespace impetus {
 namespace {

@@ -32,7 +32,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/observers/draws.hpp"
 #include "experiments/observers/headless_lab.hpp"
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

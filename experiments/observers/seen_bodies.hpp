@@ -17,7 +17,7 @@
 #include <deque>
 #include <vector>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

@@ -22,8 +22,8 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/observers/loss_process.hpp"
 #include "experiments/observers/seen_bodies.hpp"
-#include "experiments/session/gaze.hpp"
-#include "experiments/session/ports.hpp"
+#include "experiments/record/gaze.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

@@ -10,7 +10,7 @@
 
 #include "experiments/power/embedded_ledger.hpp"
 #include "experiments/power/process_mark.hpp"
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "experiments/session/design.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/design/design.hpp"
+#include "experiments/record/script.hpp"
 
 namespace impetus {
 

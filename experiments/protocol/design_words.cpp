@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "experiments/session/adaptive_levels.hpp"
-#include "experiments/session/blocks.hpp"
+#include "experiments/design/adaptive_levels.hpp"
+#include "experiments/design/blocks.hpp"
 
 namespace impetus {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/session/design.hpp"
+#include "experiments/design/design.hpp"
 
 namespace impetus {
 

@@ -9,9 +9,9 @@
 #include "engine/scheduling/solved_thresholds.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/run/playback.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
-#include "experiments/session/playback.hpp"
 #include "experiments/session/unattended.hpp"
 
 namespace impetus {

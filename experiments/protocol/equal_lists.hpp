@@ -9,9 +9,9 @@
 #pragma once
 
 #include "engine/trees/tree_settings.hpp"
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/solve_task.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/plan.hpp"
 
 namespace impetus {
 

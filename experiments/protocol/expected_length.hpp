@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/session/plan.hpp"
 
 namespace impetus {
 

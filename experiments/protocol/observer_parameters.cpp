@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/protocol/validation.hpp"
+#include "experiments/settings/validation.hpp"
 
 namespace impetus {
 namespace {

@@ -12,7 +12,7 @@
 #include "experiments/observers/gap_observer.hpp"
 #include "experiments/observers/gaze_observer.hpp"
 #include "experiments/observers/response_observer.hpp"
-#include "experiments/protocol/json_document.hpp"
+#include "experiments/settings/json_document.hpp"
 
 namespace impetus {
 

@@ -5,20 +5,20 @@
 
 #include <xxhash.h>
 
-#include "experiments/protocol/catch_checks.hpp"
+#include "experiments/protocol/checks/catch_checks.hpp"
+#include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/checks/response_checks.hpp"
+#include "experiments/protocol/checks/solve_checks.hpp"
+#include "experiments/protocol/checks/text_checks.hpp"
+#include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
-#include "experiments/protocol/named_file.hpp"
-#include "experiments/protocol/participant_checks.hpp"
-#include "experiments/protocol/protocol_checks.hpp"
-#include "experiments/protocol/protocol_scene_checks.hpp"
-#include "experiments/protocol/response_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
-#include "experiments/protocol/solve_checks.hpp"
-#include "experiments/protocol/text_checks.hpp"
-#include "experiments/protocol/validation.hpp"
-#include "experiments/protocol/yoke_checks.hpp"
+#include "experiments/settings/named_file.hpp"
+#include "experiments/settings/validation.hpp"
 
 namespace impetus {
 namespace {

@@ -6,10 +6,10 @@
 #include <map>
 #include <string>
 
+#include "experiments/design/design.hpp"
 #include "experiments/protocol/design_reading.hpp"
-#include "experiments/protocol/json_document.hpp"
-#include "experiments/session/design.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/record/script.hpp"
+#include "experiments/settings/json_document.hpp"
 
 namespace impetus {
 

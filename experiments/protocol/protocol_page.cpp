@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
-#include "experiments/protocol/participant_checks.hpp"
-#include "experiments/protocol/protocol_checks.hpp"
-#include "experiments/session/response_kinds.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus {

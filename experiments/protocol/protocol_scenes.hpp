@@ -7,8 +7,8 @@
 
 #include "experiments/protocol/deepest_level.hpp"
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/ports.hpp"
 
 namespace impetus {
 

@@ -3,7 +3,7 @@
 
 #include "experiments/models/file_place.hpp"
 #include "experiments/models/readable_file.hpp"
-#include "experiments/scenes/figure_files.hpp"
+#include "experiments/scenes/figures/figure_files.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "experiments/protocol/json_document.hpp"
-#include "experiments/protocol/validation.hpp"
+#include "experiments/settings/json_document.hpp"
+#include "experiments/settings/validation.hpp"
 
 namespace impetus {
 namespace {

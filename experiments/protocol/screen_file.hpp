@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "experiments/session/lab_screen.hpp"
+#include "experiments/record/lab_screen.hpp"
 
 namespace impetus {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/session/script.hpp"
+#include "experiments/record/script.hpp"
 
 namespace impetus {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/series_file.hpp"
 
+#include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/embedded_series_schema.hpp"
-#include "experiments/protocol/json_document.hpp"
-#include "experiments/protocol/named_file.hpp"
-#include "experiments/protocol/participant_checks.hpp"
-#include "experiments/protocol/validation.hpp"
+#include "experiments/settings/json_document.hpp"
+#include "experiments/settings/named_file.hpp"
+#include "experiments/settings/validation.hpp"
 
 namespace impetus {
 

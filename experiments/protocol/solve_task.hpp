@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "experiments/protocol/json_document.hpp"
-#include "experiments/session/design.hpp"
+#include "experiments/design/design.hpp"
+#include "experiments/settings/json_document.hpp"
 
 namespace impetus {
 

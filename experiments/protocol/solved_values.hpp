@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/plan.hpp"
 
 namespace impetus {
 

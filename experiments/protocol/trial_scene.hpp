@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/session/plan.hpp"
 
 namespace impetus {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "engine/numerics/trigonometry.hpp"
-#include "experiments/scenes/scene_figures.hpp"
+#include "experiments/scenes/figures/scene_figures.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 #include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_tree.hpp"

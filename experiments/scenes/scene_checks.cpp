@@ -5,9 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/distractors.hpp"
+#include "experiments/scenes/figures/scene_figure_checks.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
-#include "experiments/scenes/scene_figure_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
@@ -17,7 +18,6 @@
 #include "experiments/scenes/scene_spin.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 #include "experiments/scenes/shape_checks.hpp"
-#include "experiments/session/wall_names.hpp"
 
 namespace impetus {
 namespace {

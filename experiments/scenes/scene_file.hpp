@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 

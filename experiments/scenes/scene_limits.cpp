@@ -9,9 +9,9 @@
 
 #include "engine/dynamics/limits.hpp"
 #include "engine/numerics/trigonometry.hpp"
-#include "engine/trees/part_shape.hpp"
-#include "experiments/scenes/figure_files.hpp"
-#include "experiments/scenes/figure_parts.hpp"
+#include "engine/trees/builders/part_shape.hpp"
+#include "experiments/scenes/figures/figure_files.hpp"
+#include "experiments/scenes/figures/figure_parts.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 

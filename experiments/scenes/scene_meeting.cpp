@@ -6,10 +6,10 @@
 #include <string>
 
 #include "engine/numerics/trigonometry.hpp"
+#include "experiments/run/collision_truth.hpp"
 #include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
-#include "experiments/session/collision_truth.hpp"
 
 namespace impetus {
 namespace {

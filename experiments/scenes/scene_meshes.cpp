@@ -10,7 +10,7 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
-#include "experiments/scenes/figure_files.hpp"
+#include "experiments/scenes/figures/figure_files.hpp"
 
 namespace impetus {
 namespace {

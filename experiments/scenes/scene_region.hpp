@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
-#include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
-#include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "engine/shapes/knot_mesh.hpp"
+#include "engine/shapes/solids/knot_mesh.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus {

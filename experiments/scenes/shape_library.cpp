@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/shapes/creature_mesh.hpp"
-#include "engine/shapes/knot_mesh.hpp"
-#include "engine/shapes/l_block_mesh.hpp"
-#include "engine/shapes/torus_mesh.hpp"
-#include "engine/trees/build_tree.hpp"
-#include "engine/trees/swept_tree.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/creature_mesh.hpp"
+#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/trees/builders/build_tree.hpp"
+#include "engine/trees/builders/swept_tree.hpp"
 #include "experiments/scenes/coarser_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 #include "experiments/scenes/swept_shape.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/shapes/swept_mesh.hpp"
+#include "engine/shapes/solids/swept_mesh.hpp"
 
 namespace impetus {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/shapes/triangle_mesh.hpp"
-#include "engine/trees/swept_tree.hpp"
+#include "engine/trees/builders/swept_tree.hpp"
 
 namespace impetus {
 

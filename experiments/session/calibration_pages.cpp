@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/session/session_pages.hpp"
+#include "experiments/questions/session_pages.hpp"
 
 namespace impetus {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/page.hpp"
-#include "experiments/session/record.hpp"
+#include "experiments/record/page.hpp"
+#include "experiments/record/record.hpp"
 
 namespace impetus {
 

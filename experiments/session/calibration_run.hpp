@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/gaze_quality.hpp"
+#include "experiments/gaze/gaze_quality.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus {

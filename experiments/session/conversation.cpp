@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/conversation.hpp"
 
-#include "experiments/session/session_pages.hpp"
+#include "experiments/questions/session_pages.hpp"
 
 namespace impetus {
 

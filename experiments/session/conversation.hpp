@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/session/session_standing.hpp"
 
 namespace impetus {

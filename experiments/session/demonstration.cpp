@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "experiments/session/playback.hpp"
-#include "experiments/session/whole_frames.hpp"
+#include "experiments/design/whole_frames.hpp"
+#include "experiments/run/playback.hpp"
 
 namespace impetus {
 

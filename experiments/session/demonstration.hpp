@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/session/script.hpp"
+#include "experiments/record/script.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus {

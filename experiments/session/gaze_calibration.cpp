@@ -2,8 +2,8 @@
 #include "experiments/session/gaze_calibration.hpp"
 
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/questions/session_pages.hpp"
 #include "experiments/session/calibration_pages.hpp"
-#include "experiments/session/session_pages.hpp"
 
 namespace impetus {
 namespace {

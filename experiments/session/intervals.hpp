@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/session/plan.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/record/script.hpp"
 
 namespace impetus {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/session/response_kinds.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus {
 namespace {

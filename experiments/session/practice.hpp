@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/record.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/record/record.hpp"
+#include "experiments/record/script.hpp"
 
 namespace impetus {
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "experiments/questions/session_pages.hpp"
 #include "experiments/session/demonstration.hpp"
 #include "experiments/session/practice.hpp"
-#include "experiments/session/session_pages.hpp"
 
 namespace impetus {
 

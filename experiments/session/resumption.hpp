@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "experiments/session/plan.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/record/script.hpp"
 #include "experiments/session/session_standing.hpp"
 
 namespace impetus {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "experiments/questions/session_pages.hpp"
 #include "experiments/session/practice_part.hpp"
-#include "experiments/session/session_pages.hpp"
 #include "experiments/session/trial_sequence.hpp"
 
 namespace impetus {

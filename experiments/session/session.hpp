@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/design/plan.hpp"
+#include "experiments/record/script.hpp"
 #include "experiments/session/conversation.hpp"
-#include "experiments/session/plan.hpp"
-#include "experiments/session/script.hpp"
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
 #include "experiments/session/trial_sequence.hpp"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/page.hpp"
-#include "experiments/session/plan.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/record/page.hpp"
 #include "experiments/session/practice.hpp"
 
 namespace impetus {

@@ -4,10 +4,10 @@
 
 #include <optional>
 
+#include "experiments/design/design.hpp"
+#include "experiments/record/script.hpp"
 #include "experiments/session/conversation.hpp"
-#include "experiments/session/design.hpp"
 #include "experiments/session/gaze_calibration.hpp"
-#include "experiments/session/script.hpp"
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/session/gaze_loss.hpp"
-#include "experiments/session/region_coverage.hpp"
-#include "experiments/session/whole_frames.hpp"
+#include "experiments/design/whole_frames.hpp"
+#include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/gaze/region_coverage.hpp"
 
 namespace impetus {
 namespace {

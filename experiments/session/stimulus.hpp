@@ -7,8 +7,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/gaze_follower.hpp"
-#include "experiments/session/playback.hpp"
+#include "experiments/gaze/gaze_follower.hpp"
+#include "experiments/run/playback.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus {

@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "experiments/session/gaze_latency.hpp"
-#include "experiments/session/gaze_loss.hpp"
+#include "experiments/design/whole_frames.hpp"
+#include "experiments/gaze/gaze_latency.hpp"
+#include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/session/intervals.hpp"
-#include "experiments/session/response_kinds.hpp"
 #include "experiments/session/stimulus.hpp"
-#include "experiments/session/whole_frames.hpp"
 
 namespace impetus {
 namespace {

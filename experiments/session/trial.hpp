@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/plan.hpp"
-#include "experiments/session/ports.hpp"
-#include "experiments/session/script.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/record/script.hpp"
 
 namespace impetus {
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "experiments/gaze/gaze_latency.hpp"
+#include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/session_pages.hpp"
 #include "experiments/session/calibration_pages.hpp"
-#include "experiments/session/gaze_latency.hpp"
-#include "experiments/session/gaze_loss.hpp"
-#include "experiments/session/session_pages.hpp"
 
 namespace impetus {
 

@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 
-#include "experiments/session/adaptive_levels.hpp"
+#include "experiments/design/adaptive_levels.hpp"
 #include "experiments/session/sitting.hpp"
 
 namespace impetus {

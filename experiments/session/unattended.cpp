@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiments/session/playback.hpp"
+#include "experiments/run/playback.hpp"
 
 namespace impetus {
 

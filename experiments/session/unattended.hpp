@@ -8,7 +8,7 @@
 
 #include <functional>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/session/session_standing.hpp"
 
 namespace impetus {

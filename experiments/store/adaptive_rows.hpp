@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/record.hpp"
+#include "experiments/record/record.hpp"
 
 namespace impetus {
 

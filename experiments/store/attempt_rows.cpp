@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "experiments/session/gaze_latency.hpp"
-#include "experiments/session/wall_names.hpp"
+#include "experiments/gaze/gaze_latency.hpp"
+#include "experiments/record/wall_names.hpp"
 #include "experiments/store/optional_values.hpp"
 #include "experiments/store/response_rows.hpp"
 #include "experiments/store/step_rows.hpp"

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/yoke_rows.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/plan.hpp"
+#include "experiments/design/plan.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/study_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

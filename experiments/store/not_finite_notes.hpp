@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "experiments/session/record.hpp"
+#include "experiments/record/record.hpp"
 
 namespace impetus {
 

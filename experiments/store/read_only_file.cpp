@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 namespace {

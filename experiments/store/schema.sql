@@ -147,7 +147,7 @@ CREATE TABLE step (
   step INTEGER NOT NULL CHECK (step >= 0),  -- 0: the state at the start
   work_granted INTEGER NOT NULL,            -- units of work; a test of a pair of nodes is one
   work_spent INTEGER NOT NULL,        -- at most what was granted, or the floor
-  degradations INTEGER NOT NULL,            -- bits, see engine/step.hpp
+  degradations INTEGER NOT NULL,            -- bits, see engine/world/step.hpp
   hash INTEGER NOT NULL,                    -- of the bodies' state, 64 bits
   digests BLOB NOT NULL,                    -- 16 bits per body and field, little endian
   fixation_x_m REAL,                        -- right of the screen's centre; NULL: not known

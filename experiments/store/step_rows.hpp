@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/session/record.hpp"
+#include "experiments/record/record.hpp"
 
 namespace impetus {
 

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/migration.hpp"
 #include "experiments/store/present_file.hpp"
 #include "experiments/store/read_only_file.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "experiments/session/gaze.hpp"
-#include "experiments/session/gaze_correction.hpp"
+#include "experiments/record/gaze.hpp"
+#include "experiments/record/gaze_correction.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 

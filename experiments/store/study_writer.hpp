@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/session/resumption.hpp"
 #include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "experiments/session/wall_names.hpp"
+#include "experiments/record/wall_names.hpp"
 
 namespace impetus {
 namespace {

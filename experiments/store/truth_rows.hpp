@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/collision_truth.hpp"
+#include "experiments/run/collision_truth.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus {

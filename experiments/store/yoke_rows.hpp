@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/gaze_path.hpp"
-#include "experiments/session/plan.hpp"
+#include "experiments/design/plan.hpp"
+#include "experiments/record/gaze_path.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/session/intervals.hpp"
-#include "experiments/session/response_kinds.hpp"
 
 namespace impetus {
 namespace {

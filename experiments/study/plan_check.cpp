@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/protocol/protocol_checks.hpp"
-#include "experiments/protocol/yoke_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/study/stored_plan.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "experiments/session/lab_screen.hpp"
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/store/screen_rows.hpp"
 
 namespace impetus {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/session/plan.hpp"
 #include "experiments/store/enrolment.hpp"
 
 namespace impetus {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace impetus {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/migration.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/study_integrity.hpp"

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/session/frame_grid.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/timing/distribution.hpp"
 
 namespace impetus {

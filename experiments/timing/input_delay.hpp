@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/session/sent_input.hpp"
+#include "experiments/record/sent_input.hpp"
 #include "experiments/timing/distribution.hpp"
 
 namespace impetus {

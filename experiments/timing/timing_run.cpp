@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <utility>
 
-#include "experiments/session/gaze_latency.hpp"
-#include "experiments/session/playback.hpp"
+#include "experiments/design/whole_frames.hpp"
+#include "experiments/gaze/gaze_latency.hpp"
+#include "experiments/run/playback.hpp"
 #include "experiments/session/trial.hpp"
-#include "experiments/session/whole_frames.hpp"
 #include "experiments/timing/timing_scenes.hpp"
 
 namespace impetus {

@@ -10,9 +10,9 @@
 #include <functional>
 #include <optional>
 
-#include "experiments/session/photodiode_patch.hpp"
-#include "experiments/session/ports.hpp"
-#include "experiments/session/sent_input.hpp"
+#include "experiments/record/photodiode_patch.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/record/sent_input.hpp"
 #include "experiments/timing/timing_report.hpp"
 
 namespace impetus {

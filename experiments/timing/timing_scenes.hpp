@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "experiments/record/ports.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/ports.hpp"
 
 namespace impetus {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/trade/trade_bodies.hpp"
+#include "experiments/trade/impacts/trade_bodies.hpp"
 
 namespace impetus {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/session/region_source.hpp"
-#include "experiments/trade/work_beyond_floor.hpp"
+#include "experiments/gaze/region_source.hpp"
+#include "experiments/trade/crowds/work_beyond_floor.hpp"
 
 namespace impetus {
 namespace {

@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "engine/trees/tree_settings.hpp"
-#include "experiments/session/seen_apart.hpp"
-#include "experiments/trade/tried_order.hpp"
+#include "experiments/run/seen_apart.hpp"
+#include "experiments/trade/crowds/tried_order.hpp"
 
 namespace impetus {
 

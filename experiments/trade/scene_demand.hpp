@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "engine/trees/tree_settings.hpp"
-#include "experiments/session/staged_scene.hpp"
-#include "experiments/trade/impact_pair.hpp"
+#include "experiments/record/staged_scene.hpp"
+#include "experiments/trade/impacts/impact_pair.hpp"
 
 namespace impetus {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/ports.hpp"
-#include "experiments/session/staged_scene.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/trade/trade_option.hpp"
 #include "experiments/trade/trade_row.hpp"
 

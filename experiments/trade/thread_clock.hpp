@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

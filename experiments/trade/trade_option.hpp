@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/trade/estimate.hpp"
-#include "experiments/trade/impact_measures.hpp"
+#include "experiments/trade/impacts/impact_measures.hpp"
 
 namespace impetus {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <utility>
 
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/staged_scene.hpp"
 
 namespace impetus {
 

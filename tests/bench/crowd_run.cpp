@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/session/deadline_work.hpp"
+#include "experiments/run/deadline_work.hpp"
 
 namespace impetus {
 namespace {

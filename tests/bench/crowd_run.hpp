@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "tests/bench/crowd_starts.hpp"
 #include "tests/bench/thread_time.hpp"
 

@@ -12,9 +12,9 @@
 
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/run/deadline_work.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
-#include "experiments/session/deadline_work.hpp"
 #include "tests/bench/bench_options.hpp"
 #include "tests/bench/thread_time.hpp"
 #include "tests/places/places.hpp"

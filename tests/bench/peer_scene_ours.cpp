@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "tests/bench/peer_scene.hpp"
 
 namespace impetus {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/world_settings.hpp"
+#include "engine/world/world_settings.hpp"
 #include "tests/bench/contact_problem.hpp"
 #include "tests/bench/thread_time.hpp"
 

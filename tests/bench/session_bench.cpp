@@ -23,11 +23,11 @@
 
 #include "experiments/observers/simulated_eye.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/stage/window.hpp"
+#include "experiments/record/steady_clock.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/timing/flip_statistics.hpp"
 #include "experiments/timing/timing_scenes.hpp"
+#include "experiments/window/window.hpp"
 #include "tests/bench/memory_watch.hpp"
 
 namespace impetus {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "experiments/session/ports.hpp"
+#include "experiments/record/ports.hpp"
 
 namespace impetus {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/level_quality.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/named_shape.hpp"

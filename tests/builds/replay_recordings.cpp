@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/protocol/design_reading.hpp"
+#include "experiments/run/replay.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/session/replay.hpp"
 #include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
-#include "engine/shapes/l_block_mesh.hpp"
-#include "engine/trees/octree.hpp"
-#include "engine/world.hpp"
+#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/trees/builders/octree.hpp"
+#include "engine/world/world.hpp"
 
 namespace impetus {
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/shapes/creature_mesh.hpp"
-#include "engine/shapes/icosphere_mesh.hpp"
-#include "engine/shapes/l_block_mesh.hpp"
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/torus_mesh.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/creature_mesh.hpp"
+#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/torus_mesh.hpp"
 #include "engine/trees/built_tree.hpp"
 
 namespace impetus {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/scheduling/metrics.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {

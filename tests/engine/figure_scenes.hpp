@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
-#include "engine/collision/node_gap.hpp"
+#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
-#include "engine/collision/time_of_entry.hpp"
 
 namespace impetus::plain {
 

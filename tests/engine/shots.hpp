@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/collision/body_path.hpp"
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/collision/entry/body_path.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {

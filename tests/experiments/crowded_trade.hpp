@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/steady_clock.hpp"
-#include "experiments/trade/crowd_rows.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/trade/crowds/crowd_rows.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus {

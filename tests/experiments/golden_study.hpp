@@ -10,7 +10,7 @@
 
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/solved_values.hpp"
-#include "experiments/session/replay.hpp"
+#include "experiments/run/replay.hpp"
 #include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "tests/experiments/fakes.hpp"

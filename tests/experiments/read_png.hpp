@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "experiments/stage/png_file.hpp"
+#include "experiments/window/png_file.hpp"
 
 namespace impetus {
 

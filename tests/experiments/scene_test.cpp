@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/scheduling/metrics.hpp"
-#include "engine/starting_overlaps.hpp"
+#include "engine/world/starting_overlaps.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::scene_test {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/protocol/protocol_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus {

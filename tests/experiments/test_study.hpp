@@ -14,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/step_rows.hpp"
 #include "experiments/store/study_reader.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/trees/build_tree.hpp"
-#include "experiments/trade/impact_measures.hpp"
+#include "engine/trees/builders/build_tree.hpp"
+#include "experiments/trade/impacts/impact_measures.hpp"
 
 namespace impetus {
 

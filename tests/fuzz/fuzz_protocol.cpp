@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
-#include "experiments/protocol/protocol_checks.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/protocol/protocol_scene_checks.hpp"
 #include "tests/fuzz/asked_work.hpp"
 #include "tests/fuzz/refusals.hpp"
 #include "tests/fuzz/targets.hpp"

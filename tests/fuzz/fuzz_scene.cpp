@@ -3,10 +3,10 @@
 #include <string>
 
 #include "engine/dynamics/finite_states.hpp"
-#include "experiments/protocol/json_document.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/settings/json_document.hpp"
 #include "tests/fuzz/asked_work.hpp"
 #include "tests/fuzz/refusals.hpp"
 #include "tests/fuzz/targets.hpp"

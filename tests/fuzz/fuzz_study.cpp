@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "experiments/commands/replayed_trial.hpp"
+#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 #include "tests/fuzz/asked_work.hpp"
 #include "tests/fuzz/refusals.hpp"

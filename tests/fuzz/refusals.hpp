@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/session/input_error.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus {
 

@@ -15,12 +15,12 @@
 #include <memory>
 
 #include "engine/collision/pair_refinement.hpp"
-#include "engine/shapes/box_mesh.hpp"
-#include "engine/shapes/creature_mesh.hpp"
-#include "engine/shapes/icosphere_mesh.hpp"
 #include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/torus_mesh.hpp"
-#include "engine/trees/build_tree.hpp"
+#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/creature_mesh.hpp"
+#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::conservative_levels_test {

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "engine/collision/entry/time_of_entry.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "engine/collision/entry/near_spheres.hpp"
+#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/sphere_block.hpp"
+
+namespace impetus {
+namespace {
+
+/// Of slow_way_m: how deep bodies overlap when they are stopped, and what they may still go.
+constexpr double kHairShare = 0.125;
+constexpr double kRestShare = 0.25;
+/// Of that depth: how much deeper bodies may overlap that did at the start.
+constexpr double kDeeperShare = 0.25;
+/// Deep in a voxel the nearest face may be one that it shares with the next: then nothing pushes
+/// out of the body. So much of its half-thickness is safe.
+constexpr double kSafeShareOfVoxel = 0.05;
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
+/// How deep a finest node may be met without its being left on the wrong side (metres).
+double safe_depth_m(const VolumeTree& tree, int level) {
+  const double half_m = tree.least_half_thickness_m(level);
+  return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
+}
+
+class EntrySearch {
+ public:
+  explicit EntrySearch(const PairOnTheWay& pair)
+      : pair_(pair),
+        of_spheres_(pair.a.of_spheres() && pair.b.of_spheres()),
+        slow_m_(slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level)),
+        hair_m_(kHairShare * slow_m_),
+        stretches_(stretches_of(pair.path_a, pair.path_b)) {}
+
+  Entry run() {
+    Entry entry;
+    entry.time = first_time();
+    entry.tests = tests_;
+    return entry;
+  }
+
+ private:
+  std::optional<double> first_time() {
+    if (stretches_.empty()) {
+      return std::nullopt;
+    }
+    place(stretches_.front().begin);
+    measure_depth_of_all();
+    if (capped()) {
+      return unless_nearly_there(stretches_.front().begin, slow_m_);
+    }
+    if (overlapped_at_start_) {
+      hair_m_ *= kDeeperShare;
+    }
+    if (allowed_depth_m_ + hair_m_ > slow_m_) {
+      return std::nullopt;
+    }
+    for (const RelativeStretch& stretch : stretches_) {
+      stretch_ = &stretch;
+      const std::optional<double> time = first_time_in(stretch);
+      if (time) {
+        return capped() ? unless_nearly_there(*time, slow_m_) : unless_nearly_there(*time, 0.0);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// None when the stretch's end is reached.
+  std::optional<double> first_time_in(const RelativeStretch& stretch) {
+    near_.enter(stretch, pair_.a.reach_m(), pair_.b.reach_m());
+    double time = stretch.begin;
+    while (time < stretch.end) {
+      place(time);
+      safe_ = stretch.end - time;
+      bound_all();
+      const double next = time + safe_;
+      if (capped() || !(next > time)) {
+        return time;
+      }
+      time = next;
+    }
+    return std::nullopt;
+  }
+
+  /// `time` and what takes the bodies by `more_m` further; none when little is left after it.
+  [[nodiscard]] std::optional<double> unless_nearly_there(double time, double more_m) const {
+    const auto left_m = [&](double from) {
+      return way_from(from, stretches_, reach_a(), reach_b());
+    };
+    for (const RelativeStretch& stretch : stretches_) {
+      const double here = std::max(time, stretch.begin);
+      const double speed_m = stretch.fastest(reach_a(), reach_b());
+      if (here < stretch.end && more_m > 0.0 && speed_m > 0.0) {
+        const double share = std::min(stretch.end - here, more_m / speed_m);
+        time = here + share;
+        more_m -= share * speed_m;
+      }
+    }
+    return left_m(time) > kRestShare * slow_m_ ? std::optional(time) : std::nullopt;
+  }
+
+  void place(double time) {
+    pose_a_ = pose_at(pair_.path_a, time);
+    pose_b_ = pose_at(pair_.path_b, time);
+    pair_.a.move_to(pose_a_);
+    pair_.b.move_to(pose_b_);
+  }
+
+  [[nodiscard]] double reach_a() const { return pair_.a.tree().bounding_radius_m(); }
+  [[nodiscard]] double reach_b() const { return pair_.b.tree().bounding_radius_m(); }
+  [[nodiscard]] bool capped() const { return tests_ >= pair_.most_tests; }
+
+  [[nodiscard]] bool is_last(const NodePair& nodes, int level) const {
+    return level >= pair_.greatest_level || (pair_.a.tree().links(nodes.a).child_count == 0 &&
+                                             pair_.b.tree().links(nodes.b).child_count == 0);
+  }
+
+  /// Tests that were skipped because their outcome is known.
+  void count(std::int64_t tests) { tests_ = std::min(tests_ + tests, pair_.most_tests); }
+
+  template <typename Visit>
+  void for_each_pair_below(const NodePair& nodes, const Visit& visit) const {
+    const NodeLinks of_a = one_level_deeper(pair_.a.tree(), nodes.a);
+    const NodeLinks of_b = one_level_deeper(pair_.b.tree(), nodes.b);
+    for (std::int32_t i = 0; i < of_a.child_count; ++i) {
+      for (std::int32_t j = 0; j < of_b.child_count; ++j) {
+        visit(NodePair{of_a.first_child + i, of_b.first_child + j});
+      }
+    }
+  }
+
+  /// Visits the pairs of a block whose bits are set, in order, and counts the tests of all up to
+  /// where the search ends or has `found_enough`.
+  template <typename FoundEnough, typename Visit>
+  void for_each_set(const SphereBlock& block, std::uint64_t bits, const FoundEnough& found_enough,
+                    const Visit& visit) {
+    int counted = 0;
+    for (; bits != 0 && !found_enough(); bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const int row = bit / kLanes;
+      const int column = bit % kLanes;
+      const int place = row * block.columns + column;
+      count(place - counted);
+      if (capped()) {
+        return;
+      }
+      count(1);
+      counted = place + 1;
+      visit(row, column);
+    }
+    if (!found_enough()) {
+      count(block.rows * block.columns - counted);
+    }
+  }
+
+  /// Finds how deep the finest nodes overlap; deeper than the bodies are thick is deep enough.
+  void measure_depth_of_all() {
+    if (of_spheres_) {
+      place_roots();
+    }
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (nodes_overlap(pair_.a, 0, pair_.b, 0)) {
+      measure_depth(NodePair{0, 0}, 0);
+    }
+  }
+
+  [[nodiscard]] bool deep_enough() const { return allowed_depth_m_ > slow_m_; }
+
+  /// Of nodes that overlap.
+  void measure_depth(const NodePair& nodes, int level) {
+    if (is_last(nodes, level)) {
+      overlapped_at_start_ = true;
+      allowed_depth_m_ = std::max(allowed_depth_m_, -gap_of(nodes).gap_m);
+    } else if (of_spheres_) {
+      for_each_block_below(pair_.a, pair_.b, nodes,
+                           [&](const SphereBlock& block) { measure_depth(block, level + 1); });
+    } else {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped() && !deep_enough()) {
+          count(1);
+          if (nodes_overlap(pair_.a, below.a, pair_.b, below.b)) {
+            measure_depth(below, level + 1);
+          }
+        }
+      });
+    }
+  }
+
+  void measure_depth(const SphereBlock& block, int level) {
+    if (capped() || deep_enough()) {
+      return;
+    }
+    const std::uint64_t overlapping =
+        overlaps_of_block(block.a, block.rows, block.b, block.columns);
+    for_each_set(
+        block, overlapping, [&] { return deep_enough(); },
+        [&](int row, int column) {
+          measure_depth(NodePair{block.first.a + row, block.first.b + column}, level);
+        });
+  }
+
+  /// Lowers safe_ to the time for which no finest nodes can touch.
+  void bound_all() {
+    if (capped()) {
+      return;
+    }
+    count(1);
+    if (!of_spheres_) {
+      bound({0, 0}, 0, 0.0);
+      return;
+    }
+    place_roots();
+    near_.place(pose_a_, pose_b_);
+    const Sphere a = pair_.a.world_sphere(0);
+    const Sphere b = pair_.b.world_sphere(0);
+    bound_spheres({0, 0}, a, b, turning_speed_m(a, b), 0, 0.0);
+  }
+
+  /// Lowers safe_ to the time for which the finest nodes below this pair cannot touch. `at_least`
+  /// is what holds of the pairs above.
+  void bound(const NodePair& nodes, int level, double at_least) {
+    const Sphere bound_a = bounding_sphere(pair_.a.world_volume(nodes.a));
+    const Sphere bound_b = bounding_sphere(pair_.b.world_volume(nodes.b));
+    const double turning_m = turning_speed_m(bound_a, bound_b);
+    double time = std::max(at_least, time_apart(gap_of_bounds(bound_a, bound_b), turning_m));
+    if (time < safe_) {
+      time = std::max(time, time_apart(gap_of(nodes), turning_m));
+    }
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_pair_below(nodes, [&](const NodePair& below) {
+        if (!capped()) {
+          count(1);
+          bound(below, level + 1, time);
+        }
+      });
+    });
+  }
+
+  /// The same of spheres, a block at a time.
+  void bound_spheres(const NodePair& nodes, const Sphere& a, const Sphere& b, double turning_m,
+                     int level, double at_least) {
+    const double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
+    bound_by(nodes, level, time, turning_m, [&] {
+      for_each_block_below(pair_.a, pair_.b, nodes,
+                           [&](const SphereBlock& block) { bound_block(block, level + 1, time); });
+    });
+  }
+
+  /// `time` is what is known of the pair, `bound_below` goes on with those below it.
+  template <typename BoundBelow>
+  void bound_by(const NodePair& nodes, int level, double time, double turning_m,
+                const BoundBelow& bound_below) {
+    const bool last = is_last(nodes, level);
+    if (last && time <= 0.0) {
+      time = std::max(time, time_of_overlap(nodes, turning_m));
+    }
+    if (time >= safe_) {
+      return;
+    }
+    if (last) {
+      safe_ = time;
+      return;
+    }
+    bound_below();
+  }
+
+  void bound_block(const SphereBlock& block, int level, double at_least) {
+    if (capped()) {
+      return;
+    }
+    if (at_least >= safe_) {
+      count(std::int64_t{block.rows} * block.columns);
+      return;
+    }
+    const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
+    const LaneValues turning_b = turning_of(block.b, block.columns, pose_b_, stretch_->turn_b);
+    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning_a, turning_b);
+    for_each_set(
+        block, near, [] { return false; },
+        [&](int row, int column) {
+          const Sphere a = sphere_of(block.a, row);
+          const Sphere b = sphere_of(block.b, column);
+          const double turning_m = turning_a[lane(row)] + turning_b[lane(column)];
+          if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
+            bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
+                          at_least);
+          }
+        });
+  }
+
+  /// How fast points of each sphere can move by their body's turning.
+  static LaneValues turning_of(const SphereLanes& lanes, int count, const Pose& pose, double turn) {
+    LaneValues speeds_m{};
+    for (int index = 0; turn > 0.0 && index < count; ++index) {
+      speeds_m[lane(index)] = turning_speed_m(sphere_of(lanes, index), pose, turn);
+    }
+    return speeds_m;
+  }
+
+  /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
+  [[nodiscard]] double time_apart(const NodeGap& found, double turning_m) const {
+    return found.gap_m > 0.0 ? time_of_way(found.gap_m + hair_m_, found.normal, turning_m) : 0.0;
+  }
+
+  /// The same of finest nodes that seem to overlap: they may, as deep as at the start.
+  [[nodiscard]] double time_of_overlap(const NodePair& nodes, double turning_m) const {
+    const NodeGap found = gap_of(nodes);
+    const double deeper_m = std::max(0.0, -found.gap_m) - allowed_depth_m_;
+    const double too_deep_m = overlapped_at_start_ ? 0.5 * hair_m_ : 0.0;
+    if (deeper_m >= too_deep_m && nodes_overlap(pair_.a, nodes.a, pair_.b, nodes.b)) {
+      return 0.0;
+    }
+    return time_of_way(hair_m_ - deeper_m, found.normal, turning_m);
+  }
+
+  [[nodiscard]] double time_of_way(double way_m, const Vector3& normal, double turning_m) const {
+    const double closing_m = std::max(0.0, -normal.dot(stretch_->velocity)) + turning_m;
+    return closing_m > 0.0 ? way_m / closing_m : kForever;
+  }
+
+  /// How fast points of the nodes can move towards each other by the bodies' turning.
+  [[nodiscard]] double turning_speed_m(const Sphere& a, const Sphere& b) const {
+    double speed_m = 0.0;
+    if (stretch_->turn_a > 0.0) {
+      speed_m += turning_speed_m(a, pose_a_, stretch_->turn_a);
+    }
+    if (stretch_->turn_b > 0.0) {
+      speed_m += turning_speed_m(b, pose_b_, stretch_->turn_b);
+    }
+    return speed_m;
+  }
+
+  static double turning_speed_m(const Sphere& sphere, const Pose& pose, double turn) {
+    return turn * ((sphere.centre - pose.position).norm() + sphere.radius_m);
+  }
+
+  void place_roots() {
+    pair_.a.world_lanes(0, 1);
+    pair_.b.world_lanes(0, 1);
+  }
+
+  [[nodiscard]] NodeGap gap_of(const NodePair& nodes) const {
+    return of_spheres_ ? gap_of_bounds(pair_.a.world_sphere(nodes.a), pair_.b.world_sphere(nodes.b))
+                       : gap_of_nodes(pair_.a.world_volume(nodes.a), pair_.b.world_volume(nodes.b));
+  }
+
+  PairOnTheWay pair_;
+  bool of_spheres_;
+  double slow_m_;
+  double hair_m_;
+  Stretches stretches_;
+  const RelativeStretch* stretch_{nullptr};
+  Pose pose_a_;
+  Pose pose_b_;
+  bool overlapped_at_start_{false};
+  double allowed_depth_m_{0.0};  ///< the depth of overlap at the start
+  double safe_{0.0};
+  NearSpheres near_;
+  std::int64_t tests_{0};
+};
+
+}  // namespace
+
+double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level) {
+  return safe_depth_m(a, level) + safe_depth_m(b, level);
+}
+
+bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
+  const double way_m =
+      way_from(0.0, stretches_of(pair.path_a, pair.path_b), pair.a.tree().bounding_radius_m(),
+               pair.b.tree().bounding_radius_m());
+  const double slow_m = slow_way_m(pair.a.tree(), pair.b.tree(), pair.greatest_level);
+  return slow_m > 0.0 && way_m > share_of_slow_way * slow_m;
+}
+
+Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
+
+}  // namespace impetus

@@ -1,0 +1,65 @@
+// When two bodies first touch on their ways within a step, by conservative advancement.
+//
+//   t ──► bound the time for which no pair of nodes can touch ──► move on by it ──┐
+//   ▲                                                                             │
+//   └──── apart, and the step not over ◄──────────────────────────────────────────┘
+//
+//   time of a node pair = (gap + hair) / closing speed
+//
+// Of two nodes apart by `gap` along a direction, nothing meets before their points have moved by it
+// towards each other, and after `hair` more they overlap by no more than it. Nodes count as the
+// refinement counts them: a pair whose parents are apart does not touch. The bound of a pair of
+// trees is found by branch and bound over their node pairs.
+//
+// Trees of spheres are searched a block of siblings at a time: those that could touch in time are
+// looked at closely, in their order (near_spheres.hpp). Tests that are skipped are counted, so a
+// search costs what it is worth, in whatever way it is done.
+//
+// Bodies that already overlap at the start may go on as long as they do not overlap by more; those
+// that overlap by more than they are thick are left to the response.
+// (Mirtich 1996; Zhang et al. 2006, for the directed speeds; Dingliana 2002, sec. 5.3.2)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/collision/entry/body_path.hpp"
+#include "engine/collision/placed_tree.hpp"
+
+namespace impetus {
+
+/// Node pairs that are looked at for one pair of bodies, when nothing less is asked for; then they
+/// go on by what a slow pair may, and stop there.
+inline constexpr std::int64_t kMostEntryTests = 20'000;
+
+/// Two bodies, their ways, and how finely they are looked at. Both trees must outlive it, and are
+/// left where the search ends.
+struct PairOnTheWay {
+  PlacedTree& a;
+  PlacedTree& b;
+  const BodyPath& path_a;
+  const BodyPath& path_b;
+  int greatest_level;
+  std::int64_t most_tests{kMostEntryTests};  ///< at least 1
+};
+
+/// What a pair may move without being fast (metres): the least half-thickness of a's nodes and
+/// that of b's, of voxels a twentieth. Bodies that move less against each other cannot get past
+/// their middles between one step and the next.
+double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
+
+/// Whether the bodies move further against each other within the step than this share of what a
+/// slow pair may.
+bool is_fast(const PairOnTheWay& pair, double share_of_slow_way = 1.0);
+
+struct Entry {
+  std::optional<double> time;  ///< share of the step after which both must stop, if they must
+  std::int64_t tests{0};       ///< of node pairs
+};
+
+/// When the bodies overlap, by at most an eighth of slow_way_m, so early that what is left of their
+/// way would carry them further by a quarter of it.
+Entry time_of_entry(const PairOnTheWay& pair);
+
+}  // namespace impetus

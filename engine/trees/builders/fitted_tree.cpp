@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "engine/trees/builders/fitted_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "engine/trees/builders/kind_choice.hpp"
+#include "engine/trees/builders/part_halving.hpp"
+#include "engine/trees/node_description.hpp"
+#include "engine/trees/solid_requirement.hpp"
+
+namespace impetus {
+namespace {
+
+/// Shares of the solid's size.
+constexpr double kFitMargin = 1e-12;
+constexpr double kNegligibleReach = 1e-9;
+/// A node that reaches no farther is kept whole when its children would be no better.
+constexpr double kUnseen = 5e-4;
+
+/// Cells of the grid of remembered distances: about seven across a node of the last level. Few
+/// nodes do not repay a fine grid.
+int rough_cells(const TreeSettings& settings) {
+  double leaves = 1.0;
+  for (int level = 0; level < settings.depth; ++level) {
+    leaves *= settings.branching;
+  }
+  return static_cast<int>(std::clamp(7.0 * std::sqrt(leaves), 32.0, 160.0));
+}
+
+/// A node in the making.
+struct FittedPiece {
+  SurfacePart part;
+  PartShape shape;
+  Fit fit;
+  bool whole{false};  ///< no plane cuts it
+};
+
+class FittedBuilder {
+ public:
+  FittedBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
+      : solid_(&solid),
+        settings_(&settings),
+        progress_(&progress),
+        description_(solid),
+        bounds_(bounds_of(solid)),
+        size_m_((bounds_.most - bounds_.least).maxCoeff()),
+        distance_(description_.distance(), bounds_.least, bounds_.most, rough_cells(settings)) {}
+
+  BuiltTree build() {
+    std::vector<FittedPiece> level;
+    level.push_back(fitted(whole_surface(*solid_), Matrix3::Identity(), nullptr));
+    add(level);
+    for (level_ = 0; level_ < levels_to_build(*settings_) && !level.empty(); ++level_) {
+      level = next_level(std::move(level));
+      add(level);
+    }
+    report(1.0);
+    return {VolumeTree(nodes_, std::move(starts_)), std::move(parts_)};
+  }
+
+ private:
+  [[nodiscard]] double negligible_m() const { return kNegligibleReach * size_m_; }
+
+  void report(double share) const {
+    if (*progress_) {
+      (*progress_)(share);
+    }
+  }
+
+  Fit fit(const PartShape& shape, const Matrix3& frame, Effort effort) const {
+    return best_fit(settings_->kind, shape, distance_, frame, effort, negligible_m());
+  }
+
+  /// The piece with its volume; `outer` has one that holds it, too, unless it is null.
+  FittedPiece fitted(SurfacePart part, const Matrix3& frame, const Fit* outer) const {
+    FittedPiece piece;
+    piece.shape = shape_of(part);
+    piece.fit = fit(piece.shape, frame, Effort::kCareful);
+    if (outer != nullptr && outer->reach_m < piece.fit.reach_m) {
+      piece.fit = *outer;
+    } else {
+      piece.fit.volume = grown_to_hold(piece.fit.volume, corners_of(part), kFitMargin * size_m_);
+    }
+    piece.part = std::move(part);
+    return piece;
+  }
+
+  void add(const std::vector<FittedPiece>& level) {
+    if (level.empty()) {
+      return;
+    }
+    starts_.push_back(static_cast<std::int32_t>(nodes_.size()));
+    for (const FittedPiece& piece : level) {
+      nodes_.push_back({piece.fit.volume, 0, 0, description_.of(piece.fit.volume, piece.part)});
+      parts_.push_back(piece.part);
+    }
+  }
+
+  std::vector<FittedPiece> next_level(std::vector<FittedPiece> level) {
+    std::vector<FittedPiece> finer;
+    const auto count = static_cast<double>(level.size());
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      report((level_ + static_cast<double>(i) / count) / levels_to_build(*settings_));
+      const double reach_m = level[i].fit.reach_m;
+      std::vector<FittedPiece> children = children_of(std::move(level[i]));
+      if (children.size() > 1 && !idle(children, reach_m)) {
+        VolumeNode& node = nodes_[static_cast<std::size_t>(starts_.back()) + i];
+        node.first_child = static_cast<std::int32_t>(nodes_.size() + finer.size());
+        node.child_count = static_cast<std::int32_t>(children.size());
+        std::move(children.begin(), children.end(), std::back_inserter(finer));
+      }
+    }
+    return finer;
+  }
+
+  /// Whether children merely repeat a node that reaches `reach_m`, which nobody sees.
+  [[nodiscard]] bool idle(const std::vector<FittedPiece>& children, double reach_m) const {
+    return reach_m <= kUnseen * size_m_ &&
+           std::all_of(children.begin(), children.end(),
+                       [&](const FittedPiece& child) { return child.fit.reach_m >= reach_m; });
+  }
+
+  /// The piece itself, alone, when nothing finer would be better.
+  std::vector<FittedPiece> children_of(FittedPiece piece) const {
+    std::vector<FittedPiece> pieces;
+    pieces.push_back(std::move(piece));
+    while (pieces.size() < static_cast<std::size_t>(settings_->branching)) {
+      const std::size_t worst = worst_of(pieces);
+      if (worst == pieces.size()) {
+        break;
+      }
+      halve(pieces, worst);
+    }
+    return pieces;
+  }
+
+  /// The piece that reaches farthest of those worth cutting; their count when there is none.
+  [[nodiscard]] std::size_t worst_of(const std::vector<FittedPiece>& pieces) const {
+    std::size_t worst = pieces.size();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const bool worth = !pieces[i].whole && pieces[i].fit.reach_m > negligible_m();
+      if (worth && (worst == pieces.size() || pieces[i].fit.reach_m > pieces[worst].fit.reach_m)) {
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  void halve(std::vector<FittedPiece>& pieces, std::size_t index) const {
+    FittedPiece& piece = pieces[index];
+    const std::optional<HalfSpace> plane = best_halving(
+        piece.part, piece.shape, piece.fit.frame, size_m_,
+        [&](const PartShape& shape) { return fit(shape, piece.fit.frame, Effort::kQuick); });
+    if (!plane) {
+      piece.whole = true;
+      return;
+    }
+    auto [above, below] = cut(piece.part, *plane, kSnapShare * size_m_);
+    const Fit outer = piece.fit;
+    pieces[index] = fitted(std::move(above), outer.frame, &outer);
+    pieces.push_back(fitted(std::move(below), outer.frame, &outer));
+  }
+
+  const TriangleMesh* solid_;
+  const TreeSettings* settings_;
+  const Progress* progress_;
+  NodeDescription description_;
+  MeshBounds bounds_;
+  double size_m_;
+  RoughDistance distance_;
+  int level_{0};
+  std::vector<VolumeNode> nodes_;
+  std::vector<std::int32_t> starts_;
+  std::vector<SurfacePart> parts_;
+};
+
+}  // namespace
+
+BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& settings,
+                            const Progress& progress) {
+  require_buildable(solid, settings);
+  return FittedBuilder(solid, settings, progress).build();
+}
+
+}  // namespace impetus

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "engine/trees/builders/sphere_cover.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/trees/builders/cover_exchange.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr int kHalvings = 14;
+constexpr double kFirstStride = 0.25;  ///< share of the radius
+constexpr int kStrides = 7;
+constexpr int kThoroughRounds = 8;
+constexpr int kQuickRounds = 2;
+
+using Clusters = std::vector<std::vector<Vector3>>;
+
+double farthest_m(const Vector3& centre, const std::vector<Vector3>& points) {
+  double squared_m2 = 0.0;
+  for (const Vector3& point : points) {
+    squared_m2 = std::max(squared_m2, (point - centre).squaredNorm());
+  }
+  return std::sqrt(squared_m2);
+}
+
+/// needed[c][p]: the stand-off with which candidate c reaches point p.
+class Needs {
+ public:
+  Needs(const std::vector<Vector3>& points, const std::vector<InnerPoint>& candidates)
+      : points_(points.size()),
+        candidates_(candidates.size()),
+        needed_m_(points.size() * candidates.size()) {
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      for (std::size_t p = 0; p < points_; ++p) {
+        needed_m_[c * points_ + p] =
+            (points[p] - candidates[c].point).norm() - candidates[c].depth_m;
+      }
+    }
+  }
+
+  /// The candidates picked, each covering the most of what is left; `most` + 1 when that is not
+  /// enough.
+  [[nodiscard]] std::vector<std::size_t> picked(double stand_off_m, std::size_t most) const {
+    std::vector<std::size_t> left(points_);
+    for (std::size_t p = 0; p < points_; ++p) {
+      left[p] = p;
+    }
+    std::vector<std::size_t> picks;
+    while (!left.empty() && picks.size() <= most) {
+      const std::size_t best = covering_most(left, stand_off_m);
+      const double* needed_m = &needed_m_[best * points_];
+      const auto kept = std::remove_if(left.begin(), left.end(),
+                                       [&](std::size_t p) { return needed_m[p] <= stand_off_m; });
+      if (kept == left.end()) {
+        picks.resize(most + 1);  // nothing reaches what is left
+        return picks;
+      }
+      left.erase(kept, left.end());
+      picks.push_back(best);
+    }
+    return picks;
+  }
+
+ private:
+  [[nodiscard]] std::size_t covering_most(const std::vector<std::size_t>& left,
+                                          double stand_off_m) const {
+    std::size_t best = 0;
+    std::size_t best_count = 0;
+    for (std::size_t c = 0; c < candidates_; ++c) {
+      const double* needed_m = &needed_m_[c * points_];
+      std::size_t count = 0;
+      for (const std::size_t p : left) {
+        count += needed_m[p] <= stand_off_m ? 1U : 0U;
+      }
+      if (count > best_count) {
+        best = c;
+        best_count = count;
+      }
+    }
+    return best;
+  }
+
+  std::size_t points_;
+  std::size_t candidates_;
+  std::vector<double> needed_m_;
+};
+
+double stand_off_of(const std::vector<InnerPoint>& centres,
+                    const std::vector<std::vector<Vector3>>& parts) {
+  double worst_m = -std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < centres.size(); ++c) {
+    if (!parts[c].empty()) {
+      worst_m = std::max(worst_m, stand_off_m(centres[c], parts[c]));
+    }
+  }
+  return worst_m;
+}
+
+double outside_m3(const OutsidePoints& outside, const std::vector<InnerPoint>& centres,
+                  const std::vector<std::vector<Vector3>>& parts) {
+  double sum_m3 = 0.0;
+  for (std::size_t c = 0; c < centres.size(); ++c) {
+    if (!parts[c].empty()) {
+      sum_m3 += outside.volume_m3(centres[c].point, farthest_m(centres[c].point, parts[c]));
+    }
+  }
+  return sum_m3;
+}
+
+/// Moves along the axes while that lowers `cost`, by ever smaller strides. `cost` takes the radius
+/// that holds the points and the depth, and falls with the depth.
+template <typename Cost>
+InnerPoint settled(const SurfaceDistance& surface, const std::vector<Vector3>& points,
+                   const InnerPoint& start, const Cost& cost) {
+  static const std::array<Vector3, 6> kAxes{Vector3::UnitX(), -Vector3::UnitX(),
+                                            Vector3::UnitY(), -Vector3::UnitY(),
+                                            Vector3::UnitZ(), -Vector3::UnitZ()};
+  InnerPoint best = start;
+  const double radius_m = farthest_m(start.point, points);
+  double least = cost(start.point, radius_m, start.depth_m);
+  double stride_m = kFirstStride * radius_m;
+  for (int turn = 0; turn < kStrides;) {
+    bool moved = false;
+    for (const Vector3& axis : kAxes) {
+      const Vector3 place = best.point + stride_m * axis;
+      const double needed_m = farthest_m(place, points);
+      // No deeper than to the triangle that was nearest: most moves fail on that already.
+      if (!(cost(place, needed_m, surface.distance_to_m(best.nearest, place)) < least)) {
+        continue;
+      }
+      const InnerPoint next = inner_point(surface, place, best.nearest);
+      const double found = cost(place, needed_m, next.depth_m);
+      if (found < least) {
+        best = next;
+        least = found;
+        moved = true;
+      }
+    }
+    if (!moved) {
+      stride_m *= 0.5;
+      ++turn;
+    }
+  }
+  return best;
+}
+
+std::vector<std::size_t> expanded(const std::vector<Vector3>& points,
+                                  const std::vector<InnerPoint>& candidates, std::size_t most) {
+  const Needs needs(points, candidates);
+  double enough_m = std::numeric_limits<double>::infinity();
+  std::size_t alone = 0;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const double needed_m = stand_off_m(candidates[c], points);
+    if (needed_m < enough_m) {
+      enough_m = needed_m;
+      alone = c;
+    }
+  }
+  std::vector<std::size_t> best{alone};
+  double too_little_m = 0.0;
+  for (int turn = 0; turn < kHalvings; ++turn) {
+    const double middle_m = 0.5 * (too_little_m + enough_m);
+    std::vector<std::size_t> picks = needs.picked(middle_m, most);
+    if (picks.size() <= most) {
+      enough_m = middle_m;
+      best.swap(picks);
+    } else {
+      too_little_m = middle_m;
+    }
+  }
+  return best;
+}
+
+std::vector<InnerPoint> at(const std::vector<InnerPoint>& candidates,
+                           const std::vector<std::size_t>& picks) {
+  std::vector<InnerPoint> centres;
+  centres.reserve(picks.size());
+  for (const std::size_t pick : picks) {
+    centres.push_back(candidates[pick]);
+  }
+  return centres;
+}
+
+/// Points to centres, centres to points, in turn; the cheapest of what was met.
+template <typename Cost>
+SphereCover refined(const SurfaceDistance& surface, const std::vector<Vector3>& points,
+                    std::vector<InnerPoint> centres, int rounds, const Cost& cost) {
+  SphereCover best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= rounds; ++round) {
+    const Clusters parts = clusters(centres, points);
+    const double found = cost(centres, parts);
+    if (found < least) {
+      best = {centres, stand_off_of(centres, parts)};
+      least = found;
+    }
+    for (std::size_t c = 0; c < centres.size() && round < rounds; ++c) {
+      if (!parts[c].empty()) {
+        centres[c] = best_centre(surface, parts[c], centres[c]);
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Sphere> spheres_of(const SphereCover& cover) {
+  std::vector<Sphere> spheres;
+  for (const InnerPoint& centre : cover.centres) {
+    spheres.push_back({centre.point, centre.depth_m + cover.stand_off_m});
+  }
+  return spheres;
+}
+
+Clusters clusters(const std::vector<InnerPoint>& centres, const std::vector<Vector3>& points) {
+  Clusters result(centres.size());
+  for (const Vector3& point : points) {
+    std::size_t best = 0;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < centres.size(); ++c) {
+      const double needed_m = (point - centres[c].point).norm() - centres[c].depth_m;
+      if (needed_m < least_m) {
+        least_m = needed_m;
+        best = c;
+      }
+    }
+    result[best].push_back(point);
+  }
+  return result;
+}
+
+double stand_off_m(const InnerPoint& centre, const std::vector<Vector3>& points) {
+  return farthest_m(centre.point, points) - centre.depth_m;
+}
+
+InnerPoint best_centre(const SurfaceDistance& surface, const std::vector<Vector3>& points,
+                       const InnerPoint& start) {
+  return settled(surface, points, start, [](const Vector3&, double radius_m, double depth_m) {
+    return radius_m - depth_m;
+  });
+}
+
+InnerPoint leanest_centre(const SurfaceDistance& surface, const OutsidePoints& outside,
+                          const std::vector<Vector3>& points, const InnerPoint& start,
+                          double stand_off) {
+  return settled(surface, points, start,
+                 [&](const Vector3& centre, double radius_m, double depth_m) {
+                   return radius_m - depth_m <= stand_off ? outside.volume_m3(centre, radius_m)
+                                                          : std::numeric_limits<double>::infinity();
+                 });
+}
+
+SphereCover cover_points(const SurfaceDistance& surface, const OutsidePoints& outside,
+                         const std::vector<Vector3>& points,
+                         const std::vector<InnerPoint>& candidates, std::size_t most) {
+  const std::vector<std::size_t> picks =
+      exchanged(outside, points, candidates, expanded(points, candidates, most));
+  return refined(surface, points, at(candidates, picks), kThoroughRounds,
+                 [&](const std::vector<InnerPoint>& centres, const Clusters& parts) {
+                   return stand_off_of(centres, parts) * outside_m3(outside, centres, parts);
+                 });
+}
+
+SphereCover cover_points_quickly(const SurfaceDistance& surface, const std::vector<Vector3>& points,
+                                 const std::vector<InnerPoint>& candidates, std::size_t most) {
+  return refined(surface, points, at(candidates, expanded(points, candidates, most)), kQuickRounds,
+                 stand_off_of);
+}
+
+}  // namespace impetus

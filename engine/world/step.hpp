@@ -1,0 +1,84 @@
+// What goes into a step and what comes out of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/collision/contact_model.hpp"
+#include "engine/collision/entry/tunnelling.hpp"
+#include "engine/collision/pair_refinement.hpp"
+#include "engine/dynamics/finite_states.hpp"
+#include "engine/dynamics/state_hash.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/world/level_pops.hpp"
+
+namespace impetus {
+
+/// Everything that decides a step besides the state.
+struct StepInput {
+  double dt_s{0.0};
+  Viewer viewer;
+  Fixation fixation{};                 ///< the screen's centre when there is none
+  std::optional<GazeRegion> region{};  ///< for schedules whose lists follow a region
+};
+
+/// What kept a step from being what it should, as bits.
+enum Degradation : std::uint32_t {
+  kFloorOverBudget = 1,  ///< the coarsest level of every pair cost more than was granted
+  kApproachRemains = 2,  ///< the response ran out of passes and left bodies approaching
+  kNotFinite = 4,        ///< a body is out, since its state was not a finite number
+  kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
+  /// WorldSettings::most_entry_tests kept fast pairs from being tested along their whole way: they
+  /// stayed at coarser levels, or stopped early
+  kEntryTestsSpent = 16,
+};
+
+/// A contact that the response got.
+struct ReportedContact {
+  TouchPoint touch;
+  double approach_m_s{0.0};  ///< speed of approach along the normal, before the response
+  double impulse_Ns{0.0};    ///< along the normal
+};
+
+/// One pair of bodies that is in contact at the end of the step.
+struct CollisionReport {
+  BodyPair bodies;                       ///< b is a wall when is_wall(b)
+  int list{0};                           ///< priority list it was refined in
+  int level{0};                          ///< last complete level of refinement
+  StopReason stop{StopReason::kFinest};  ///< why it went no deeper
+  Contact contact;                       ///< the only one; of several, the deepest
+  bool began{false};                     ///< the pair was apart in the step before
+  double approach_m_s{0.0};              ///< the fastest of its contacts'
+  double impulse_Ns{0.0};                ///< sum over its contacts
+  double imposed_hold_s{0.0};            ///< the hold that this contact started
+  std::int32_t first_contact{0};  ///< its contacts in StepReport::contacts: this and those after it
+  std::int32_t contact_count{1};
+  bool imposed_spin{false};          ///< this contact got WorldSettings::imposed_spin
+  std::optional<double> measured{};  ///< by the schedule's metric, in its unit; none without one
+};
+
+struct StepReport {
+  std::vector<CollisionReport> collisions;
+  std::int64_t work_granted{0};  ///< units of work (WorldSettings::costs); a replay grants the same
+  std::int64_t work_spent{0};    ///< on all phases, at most what was reserved for the later ones
+  std::int64_t work_floor{0};    ///< what is done, and what follows it, whatever the budget
+  /// Units beyond the floor that each priority list spent on tests; empty when there is one list.
+  std::vector<std::int64_t> list_work;
+  std::uint32_t degradations{0};
+  StateHash state;
+  std::vector<ReportedContact> contacts;  ///< of all collisions, in their order
+  std::vector<LevelPop> pops;
+  std::vector<StoppedAtEntry> stopped;
+  /// Contacts of all overlapping nodes, before reduction; only when they are watched.
+  std::vector<Contact> node_contacts;
+  /// For modelling and response, when refinement ended.
+  std::int64_t work_reserved{0};
+  /// The most that was spent and reserved at any time: at most what was granted, or the floor.
+  std::int64_t work_peak{0};
+  /// Bodies that were taken out in this step, for good, because their state was not finite.
+  std::vector<NotFiniteBody> not_finite;
+};
+
+}  // namespace impetus

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "engine/world/step_order.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/numerics/at.hpp"
+
+namespace impetus {
+namespace {
+
+/// For a body and a wall, both are that body.
+void find_motion(PairBounds& pair, const Measuring& by) {
+  const std::size_t a = at(pair.pair.a);
+  const std::size_t b = is_wall(pair.pair.b) ? a : at(pair.pair.b);
+  pair.velocity_a = velocity(by.models[a], by.states[a]);
+  pair.velocity_b = velocity(by.models[b], by.states[b]);
+}
+
+void find_fit_error(PairBounds& pair, const Measuring& by) {
+  constexpr int kLevelBeforeRefinement = 0;
+  pair.fit_error_m = by.models[at(pair.pair.a)].tree->fit_error_m(kLevelBeforeRefinement);
+  if (!is_wall(pair.pair.b)) {
+    pair.fit_error_m += by.models[at(pair.pair.b)].tree->fit_error_m(kLevelBeforeRefinement);
+  }
+}
+
+void find_terms(unsigned terms, PairBounds& pair, const Measuring& by) {
+  if ((terms & kMotionTerm) != 0) {
+    find_motion(pair, by);
+  }
+  if ((terms & kFitErrorTerm) != 0) {
+    find_fit_error(pair, by);
+  }
+}
+
+}  // namespace
+
+void StepOrder::put_into_lists(std::vector<PairBounds>& candidates, const Measuring& by) {
+  candidates_ = &candidates;
+  are_measured_ = metric_decides_lists(by.schedule);
+  if (!are_measured_) {
+    impetus::put_into_lists(candidates, by.schedule, by.input.viewer, by.input.region, pairs_);
+    return;
+  }
+  const unsigned terms = metric_of(by.schedule).terms();
+  if (terms != 0) {
+    for (PairBounds& pair : candidates) {
+      find_terms(terms, pair, by);
+    }
+  }
+  impetus::measure(candidates, by.schedule, by.input.viewer, by.input.fixation, by.input.region,
+                   pairs_);
+}
+
+std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,
+                                                           const Measuring& by) {
+  places_.resize(waiting > 0 ? pairs_.size() : 0);
+  std::iota(places_.begin(), places_.end(), std::size_t{0});
+  if (waiting == 0 || (waiting == 1 && by.schedule.lists.size() == 1)) {
+    return places_;
+  }
+  if (!are_measured_) {
+    const PriorityMetric& metric = metric_of(by.schedule);
+    for (MeasuredPair& pair : pairs_) {
+      pair.priority = metric.priority(measure(pair.place, by));
+    }
+    are_measured_ = true;
+  }
+  std::sort(places_.begin(), places_.end(),
+            [this](std::size_t x, std::size_t y) { return goes_before(pairs_[x], pairs_[y]); });
+  return places_;
+}
+
+double StepOrder::measured(std::size_t place, const Measuring& by) {
+  const MeasuredPair& pair = pairs_[place];
+  return are_measured_ ? metric_of(by.schedule).priority(pair.priority)  // its sign turned back
+                       : measure(pair.place, by);
+}
+
+double StepOrder::measure(std::int32_t candidate, const Measuring& by) {
+  const PriorityMetric& metric = metric_of(by.schedule);
+  PairBounds& pair = (*candidates_)[at(candidate)];
+  find_terms(metric.terms(), pair, by);
+  return metric.measure(pair, by.input.viewer, by.input.fixation);
+}
+
+}  // namespace impetus

@@ -1,0 +1,58 @@
+// What holds for every body of a world, and for every step.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/collision/contact_reduction.hpp"
+#include "engine/collision/entry/tunnelling.hpp"
+#include "engine/dynamics/imposed_spin.hpp"
+#include "engine/dynamics/impulse.hpp"
+#include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/restitution.hpp"
+#include "engine/figures/figure.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/work_costs.hpp"
+#include "engine/scheduling/work_meter.hpp"
+#include "engine/volumes/enclosure.hpp"
+
+namespace impetus {
+
+/// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
+struct WorldSettings {
+  double restitution{1.0};  ///< in [0, 1]
+  /// An imposed manipulation, not physics: bodies stay where they touched for this long before
+  /// their rebound shows (Dingliana 2002, sec. 6.2.1).
+  double imposed_hold_s{0.0};
+  std::optional<Enclosure> enclosure{};  ///< walls that keep the bodies inside
+  Schedule schedule{};
+  ResponseMethod response{ResponseMethod::kInTurn};
+  ContactModel contacts{};
+  Tunnelling tunnelling{Tunnelling::kStopAtEntry};
+  WorkCosts costs{};
+  /// Restitutions of pairs of materials (BodyModel::material) that differ from `restitution`.
+  std::vector<PairRestitution> materials{};
+  int wall_material{0};
+  Rotation rotation{Rotation::kMidpoint};
+  /// Of every body that can move (motion.hpp); where there is any, approaches slower than it gives
+  /// a body in kRestingSteps steps are given nothing back.
+  Vector3 gravity_m_s2{Vector3::Zero()};
+  /// Over the contacts of an island, in a step; what still approaches is left to the next step
+  /// (ResponseRules::most_passes).
+  int most_response_passes{kUnlimitedPasses};
+  /// Of node pairs along the ways of fast bodies (Tunnelling::kStopAtEntry), in a step: these tests
+  /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
+  /// are refined as if capped.
+  std::int64_t most_entry_tests{kUnlimitedTests};
+  std::optional<ImposedSpinRule> imposed_spin{};  ///< an imposed manipulation, not physics
+  /// Bodies that hinges join, in the order of their bodies.
+  std::vector<Figure> figures{};
+};
+
+/// What is wrong with the settings, as a sentence; empty when nothing is.
+std::string problem_of(const WorldSettings& settings);
+
+}  // namespace impetus

@@ -1,0 +1,187 @@
+// `impetus replay`: simulates every recorded trial again and compares each step's hash.
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "experiments/commands/build_name.hpp"
+#include "experiments/commands/building_line.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/replays/replay_levels.hpp"
+#include "experiments/commands/replays/replay_truth.hpp"
+#include "experiments/commands/replays/replay_with.hpp"
+#include "experiments/commands/replays/replayed_trial.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/tables/text_table.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/replays/replay_viewing.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+struct ReplayOptions {
+  std::string study;
+  std::optional<std::int64_t> trial;
+  std::string participant;
+  bool view{false};
+  bool truth{false};
+  std::string window_size;
+  ReplayWithOptions what_if;
+};
+
+std::vector<StoredAttempt> chosen_attempts(StudyFile& study, const ReplayOptions& options) {
+  std::vector<StoredAttempt> attempts = load_attempts(study);
+  std::erase_if(attempts, [&](const StoredAttempt& attempt) {
+    return (options.trial && attempt.trial_id != *options.trial) ||
+           (!options.participant.empty() && attempt.participant != options.participant);
+  });
+  if (attempts.empty() && (options.trial || !options.participant.empty())) {
+    throw InputError(study.name() + ": expected a recorded trial" +
+                     (options.trial ? " " + std::to_string(*options.trial) : "") +
+                     (options.participant.empty() ? "" : " of " + options.participant) +
+                     ", but there is none");
+  }
+  return attempts;
+}
+
+/// " of interval 2", where there are two.
+std::string of_interval(std::int64_t interval, std::int64_t intervals) {
+  return intervals == 1 ? "" : " of interval " + std::to_string(interval);
+}
+
+void print_divergence(const StoredAttempt& attempt, const Divergence& divergence,
+                      const std::string& where) {
+  std::printf("trial %lld (%s, slot %lld, attempt %lld): diverges at step %lld%s",
+              static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
+              static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
+              static_cast<long long>(divergence.step), where.c_str());
+  std::string what = divergence.body.empty()
+                         ? "in the hash alone"
+                         : "body " + printable(divergence.body) + ", " + divergence.field;
+  if (divergence.named_at != divergence.step) {
+    what += ", as step " + std::to_string(divergence.named_at) + " tells";
+  }
+  std::printf(", %s%s\n", what.c_str(), why_divergent(attempt).c_str());
+}
+
+void print_taken_out(const StoredAttempt& attempt, const std::vector<TakenOut>& taken_out,
+                     const std::string& where) {
+  for (const TakenOut& body : taken_out) {
+    std::printf(
+        "trial %lld (%s, slot %lld, attempt %lld): body %s is taken out at step %lld%s: its "
+        "%s is not finite\n",
+        static_cast<long long>(attempt.trial_id), printable(attempt.participant).c_str(),
+        static_cast<long long>(attempt.trial.slot), static_cast<long long>(attempt.number),
+        printable(body.body).c_str(), static_cast<long long>(body.step), where.c_str(),
+        body.field.c_str());
+  }
+}
+
+/// What was simulated again, and how long that is in the stimuli's own time.
+struct Compared {
+  std::int64_t steps{0};
+  double simulated_s{0.0};
+};
+
+/// Whether all of an attempt's intervals replay as they were. Only the first divergence is told:
+/// what follows in the same trial follows from it.
+bool replays(ReplayLibrary& library, const StoredAttempt& attempt, Compared& compared) {
+  const std::int64_t intervals = library.intervals(attempt);
+  for (std::int64_t interval = 1; interval <= intervals; ++interval) {
+    const StagedScene scene = library.stage(attempt, interval);
+    const ReplayResult result = replay(scene, library.steps(attempt, interval));
+    compared.steps += result.steps;
+    compared.simulated_s += static_cast<double>(result.steps) / scene.step_hz;
+    print_taken_out(attempt, result.taken_out, of_interval(interval, intervals));
+    if (result.divergence) {
+      print_divergence(attempt, *result.divergence, of_interval(interval, intervals));
+      return false;
+    }
+  }
+  return true;
+}
+
+int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
+  using Seconds = std::chrono::duration<double>;
+  ReplayLibrary library(study);
+  Compared compared;
+  std::int64_t diverged = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (const StoredAttempt& attempt : attempts) {
+    diverged += replays(library, attempt, compared) ? 0 : 1;
+  }
+  diverged += compare_levels(study, attempts, library);
+  const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu trials, %lld steps, %.0f times real time, %lld divergent\n", attempts.size(),
+              static_cast<long long>(compared.steps), compared.simulated_s / took_s,
+              static_cast<long long>(diverged));
+  return diverged == 0 ? kDone : kFound;
+}
+
+void require_one_purpose(const ReplayOptions& options) {
+  const bool asks = !options.what_if.with.empty();
+  if (asks && (options.view || options.truth)) {
+    throw InputError(std::string("--with: expected neither --view nor --truth beside it, got ") +
+                     (options.view ? "--view" : "--truth"));
+  }
+  if (!asks && !(options.what_if.csv_file.empty() && options.what_if.json_file.empty())) {
+    throw InputError(std::string(options.what_if.csv_file.empty() ? "--json" : "--out") +
+                     ": expected --with beside it, which is missing");
+  }
+}
+
+int replay_study(const ReplayOptions& options) {
+  const BuildingLine told;
+  require_one_purpose(options);
+#ifndef IMPETUS_WINDOW
+  if (options.view) {
+    throw InputError("--view: this build has no window");
+  }
+#endif
+  StudyFile study = options.truth ? StudyFile::open_for_writing(options.study, build_name())
+                                  : StudyFile::open_for_reading(options.study);
+  try {
+    const std::vector<StoredAttempt> attempts = chosen_attempts(study, options);
+#ifdef IMPETUS_WINDOW
+    if (options.view) {
+      return view_attempts(study, attempts, options.window_size);
+    }
+#endif
+    if (!options.what_if.with.empty()) {
+      return replay_with(study, attempts, options.what_if);
+    }
+    return options.truth ? fill_truth(study, attempts) : compare_all(study, attempts);
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command =
+      app.add_subcommand("replay", "Simulate every recorded trial again and compare each step");
+  command->add_option("study", options->study, "Study file")->required();
+  command->add_option("--trial", options->trial,
+                      "Only this trial (the column `trial` of the views)");
+  command->add_option("--participant", options->participant, "Only this participant's trials");
+  command->add_flag("--view", options->view, "Play the trials in a window");
+  command->add_flag("--truth", options->truth,
+                    "Measure each collision's gap and hidden share and store them");
+  command->add_option("--with", options->what_if.with, words_of_setting_keys())
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command->add_option("--out", options->what_if.csv_file,
+                      "Of --with: write a CSV file, a row for each stimulus");
+  command->add_option("--json", options->what_if.json_file,
+                      "Of --with: write a JSON file, with every collision");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->callback([options, &chosen] { chosen = [options] { return replay_study(*options); }; });
+}
+
+}  // namespace impetus

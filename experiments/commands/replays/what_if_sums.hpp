@@ -1,0 +1,71 @@
+// What two courses of recorded stimuli come to, counted.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/record/wall_names.hpp"
+#include "experiments/run/what_if.hpp"
+#include "experiments/store/study_reader.hpp"
+
+namespace impetus {
+
+/// One stimulus of one attempt, simulated both ways.
+struct ComparedStimulus {
+  const StoredAttempt* attempt{nullptr};
+  std::int64_t interval{1};
+  double step_hz{240.0};
+  std::vector<std::string> bodies;  ///< names, by index in the world
+  WallNaming walls{WallNaming::kAxes};
+  bool has_gaze{false};  ///< a step knew where the participant looked
+  WhatIf outcome;
+};
+
+/// Of the collisions of one course or of several, and what else is counted.
+struct CourseSums {
+  std::int64_t collisions{0};
+  std::map<int, std::int64_t> by_level;
+  double levels{0.0};
+  double visible_arcmin{0.0};
+  double at_gaze_arcmin{0.0};
+  std::int64_t work_spent{0};
+  std::int64_t steps_over_budget{0};
+  std::int64_t pops{0};
+  std::int64_t stopped_short{0};
+  std::int64_t imposed_holds{0};
+  std::int64_t imposed_spins{0};
+
+  /// Mean over the collisions; not a number without any.
+  [[nodiscard]] double mean(double sum) const;
+
+  friend bool operator==(const CourseSums&, const CourseSums&) = default;
+};
+
+CourseSums sums_of(const WhatIfCourse& course);
+
+struct MatchCounts {
+  std::int64_t both{0};
+  std::int64_t only_then{0};
+  std::int64_t only_now{0};
+};
+
+MatchCounts counts_of(const WhatIf& outcome);
+
+struct WhatIfTotals {
+  CourseSums then;
+  CourseSums now;
+  MatchCounts matches;
+  std::int64_t parted{0};
+  std::int64_t seen_apart{0};
+  bool differs{false};  ///< in any stimulus, in anything
+};
+
+WhatIfTotals totals_of(const std::vector<ComparedStimulus>& compared);
+
+/// When a step was; not a number when there is none.
+double seconds_of(const std::optional<std::int64_t>& step, double step_hz);
+
+}  // namespace impetus

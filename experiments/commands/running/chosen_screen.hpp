@@ -1,0 +1,25 @@
+// The screen that a command without a session looks at.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "engine/scheduling/viewer.hpp"
+#ifdef IMPETUS_WINDOW
+#include "experiments/window/window.hpp"
+#endif
+
+namespace impetus {
+
+/// Of the screen file, or the user's own when `file` is "". Where none was entered one is assumed,
+/// and that is said. Its pixels are 0. Throws InputError.
+ScreenGeometry chosen_screen(const std::string& file);
+
+#ifdef IMPETUS_WINDOW
+/// The same for what such a window will show, whose pixels must be square unless the file says that
+/// they are not. Its pixels are 0, too: the window's own, once it is open. Throws InputError, and
+/// std::runtime_error when there is no display.
+ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& window);
+#endif
+
+}  // namespace impetus

@@ -1,0 +1,39 @@
+// A participant's enrolment in one protocol of a run: found again, or planned and stored.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "experiments/commands/running/run_options.hpp"
+#include "experiments/store/enrolment.hpp"
+#include "experiments/store/study_writer.hpp"
+
+namespace impetus {
+
+/// The stored enrolment, to be resumed, if there is one. Throws InputError when it is finished, or
+/// another seed is asked for than its own.
+std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
+                                        const RunOptions& options);
+
+/// How the session takes up the enrolment: as the protocol's rule says; its history becomes what is
+/// to be gone on from. None: there was no session yet. Warns on standard error when the clock was
+/// set back. Throws InputError when it was left too long ago.
+std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
+                                      const RunOptions& options, const Plan& plan,
+                                      Enrolment& enrolment);
+
+/// In words, how `screen` differs from the one of the enrolment's last session; "": it does not.
+/// Throws InputError where it does and `options` do not say so.
+std::string change_of_screen(StudyFile& study, const RunOptions& options,
+                             const Enrolment& enrolment, const ScreenGeometry& screen);
+
+/// The plan of a new enrolment, with the part's solved values, and yoked where regions follow
+/// another's gaze. Throws InputError where it cannot be.
+Plan new_plan(StudyFile& study, const RunPart& part, const RunOptions& options);
+
+/// A new enrolment with its whole plan.
+Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options,
+                     const Plan& plan);
+
+}  // namespace impetus

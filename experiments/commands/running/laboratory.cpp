@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/running/laboratory.hpp"
+
+#include <stdexcept>
+
+#include "experiments/observers/headless_lab.hpp"
+#include "experiments/protocol/screen_file.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/running/shown_observer.hpp"
+#include "experiments/commands/window_size.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/viewers/screen_setup.hpp"
+#include "experiments/window/window.hpp"
+#endif
+
+namespace impetus {
+namespace {
+
+constexpr double kHeadlessHz = 60.0;
+
+#ifdef IMPETUS_WINDOW
+std::filesystem::path screen_file_of(const LaboratoryOptions& options) {
+  return options.screen_file.empty() ? default_screen_file() : options.screen_file;
+}
+
+bool is_entered(const LaboratoryOptions& options) {
+  return !options.screen_file.empty() || std::filesystem::exists(screen_file_of(options));
+}
+
+DisplayMode required_mode(const WindowOptions& window) {
+  try {
+    return shown_mode(window);
+  } catch (const std::runtime_error& error) {
+    throw InputError(std::string(error.what()) + "; run with --observer to go on without a window");
+  }
+}
+#else
+constexpr const char* kNoWindow =
+    "this build has no window; run with --observer NAME, without --show";
+#endif
+
+class HeadlessLaboratory final : public Laboratory {
+ public:
+  explicit HeadlessLaboratory(const LaboratoryOptions& options)
+      : display_(clock_, kHeadlessHz, assumed_screen()),
+        observer_(
+            make_observer(*options.observer, options.seed, options.participant, clock_, clock_)) {}
+
+  Display& display() override { return display_; }
+  Input& input() override { return *observer_; }
+  [[nodiscard]] const Clock& clock() const override { return clock_; }
+  Gaze* gaze() override { return observer_->eye(); }
+  SyncTest sync_test() override {
+    return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
+  }
+  [[nodiscard]] std::string description() const override {
+    return "headless, virtual time, 60 Hz; flips happen exactly when they are due";
+  }
+  [[nodiscard]] bool screen_measured() const override { return false; }
+
+ private:
+  VirtualClock clock_;
+  HeadlessDisplay display_;
+  std::unique_ptr<RatingObserver> observer_;
+};
+
+#ifdef IMPETUS_WINDOW
+
+class WindowLaboratory final : public Laboratory {
+ public:
+  explicit WindowLaboratory(const LaboratoryOptions& options)
+      : window_(window_options(options.window_size), clock_) {
+    window_.set_geometry(lab_screen(options));
+    if (options.photodiode) {
+      window_.show_patch(*options.photodiode);
+    }
+    if (options.observer) {
+      observer_ = std::make_unique<ShownObserver>(*options.observer, options.seed,
+                                                  options.participant, window_, clock_);
+    }
+  }
+
+  Display& display() override { return window_; }
+  Input& input() override { return observer_ ? static_cast<Input&>(*observer_) : window_; }
+  Gaze* gaze() override { return observer_ ? observer_->eye() : &window_.mouse_gaze(); }
+  [[nodiscard]] const Clock& clock() const override { return clock_; }
+  SyncTest sync_test() override { return window_.sync_test(); }
+  [[nodiscard]] std::string description() const override { return window_.description(); }
+  [[nodiscard]] bool screen_measured() const override { return measured_; }
+
+ private:
+  /// From the file; asked for once and kept when there is none yet. What a simulated participant
+  /// looks at needs no ruler.
+  ScreenGeometry lab_screen(const LaboratoryOptions& options) {
+    const auto file = screen_file_of(options);
+    measured_ = is_entered(options) || !options.observer;
+    if (!is_entered(options)) {
+      const LabScreen assumed{assumed_screen(window_.width_px(), window_.height_px())};
+      if (options.observer) {
+        return assumed.geometry;
+      }
+      const auto entered = ask_screen(window_, assumed);
+      if (!entered) {
+        throw InputError(
+            "the screen's size and distance were not entered; `impetus screen` asks "
+            "again");
+      }
+      save_screen(*entered, file);
+    }
+    return load_screen_of(file, window_.width_px(), window_.height_px());
+  }
+
+  SteadyClock clock_;
+  Window window_;
+  std::unique_ptr<ShownObserver> observer_;
+  bool measured_{false};
+};
+
+#endif
+
+}  // namespace
+
+double refresh_hz_of(const LaboratoryOptions& options) {
+  if (options.observer && !options.show) {
+    return kHeadlessHz;
+  }
+#ifdef IMPETUS_WINDOW
+  const WindowOptions window = window_options(options.window_size);
+  if (is_entered(options)) {
+    load_screen(screen_file_of(options));  // what is wrong with it needs no display to be told
+  }
+  const DisplayMode shown = required_mode(window);
+  if (is_entered(options)) {
+    load_screen_of(screen_file_of(options), shown.width_px, shown.height_px);
+  }
+  return shown.refresh_hz;
+#else
+  throw InputError(kNoWindow);
+#endif
+}
+
+std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options) {
+#ifdef IMPETUS_WINDOW
+  if (!options.observer || options.show) {
+    const DisplayMode shown = required_mode(window_options(options.window_size));
+    if (is_entered(options)) {
+      return load_screen_of(screen_file_of(options), shown.width_px, shown.height_px);
+    }
+    return options.observer ? std::optional(assumed_screen(shown.width_px, shown.height_px))
+                            : std::nullopt;
+  }
+#else
+  static_cast<void>(options);
+#endif
+  return assumed_screen();
+}
+
+std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
+  if (options.observer && !options.show) {
+    return std::make_unique<HeadlessLaboratory>(options);
+  }
+#ifdef IMPETUS_WINDOW
+  return std::make_unique<WindowLaboratory>(options);
+#else
+  throw InputError(kNoWindow);
+#endif
+}
+
+}  // namespace impetus

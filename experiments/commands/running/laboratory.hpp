@@ -1,0 +1,53 @@
+// The place a session runs in: a window and a person, a window and a simulated participant, or
+// nothing but virtual time.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiments/protocol/observer_file.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/session/timing_check.hpp"
+
+namespace impetus {
+
+struct LaboratoryOptions {
+  std::optional<ObserverFile> observer;
+  bool show{false};  ///< a simulated participant in a real window
+  std::string participant;
+  std::uint64_t seed{0};
+  std::filesystem::path screen_file;         ///< "" for the lab's default
+  std::string window_size;                   ///< "1280x1024"; "" for fullscreen
+  std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
+};
+
+class Laboratory {
+ public:
+  virtual ~Laboratory() = default;
+  virtual Display& display() = 0;
+  virtual Input& input() = 0;
+  /// Where the participant looks; none when nothing tells.
+  virtual Gaze* gaze() { return nullptr; }
+  /// Of flips and gaze samples.
+  [[nodiscard]] virtual const Clock& clock() const = 0;
+  virtual SyncTest sync_test() = 0;
+  [[nodiscard]] virtual std::string description() const = 0;
+  [[nodiscard]] virtual bool screen_measured() const = 0;
+};
+
+/// Frames per second that the laboratory will have, found without opening it. Throws InputError
+/// when it could not be opened: no window in this build, an impossible window size or screen file,
+/// pixels that are not square where nobody said so, or no display.
+double refresh_hz_of(const LaboratoryOptions& options);
+
+/// The screen that the laboratory will have; none where it must be asked for when it opens. Throws
+/// InputError as refresh_hz_of() does.
+std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options);
+
+/// Precondition: refresh_hz_of() accepted the options.
+std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);
+
+}  // namespace impetus

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/running/participant_run.hpp"
+#include "experiments/commands/build_name.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/running/enrolling.hpp"
+#include "experiments/commands/running/session_warnings.hpp"
+#include "experiments/commands/running/yoking.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/record/lab_screen.hpp"
+#include "experiments/record/steady_clock.hpp"
+#include "experiments/store/screen_rows.hpp"
+#include "experiments/store/study_writer.hpp"
+#include "experiments/study/stored_plan.hpp"
+
+namespace impetus {
+namespace {
+
+/// In a series nobody is asked the same about themselves twice.
+void skip_told_demographics(StudyFile& study, const RunPart& part, const std::string& participant,
+                            SessionHistory& history) {
+  const auto told = told_demographics(study, participant);
+  const std::vector<Field>& fields = part.protocol.script.demographics;
+  const bool all = std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
+    const auto found = told.find(field.id);
+    return found != told.end() && found->second == field.label;
+  });
+  for (const Field& field : fields) {
+    if (all) {
+      history.answered.insert(field.id);
+    }
+  }
+}
+
+SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOptions& options,
+                      const SyncTest& sync) {
+  const LaboratoryOptions& lab = part.lab;
+  SessionFacts facts;
+  facts.build = build_name();
+  facts.machine = machine_name();
+  facts.display = laboratory.description();
+  facts.simulated = lab.observer.has_value();
+  facts.observer = lab.observer ? lab.observer->document.value.dump() : "";
+  facts.screen = laboratory.display().geometry();
+  facts.screen_measured = laboratory.screen_measured();
+  facts.refresh_hz = laboratory.display().refresh_hz();
+  facts.rounding_allowed = options.allow_rounding;
+  facts.sync = sync;
+  facts.sync_overridden = !sync.passed && options.override_sync_test;
+  facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
+  const Gaze* gaze = part.protocol.script.gaze ? laboratory.gaze() : nullptr;
+  facts.gaze_source = gaze != nullptr ? gaze->source() : "";
+  facts.series = part.series;
+  facts.series_place = part.series_place;
+  return facts;
+}
+
+/// Says of the screen what a reader of the study must know.
+void save_screen_notes(const ScreenGeometry& screen, const std::string& change,
+                       StudyWriter& writer) {
+  if (!change.empty()) {
+    std::fprintf(stderr, "warning: the screen changed: %s\n", change.c_str());
+    writer.save(NoteRecord{kScreenChangedNote, change});
+  }
+  if (!has_square_pixels(screen)) {
+    writer.save(NoteRecord{kPixelsNotSquareNote, pixel_words(screen)});
+  }
+}
+
+/// Says how the session ended.
+void conclude(const SessionResult& result, const RunOptions& options, StudyWriter& writer) {
+  const auto done = static_cast<long long>(result.completed_trials);
+  const auto total = static_cast<long long>(result.expected_trials);
+  switch (result.ending) {
+    case SessionEnding::kFinished:
+      writer.end("finished");
+      return;
+    case SessionEnding::kDeclined:
+      writer.end("quit");
+      std::printf("The participant did not consent; nothing was shown.\n");
+      return;
+    case SessionEnding::kQuit:
+      writer.end("quit");
+      std::printf(
+          "Stopped with %lld of %lld trials saved; the same command goes on with the next.\n", done,
+          total);
+      return;
+    default:
+      writer.end("display closed");
+      throw InputError("the window was closed with " + std::to_string(done) + " of " +
+                       std::to_string(total) + " trials saved in " + options.database + " (" +
+                       sitting_words(options.participant, {writer.session_id()}) +
+                       "); the same command goes on with the next");
+  }
+}
+
+}  // namespace
+
+std::string sitting_words(const std::string& participant,
+                          const std::vector<std::int64_t>& sessions) {
+  std::string words =
+      "participant " + participant + (sessions.size() == 1 ? ", session" : ", sessions");
+  for (const std::int64_t session : sessions) {
+    words += (session == sessions.front() ? " " : ", ") + std::to_string(session);
+  }
+  return words;
+}
+
+ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, StudyFile& study,
+                               std::shared_ptr<Laboratory> laboratory)
+    : part_(part), options_(options), study_(study), laboratory_(std::move(laboratory)) {
+  const std::lock_guard lock(study.transactions());
+  std::optional<Enrolment> resumed = find_to_resume(study, part, options_);
+  plan_ =
+      resumed ? planned(resumed->trials, part.protocol.design) : new_plan(study, part, options_);
+  if (resumed) {
+    resumed_ = take_up(study, part, options_, plan_, *resumed);
+  }
+  gaze_paths_ = gaze_paths_of(plan_, study);
+  if (!laboratory_) {
+    if (const auto expected = expected_screen(part.lab); expected && resumed) {
+      change_of_screen(study, options_, *resumed, *expected);
+    }
+    LaboratoryOptions lab = part.lab;
+    lab.participant = options_.participant;
+    lab.seed = resumed ? resumed->seed : options_.seed.value_or(1);
+    laboratory_ = open_laboratory(lab);
+  }
+  if (resumed) {
+    screen_change_ = change_of_screen(study, options_, *resumed, laboratory_->display().geometry());
+  }
+  sync_ = laboratory_->sync_test();
+  enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);
+  if (!part.series.empty()) {
+    skip_told_demographics(study, part, options_.participant, enrolment_.history);
+  }
+}
+
+SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
+  const Protocol& protocol = part_.protocol;
+  SessionFacts facts = facts_of(*laboratory_, part_, options_, sync_);
+  facts.resumed = resumed_;
+  StudyWriter writer(study_, enrolment_, facts);
+  writer.tell(saved);
+  save_screen_notes(facts.screen, screen_change_, writer);
+  if (!sync_.passed && !options_.override_sync_test) {
+    writer.save(NoteRecord{"sync test failed", sync_.verdict});
+    writer.end("failed");
+    throw InputError("the sync test failed in " + std::to_string(sync_.tries) + " tries: " +
+                     sync_.verdict + "; --override-sync-test goes on and marks every trial");
+  }
+  const double rounding_hz = options_.allow_rounding ? laboratory_->display().refresh_hz() : 0.0;
+  const ProtocolScenes scenes(protocol, rounding_hz, part_.shapes);
+  const SteadyClock work_clock;
+  const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,      writer,
+                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};
+  const SessionResult result =
+      run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
+  tell_warnings(result, writer);
+  conclude(result, options_, writer);
+  session_id_ = writer.session_id();
+  return result.ending;
+}
+
+}  // namespace impetus

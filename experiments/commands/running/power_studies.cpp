@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/running/power_studies.hpp"
+#include "experiments/commands/build_name.hpp"
+
+#include <SQLiteCpp/Database.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/commands/duration_words.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/r_program.hpp"
+#include "experiments/commands/running/participant_run.hpp"
+#include "experiments/commands/running/simulated_group.hpp"
+
+namespace impetus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kBatch_s = 20.0;     ///< studies tested by one start of R: so much work
+constexpr double kMostInABatch = 50;  ///< so that an interruption costs little
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+class PowerStudies {
+ public:
+  PowerStudies(const PowerWork& work, PowerLedger& ledger)
+      : work_(work), ledger_(ledger), line_("simulating studies") {
+    missing_at_first_ = ledger_.missing(work_.request);
+  }
+
+  void run() {
+    std::vector<std::thread> threads;
+    for (std::int64_t job = 1; job < work_.jobs; ++job) {
+      threads.emplace_back([this, job] { work_until_done(job); });
+    }
+    work_until_done(0);
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    if (failure_) {
+      std::rethrow_exception(failure_);
+    }
+  }
+
+ private:
+  void work_until_done(std::int64_t job) {
+    try {
+      while (!has_failed() && take_a_batch(job)) {
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) {
+        failure_ = std::current_exception();
+      }
+    }
+  }
+
+  /// False when nothing is missing any more.
+  bool take_a_batch(std::int64_t job) {
+    const std::vector<PowerCell> cells = ledger_.take(work_.request, studies_in_a_batch());
+    if (cells.empty()) {  // another thread or process is at what is missing; it may be stopped
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      return tell_progress() > 0;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    do_batch(cells, work_.scratch / std::to_string(job));
+    ledger_.give_back(cells);
+    keep_time(seconds_since(begin) / static_cast<double>(cells.size()));
+    return tell_progress() > 0;
+  }
+
+  void do_batch(const std::vector<PowerCell>& cells, const fs::path& folder) {
+    fs::create_directories(folder);
+    std::ofstream list(folder / "studies.tsv");
+    list << "file\teffect\tnumber\tsizes\tseed\tsimulated_s\tbuild\n";
+    for (const PowerCell& cell : cells) {
+      const auto begin = std::chrono::steady_clock::now();
+      const fs::path file = folder / (std::string(cell.effect ? "planted-" : "without-") +
+                                      std::to_string(cell.number) + ".sqlite");
+      simulate(cell, file);
+      list << file.filename().string() << '\t' << (cell.effect ? 1 : 0) << '\t' << cell.number
+           << '\t';
+      for (const std::int64_t size : cell.sizes) {
+        list << (size == cell.sizes.front() ? "" : ",") << size;
+      }
+      list << '\t' << seed_of_study(work_.seed, cell.number) << '\t' << seconds_since(begin) << '\t'
+           << build_name() << '\n';
+    }
+    list.close();
+    test(folder);
+    fs::remove_all(folder);
+  }
+
+  /// All participants one after the other, as whoever is yoked to another needs; nothing is
+  /// synchronised with the disk, for what is lost is simulated again.
+  void simulate(const PowerCell& cell, const fs::path& file) {
+    StudyFile study = StudyFile::open_for_writing(file, build_name());
+    study.database().exec("PRAGMA synchronous = OFF");
+    RunOptions own = work_.run;
+    own.seed = seed_of_study(work_.seed, cell.number);
+    const RunPart& part = cell.effect ? work_.planted : work_.without;
+    for (std::int64_t number = 1; number <= cell.sizes.back() && !has_failed(); ++number) {
+      own.participant = simulated_name(number, number);
+      ParticipantRun(part, own, study, nullptr).run({});
+    }
+  }
+
+  void test(const fs::path& folder) {
+    if (has_failed()) {
+      return;
+    }
+    const int status = run_needed_r_script(
+        {work_.script.string(), work_.ledger.string(), (folder / "studies.tsv").string()});
+    if (status != 0) {
+      throw std::runtime_error("the tests of simulated studies ended with status " +
+                               std::to_string(status) + "; what was tested before is kept");
+    }
+  }
+
+  std::size_t studies_in_a_batch() {
+    const std::lock_guard lock(mutex_);
+    if (study_s_ <= 0.0) {
+      return 1;  // how long one takes is not known yet
+    }
+    return static_cast<std::size_t>(std::clamp(kBatch_s / study_s_, 1.0, kMostInABatch));
+  }
+
+  /// Foretells the whole from the first.
+  void keep_time(double study_s) {
+    const std::lock_guard lock(mutex_);
+    if (study_s_ <= 0.0) {
+      const auto sizes = static_cast<double>(work_.request.sizes.size());
+      const double left = static_cast<double>(ledger_.missing(work_.request)) / sizes;
+      std::fprintf(
+          stderr,
+          "one study took %s; %.0f more, %lld at a time, take about %s. Interrupt it "
+          "whenever you like: the same command goes on.\n",
+          duration_words(study_s).c_str(), left, static_cast<long long>(work_.jobs),
+          duration_words(study_s * std::ceil(left / static_cast<double>(work_.jobs))).c_str());
+    }
+    study_s_ = study_s;
+  }
+
+  /// Returns how many are missing.
+  std::int64_t tell_progress() {
+    const std::int64_t missing = ledger_.missing(work_.request);
+    const std::lock_guard lock(mutex_);
+    line_.tell(1.0 - static_cast<double>(missing) /
+                         static_cast<double>(std::max<std::int64_t>(missing_at_first_, 1)));
+    return missing;
+  }
+
+  bool has_failed() {
+    const std::lock_guard lock(mutex_);
+    return failure_ != nullptr;
+  }
+
+  const PowerWork& work_;
+  PowerLedger& ledger_;
+  std::mutex mutex_;  ///< of what follows
+  ProgressLine line_;
+  std::int64_t missing_at_first_{0};
+  double study_s_{0.0};  ///< what one took last; 0: not known yet
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number) {
+  constexpr std::uint64_t kStudies = 1'000'000;  // of one seed, so that no two share one
+  return static_cast<std::uint64_t>(seed) * kStudies + static_cast<std::uint64_t>(number);
+}
+
+void do_power_studies(const PowerWork& work, PowerLedger& ledger) {
+  PowerStudies(work, ledger).run();
+}
+
+}  // namespace impetus

@@ -1,0 +1,38 @@
+// The simulated studies of a power analysis: those that its ledger lacks, on several threads.
+//
+//   ledger.take() ─> every participant's session, headless ─> a study file that is thrown away
+//        ^                                                       │
+//        └── ledger.give_back() <── the ledger's rows <── power-fits.R, as it tests real studies
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "experiments/commands/running/run_options.hpp"
+#include "experiments/power/power_ledger.hpp"
+
+namespace impetus {
+
+struct PowerWork {
+  RunPart planted;  ///< with the observer
+  RunPart without;  ///< with the observer without the effect
+  RunOptions run;   ///< of every session; participant and seed are set for each
+  PowerRequest request;
+  std::int64_t seed{1};
+  std::int64_t jobs{1};
+  std::filesystem::path script;   ///< power-fits.R
+  std::filesystem::path scratch;  ///< a folder for what is thrown away
+  std::filesystem::path ledger;
+};
+
+/// The seed of a study: `impetus run --participants N --seed SEED` simulates it again.
+std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number);
+
+/// Simulates and tests what is missing, until nothing is, whoever did it; says how long it will
+/// take, and how far it is, on standard error. Throws the first error once the other threads have
+/// stopped; what they had begun is begun again next time.
+void do_power_studies(const PowerWork& work, PowerLedger& ledger);
+
+}  // namespace impetus

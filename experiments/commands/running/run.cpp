@@ -1,0 +1,223 @@
+// `impetus run`: one participant's session of a protocol or a series, or many simulated ones.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "experiments/commands/build_name.hpp"
+#include "experiments/commands/building_line.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/running/participant_run.hpp"
+#include "experiments/commands/running/run_part.hpp"
+#include "experiments/commands/running/simulated_group.hpp"
+#include "experiments/commands/running/unattended_run.hpp"
+#include "experiments/commands/shipped_file.hpp"
+#include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/protocol/participant_code.hpp"
+#include "experiments/protocol/series_file.hpp"
+#include "experiments/study/stored_plan.hpp"
+
+namespace impetus {
+namespace {
+
+/// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
+constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();
+
+/// In quotes and on one line, whatever it holds; its beginning when it is long.
+std::string shown(const std::string& code) {
+  const std::string beginning = code.substr(0, kLongestParticipantCode);
+  return nlohmann::json(beginning).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
+         (beginning == code ? "" : " ...");
+}
+
+void require_sensible(const RunOptions& options) {
+  const bool simulated = options.simulated();
+  if (!simulated && options.participants > 0) {
+    throw InputError("--participants: expected --observer NAME with it; people come one by one");
+  }
+  if (!simulated && options.show) {
+    throw InputError("--show: expected --observer NAME with it");
+  }
+  if (options.participants > 0 && options.show) {
+    throw InputError("--show: expected one participant, not --participants");
+  }
+  if (options.participants > 0 && !options.participant.empty()) {
+    throw InputError("--participant: expected either one participant or --participants N");
+  }
+  if (options.participants == 0 && options.participant.empty()) {
+    throw InputError("--participant: expected a code for the participant, such as P01");
+  }
+  if (!options.participant.empty() && !is_participant_code(options.participant)) {
+    throw InputError("--participant: expected a code of at most " +
+                     std::to_string(kLongestParticipantCode) +
+                     " bytes of text without control characters, unseen ones, / and \\, and "
+                     "without a space at its ends, got " +
+                     shown(options.participant));
+  }
+}
+
+/// The observer of a part; "" for a person.
+std::string observer_of(const RunOptions& options, std::size_t part, std::size_t parts) {
+  const std::vector<std::string>& names = options.observers;
+  if (names.empty()) {
+    return "";
+  }
+  if (names.size() != 1 && names.size() != parts) {
+    throw InputError("--observer: expected one, or one for each of the " + std::to_string(parts) +
+                     " protocols, got " + std::to_string(names.size()));
+  }
+  return names[names.size() == 1 ? 0 : part];
+}
+
+/// What stands on the last page where another protocol follows.
+Text part_done(std::size_t part, std::size_t parts) {
+  return {
+      "Part " + std::to_string(part) + " of " + std::to_string(parts) + " is complete",
+      {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
+}
+
+std::vector<RunPart> parts_from(const Series& series, const RunOptions& options) {
+  const std::size_t count = series.protocols.size();
+  std::vector<RunPart> parts;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    parts.push_back(part_from(series.protocols[i], observer_of(options, i, count), options));
+    RunPart& part = parts.back();
+    part.series = series.name;
+    part.series_place = static_cast<std::int64_t>(i) + 1;
+    if (i + 1 < count) {
+      part.protocol.script.thanks = part_done(i + 1, count);
+      part.protocol.script.part_follows = true;
+    }
+    if (!names.insert(part.protocol.name).second) {
+      throw InputError(options.protocol + ":/protocols/" + std::to_string(i) +
+                       ": expected a protocol of another name, got \"" + part.protocol.name +
+                       "\" again");
+    }
+  }
+  return parts;
+}
+
+/// One participant goes through the parts that are not finished, before one window. Returns the
+/// sessions that were saved.
+std::vector<std::int64_t> run_participant(const std::vector<RunPart>& parts,
+                                          const RunOptions& options, StudyFile& study) {
+  std::shared_ptr<Laboratory> window;
+  std::vector<std::int64_t> sessions;
+  for (const RunPart& part : parts) {
+    const bool last = &part == &parts.back();
+    if (!last &&
+        has_finished(study, options.participant, options.simulated(), texts_of(part.protocol))) {
+      std::fprintf(stderr, "note: %s has finished %s already\n", options.participant.c_str(),
+                   part.protocol.name.c_str());
+      continue;
+    }
+    ParticipantRun participant(part, options, study, window);
+    const SessionEnding ending = participant.run({});
+    sessions.push_back(participant.session_id());
+    if (ending != SessionEnding::kFinished) {
+      break;
+    }
+    window = options.simulated() ? nullptr : participant.laboratory();
+  }
+  return sessions;
+}
+
+/// The last line of every run: where all that was recorded is.
+void tell_saved(const RunOptions& options, const std::string& whose) {
+  std::printf("Saved in %s: %s\n", options.database.c_str(), whose.c_str());
+}
+
+bool nobody_takes_part(const Series& series) {
+  return series.protocols.size() == 1 &&
+         !has_participants(load_protocol(series.protocols.front()).document.value);
+}
+
+int run_without_participants(const std::filesystem::path& file, const RunOptions& options) {
+  RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
+  const RunOptions nobody = as_nobody(options);
+  plan_for(part.protocol, nobody.participant, nobody.seed.value_or(1));
+  solve_what_is_asked(part);
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
+  const std::int64_t session = run_unattended_part(part, nobody, study);
+  tell_saved(nobody, sitting_words(nobody.participant, {session}));
+  return kDone;
+}
+
+/// Everything that can be refused is refused before a window opens or a row is written.
+int run(const RunOptions& options) {
+  const BuildingLine told;
+  const Series series = load_series(options.protocol);
+  if (nobody_takes_part(series)) {
+    return run_without_participants(series.protocols.front(), options);
+  }
+  require_sensible(options);
+  std::vector<RunPart> parts = parts_from(series, options);
+  for (RunPart& part : parts) {
+    solve_what_is_asked(part);
+  }
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
+  for (const RunPart& part : parts) {
+    build_shapes(part);
+  }
+  try {
+    if (options.participants > 0) {
+      run_simulated_group(parts, options, study);
+      tell_saved(options, group_words(options.participants));
+    } else {
+      tell_saved(options,
+                 sitting_words(options.participant, run_participant(parts, options, study)));
+    }
+    return kDone;
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run a session of a protocol, or of a series");
+  command
+      ->add_option("protocol", options->protocol,
+                   "Protocol file, such as protocols/causality.json, or a series of them")
+      ->required()
+      ->transform([](const std::string& name) { return shipped_file(name); });
+  command->add_option("--db", options->database, "Study file; made when it does not exist")
+      ->capture_default_str();
+  command->add_option("--participant", options->participant,
+                      "Code of the participant; the same code resumes");
+  command->add_option("--seed", options->seed, "Seed of the order (default 1)")
+      ->check(CLI::Range(std::uint64_t{0}, kLargestSeed));
+  command->add_option("--observer", options->observers,
+                      "A simulated participant: its name or file, one for each protocol of a "
+                      "series; headless unless --show");
+  command
+      ->add_option("--participants", options->participants,
+                   "Run so many simulated participants, S01, S02, ...")
+      ->check(CLI::Range(1, 100000));
+  command
+      ->add_option("--jobs", options->jobs,
+                   "So many of them at a time (default: as many as there are cores)")
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--show", options->show, "Show the simulated participant's session");
+  command->add_flag("--allow-rounding", options->allow_rounding,
+                    "Round a delay to whole frames; what was realised is stored");
+  command->add_flag("--override-sync-test", options->override_sync_test,
+                    "Go on when the sync test fails; every trial is marked");
+  command->add_flag("--changed-screen", options->changed_screen,
+                    "Resume on another screen than the session before; a note is kept");
+  command->add_option("--screen", options->screen_file,
+                      "The lab's screen file (default: what `impetus screen` saved)");
+  command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
+  command->add_option(
+      "--photodiode", options->photodiode,
+      "A corner, such as \"bottom left\", for a square whose light tells each frame");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace impetus

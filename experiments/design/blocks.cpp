@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/design/blocks.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/numerics/random_stream.hpp"
+#include "experiments/settings/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+/// (The number that the code ends in − 1) mod `rows`; the number may have any count of digits.
+std::size_t row_of(const std::string& participant, std::size_t rows) {
+  const auto end = std::find_if_not(participant.rbegin(), participant.rend(), is_digit);
+  const std::string digits(end.base(), participant.end());
+  if (digits.empty()) {
+    throw InputError("--participant " + participant +
+                     ": expected a code that ends in a number, such as P01, because that number "
+                     "decides the order of the blocks, got \"" +
+                     participant + "\"");
+  }
+  std::size_t rest = 0;
+  for (const char digit : digits) {
+    rest = (rest * 10 + static_cast<std::size_t>(digit - '0')) % rows;
+  }
+  return (rest + rows - 1) % rows;
+}
+
+std::vector<Condition> in_row(const std::vector<Condition>& blocks,
+                              const std::string& participant) {
+  const auto square = williams_square(blocks.size());
+  std::vector<Condition> ordered;
+  for (const std::size_t block : square[row_of(participant, square.size())]) {
+    ordered.push_back(blocks[block]);
+  }
+  return ordered;
+}
+
+bool belongs_to(const PlannedTrial& trial, const Condition& block) {
+  return std::all_of(block.begin(), block.end(), [&](const FactorLevel& level) {
+    return std::find(trial.condition.begin(), trial.condition.end(), level) !=
+           trial.condition.end();
+  });
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> williams_square(std::size_t count) {
+  // 0, 1, n − 1, 2, n − 2, ...: all differences of neighbours differ. Each row adds one to the one
+  // before; for odd n the rows are also read backwards.
+  std::vector<std::size_t> first;
+  for (std::size_t place = 0; place < count; ++place) {
+    first.push_back(place % 2 == 1 ? (place + 1) / 2 : (count - place / 2) % count);
+  }
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t row = 0; row < count; ++row) {
+    rows.emplace_back();
+    for (const std::size_t condition : first) {
+      rows.back().push_back((condition + row) % count);
+    }
+  }
+  for (std::size_t row = 0; count > 1 && count % 2 == 1 && row < count; ++row) {
+    rows.emplace_back(rows[row].rbegin(), rows[row].rend());
+  }
+  return rows;
+}
+
+std::vector<Condition> block_order(const Design& design, const PlanKey& key) {
+  if (!design.blocks) {
+    return {Condition{}};
+  }
+  Design of_blocks;
+  for (const Factor& factor : design.factors) {
+    const auto& names = design.blocks->factors;
+    if (std::find(names.begin(), names.end(), factor.name) != names.end()) {
+      of_blocks.factors.push_back(factor);
+    }
+  }
+  std::vector<Condition> blocks = cells(of_blocks);
+  if (design.blocks->order == Blocks::Order::kRandom) {
+    RandomStream stream(key.seed, "blocks/" + key.protocol + "/" + key.participant);
+    stream.shuffle(blocks);
+  } else if (design.blocks->order == Blocks::Order::kLatinSquare) {
+    return in_row(blocks, key.participant);
+  }
+  return blocks;
+}
+
+TrialBlocks divided(std::vector<PlannedTrial> trials, const std::vector<Condition>& blocks) {
+  TrialBlocks parts(blocks.size());
+  for (PlannedTrial& trial : trials) {
+    const auto block = std::find_if(blocks.begin(), blocks.end(),
+                                    [&](const Condition& one) { return belongs_to(trial, one); });
+    const auto index = static_cast<std::size_t>(block - blocks.begin());
+    trial.block = static_cast<std::int64_t>(index) + 1;
+    parts[index].push_back(std::move(trial));
+  }
+  return parts;
+}
+
+}  // namespace impetus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/design/design.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace impetus {
+
+std::vector<Condition> cells(const Design& design) {
+  std::vector<Condition> result{Condition{}};
+  for (const Factor& factor : design.factors) {
+    std::vector<Condition> wider;
+    for (const Condition& condition : result) {
+      for (const LevelValue& level : factor.levels) {
+        wider.push_back(condition);
+        wider.back().push_back({factor.name, level});
+      }
+    }
+    result = std::move(wider);
+  }
+  return result;
+}
+
+std::string to_text(const LevelValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return *text;
+  }
+  if (const auto* flag = std::get_if<bool>(&value)) {
+    return *flag ? "true" : "false";
+  }
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.begin(), digits.end(), std::get<double>(value));
+  return {digits.begin(), end.ptr};
+}
+
+}  // namespace impetus

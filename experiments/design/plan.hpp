@@ -1,0 +1,55 @@
+// The plan: every slot, condition and seed, decided and stored before the first trial is shown.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/design/design.hpp"
+
+namespace impetus {
+
+/// A value of the scene that was solved before the plan was stored.
+struct SolvedValue {
+  std::string pointer;  ///< JSON Pointer
+  double value{0.0};
+
+  friend bool operator==(const SolvedValue&, const SolvedValue&) = default;
+};
+
+enum class TrialPhase { kPractice, kMain };
+
+struct PlannedTrial {
+  std::int64_t slot{0};  ///< place in the session, from 1, practice first
+  TrialPhase phase{TrialPhase::kMain};
+  std::int64_t repetition{1};  ///< of practice: its round
+  Condition condition;
+  std::uint64_t seed{0};
+  std::int64_t block{1};  ///< in the order shown
+  bool catch_trial{false};
+  /// Adaptive: the track that decides the level, from 0; `condition` lacks it until it is next.
+  std::optional<std::int64_t> track{};
+  std::vector<SolvedValue> solved{};             ///< put into the scene beside the condition
+  std::optional<std::int64_t> yoked_trial_id{};  ///< of the study, whose gaze the region follows
+
+  friend bool operator==(const PlannedTrial&, const PlannedTrial&) = default;
+};
+
+using Plan = std::vector<PlannedTrial>;
+
+/// Whose plan it is: the order depends on these three alone, on every machine.
+struct PlanKey {
+  std::string protocol;
+  std::string participant;
+  std::uint64_t seed{0};
+};
+
+/// Practice in its given order, then every cell × repetition (or the trials of every adaptive
+/// track) block by block, in an order drawn uniformly from those that satisfy the design's longest
+/// runs, with the catch trials spread among them. Throws std::runtime_error when no such order was
+/// found, and InputError when the participant's code has no number for a Latin square.
+Plan make_plan(const Design& design, const PlanKey& key);
+
+}  // namespace impetus

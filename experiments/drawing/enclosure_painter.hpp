@@ -1,0 +1,39 @@
+// Draws the enclosure as it is seen from inside: the walls that face the eye, each in its own tone.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/volumes/enclosure.hpp"
+#include "experiments/record/ports.hpp"
+
+namespace impetus {
+
+/// Indices (as in the enclosure) of the walls whose inside the eye can see: not those of a view
+/// frustum that hold the eye and are seen from their edge.
+[[nodiscard]] std::vector<int> walls_facing(const Enclosure& enclosure, const Vector3& eye);
+
+/// The tone of a wall (sRGB, 0–1) whose inward unit normal is `normal_E` as the viewer sees it:
+/// light and without colour, the floor lightest, the ceiling darkest, left and right apart.
+[[nodiscard]] float wall_grey(const Vector3& normal_E);
+
+class EnclosurePainter {
+ public:
+  /// Needs a current OpenGL 3.3 context, now and for every call.
+  EnclosurePainter();
+  ~EnclosurePainter();
+  EnclosurePainter(const EnclosurePainter&) = delete;
+  EnclosurePainter& operator=(const EnclosurePainter&) = delete;
+
+  /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
+  /// the depths of the meshes.
+  void paint(const Enclosure& enclosure, const Viewer& viewer);
+
+ private:
+  unsigned program_{0};
+  unsigned arrangement_{0};
+  unsigned corners_{0};
+  int glass_{-1};
+};
+
+}  // namespace impetus

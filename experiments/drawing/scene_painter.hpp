@@ -1,0 +1,66 @@
+// Paints a picture: spheres, meshes and the walls round them in exact perspective, lit, on a
+// neutral mid-grey ground.
+//
+//   eye ──── ray through a pixel of the glass ────> sphere      every pixel asks the sphere itself,
+//                     |<- bounds of its image ->|               so it is round at any size
+//
+// The screen is the plane through the world's origin that faces the eye: a metre there is a metre
+// on the glass. Edges of spheres are blended by the share of the pixel that is covered; a picture
+// with straight edges (meshes, walls) is drawn with four samples per pixel, one without goes
+// straight to the window. So does one of more than a hundred bodies, whose edges are then not
+// blended: without a graphics card, four samples would take more than twice the time. The rule is
+// the same with a card, for pictures must not depend on the machine.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "experiments/drawing/crowd_painter.hpp"
+#include "experiments/drawing/enclosure_painter.hpp"
+#include "experiments/drawing/mesh_painter.hpp"
+#include "experiments/drawing/multisampled_target.hpp"
+#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/sphere_painter.hpp"
+#include "experiments/drawing/volume_painter.hpp"
+#include "experiments/record/ports.hpp"
+
+namespace impetus {
+
+class ScenePainter {
+ public:
+  /// Needs a current OpenGL 3.3 context, now and for every call.
+  ScenePainter();
+
+  /// Fills the area with a grey (sRGB, 0–1).
+  void fill(const PixelArea& area, float grey);
+
+  /// Paints ground, enclosure, bodies and fixation cross; the viewer's screen fills the area
+  /// exactly.
+  /// `volumes` are drawn over it, translucent, where nothing is in front of them.
+  void paint(const Picture& picture, const PixelArea& area,
+             const std::vector<ColouredVolume>& volumes = {});
+
+  /// The same onto another framebuffer of OpenGL's, of the area's size, at 0, 0.
+  void paint_onto(unsigned framebuffer, const Picture& picture, const PixelArea& area,
+                  const std::vector<ColouredVolume>& volumes);
+
+ private:
+  void paint_multisampled(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                          const PixelArea& area, unsigned framebuffer = 0);
+  void paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                 const PixelArea& area);
+  void paint_meshes(const Picture& picture, int height_px);
+  void paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                  const PixelArea& area);
+  void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
+
+  SpherePainter balls_;
+  SpherePainter clear_balls_;
+  VolumePainter shells_;
+  EnclosurePainter enclosure_;
+  MeshPainter meshes_;
+  CrowdPainter crowd_;
+  MultisampledTarget target_;
+};
+
+}  // namespace impetus

@@ -1,0 +1,48 @@
+// The region of high priority, step by step: about the gaze, at random or about a point, everywhere
+// or nowhere.
+//
+//   all good   a region that holds all the view       all bad   none
+//   tracked    about the fixation                     random    about a place within the
+//                                                               enclosure's image, renewed
+//   fixed      about a point of the screen    recorded  about another's recorded gaze (yoked)
+//
+// All of them are the same schedule with another region. (Dingliana 2002, sec. 6.3.1)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/numerics/random_stream.hpp"
+#include "experiments/record/enclosure_image.hpp"
+#include "experiments/record/staged_scene.hpp"
+
+namespace impetus {
+
+/// The radius of a region that holds all the view.
+inline constexpr double kWholeView_deg = 180.0;
+
+class RegionSource {
+ public:
+  /// Random places follow from `seed`, the trial's. A recorded region without a recording is none.
+  RegionSource(const StagedScene& scene, std::uint64_t seed);
+
+  /// Another rule from the next step on; random places go on as they were drawn.
+  void set_rule(const RegionRule& rule) { rule_ = rule; }
+
+  /// The region of a step. Steps come in order, from 1; none may be left out.
+  std::optional<GazeRegion> at(std::int64_t step, const Fixation& fixation);
+
+ private:
+  RegionRule rule_;
+  std::shared_ptr<const GazePath> recorded_gaze_;
+  std::optional<Enclosure> enclosure_;
+  Viewer viewer_;
+  ViewerTurn turn_;
+  double step_hz_;
+  EnclosureImage image_;
+  RandomStream places_;
+  ScreenPoint place_{};
+};
+
+}  // namespace impetus

@@ -1,0 +1,27 @@
+// What a protocol's design must fulfil beyond its schema; each refusal is one sentence.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "experiments/design/plan.hpp"
+#include "experiments/protocol/protocol_file.hpp"
+
+namespace impetus {
+
+/// Size, names, pointers, runs and the scale agree with each other and the scene.
+/// Throws InputError.
+void check_design(const JsonDocument& protocol, const JsonDocument& scene);
+
+/// Every practice condition is a cell of the design. Throws InputError.
+void check_practice(const JsonDocument& protocol);
+
+/// The levels that practice is judged by are practised. Throws InputError.
+void check_practice_rule(const JsonDocument& protocol);
+
+/// A participant's plan. Throws InputError when no order was found that keeps to the longest runs,
+/// or the participant's code has no number for a Latin square.
+Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
+
+}  // namespace impetus

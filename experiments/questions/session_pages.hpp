@@ -1,0 +1,64 @@
+// The pages that every session shows, whatever the study: their words are the platform's.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "experiments/design/plan.hpp"
+#include "experiments/record/page.hpp"
+#include "experiments/record/record.hpp"
+#include "experiments/record/script.hpp"
+
+namespace impetus {
+
+inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
+inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
+inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
+
+/// "“Very believable”", or where the point lies between the two anchors.
+std::string meaning_of(const RatingScale& scale, std::int64_t rating);
+
+Text welcome_back(std::int64_t completed_trials);
+Page text_page(const Text& text, const SessionProgress& progress);
+Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress);
+Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
+/// Before the trials of a phase; `round` is of practice, 1 for the first.
+Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
+                 const SessionProgress& progress);
+/// Before training.
+Page training_intro(const TrainingRule& rule, const SessionProgress& progress);
+
+/// After a demonstration: on, or the same again.
+Page demonstration_over(const Text& text, const SessionProgress& progress);
+
+/// After each practice trial: what was answered and what that meant, how often was clicked (where
+/// clicks are asked for), and right or wrong where there is a right answer. Nothing where nothing
+/// can be said, as of free words.
+std::optional<Page> practice_feedback(const Script& script, const AttemptRecord& record,
+                                      const SessionProgress& progress);
+
+/// After a round of practice that was not understood, with another to come: what was missing.
+Page practice_again(const std::vector<std::string>& missing, const SessionProgress& progress);
+
+/// After the last such round: the experimenter decides (kContinueChoice goes on).
+Page practice_not_understood(const SessionProgress& progress);
+
+/// After practice: how often each point was used, and a reminder when only one was.
+Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
+                      const SessionProgress& progress);
+
+/// After training: how many of the last answers were right.
+Page training_over(std::int64_t right, std::int64_t of, const SessionProgress& progress);
+
+Page break_page(const Text& text, std::int64_t done, std::int64_t total,
+                const SessionProgress& progress);
+Page question_page(const FreeQuestion& question, const SessionProgress& progress);
+Page pause_page(const SessionProgress& progress);
+Page quit_page(const SessionProgress& progress);
+
+/// The last page: leaving it closes the session, or goes on to the next part of a series.
+Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress);
+
+}  // namespace impetus

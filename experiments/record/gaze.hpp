@@ -1,0 +1,65 @@
+// Where a participant looks, as a stream of samples: a mouse, a simulated eye, a recording.
+//
+//   samples  . . . . x x . . . .      x: lost, with a reason; never a made-up place
+//   frames   |       |       |        the newest valid sample decides until the next frame
+//
+// Raw samples are recorded as they come; the session corrects a copy by its calibration, which is
+// the same for every source (session/gaze_calibration.hpp). An eye tracker is one more file that
+// implements Gaze:
+//
+//   source()        a name of its own, such as "Tobii Pro Spectrum": it stands beside every sample
+//   take_samples()  never waits: a thread of the tracker's fills a queue, this empties it. Stamps
+//                   are of the clock that stamps flips (std::chrono::steady_clock), converted from
+//                   the device's; places are metres right of and above the screen's centre, so the
+//                   tracker's pixels times metres per pixel. What has no place says why, and is
+//                   never left out: losses are counted.
+//   shown()         nothing
+//
+// commands/laboratory.cpp then hands it to the session in place of the mouse.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/record/frame_grid.hpp"
+
+namespace impetus {
+
+struct Picture;
+
+/// Why a sample has no place.
+enum class GazeLoss { kNone, kBlink, kOffScreen, kLost };
+
+struct GazeSample {
+  std::int64_t taken_ns{0};  ///< of the session's clock
+  Fixation at{};             ///< none: lost
+  GazeLoss loss{GazeLoss::kNone};
+  std::int64_t interval{1};  ///< of a two-interval trial, during its first or second stimulus
+};
+
+class Gaze {
+ public:
+  virtual ~Gaze() = default;
+
+  /// "mouse", "simulated eye" or "recording"; it stands beside every sample.
+  [[nodiscard]] virtual std::string source() const = 0;
+
+  /// Whether the mouse pointer stands in for the eye, so that it must be seen.
+  [[nodiscard]] virtual bool is_pointer() const { return false; }
+
+  /// What was sampled since the last call, in order of time. Called once per frame, just before
+  /// the frame's steps.
+  virtual std::vector<GazeSample> take_samples() = 0;
+
+  /// Tells what a flip showed; a simulated eye looks at it.
+  virtual void shown(const Picture& picture, const Flip& flip) {
+    static_cast<void>(picture);
+    static_cast<void>(flip);
+  }
+};
+
+}  // namespace impetus

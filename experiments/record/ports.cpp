@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/record/ports.hpp"
+
+namespace impetus {
+
+Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
+                   const SessionProgress& progress) {
+  Picture picture;
+  picture.viewer = scene.viewer_at_time(time_s);
+  picture.progress = progress;
+  if (!poses.empty()) {
+    picture.enclosure = scene.world.settings().enclosure;
+  }
+  for (std::size_t body = 0; body < poses.size(); ++body) {
+    picture.bodies.push_back({poses[body], scene.looks[body]});
+  }
+  return picture;
+}
+
+}  // namespace impetus

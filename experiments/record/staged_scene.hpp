@@ -1,0 +1,80 @@
+// One condition's scene, ready to step and to draw.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/metrics.hpp"
+#include "engine/world/world.hpp"
+#include "experiments/record/drawn_levels.hpp"
+#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/turning_viewer.hpp"
+
+namespace impetus {
+
+/// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
+/// none; colour sRGB, 0–1.
+struct DrawnBody {
+  std::string name;
+  double radius_m{0.0};  ///< of the sphere, or of a ball about the origin that holds the mesh
+  std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
+  std::shared_ptr<const TriangleMesh> mesh{};
+  /// Meshes to draw instead where the body is one of a crowd; none: always its own.
+  std::shared_ptr<const DrawnLevels> coarser{};
+};
+
+/// Where collisions are of high priority, for schedules by region.
+enum class RegionKind {
+  kNone,      ///< the schedule is not by region
+  kAllGood,   ///< everywhere
+  kAllBad,    ///< nowhere
+  kTracked,   ///< about the gaze
+  kRandom,    ///< about places drawn within the enclosure's image
+  kFixed,     ///< about a point of the screen
+  kRecorded,  ///< about another participant's recorded gaze
+};
+
+struct RegionRule {
+  RegionKind kind{RegionKind::kNone};
+  double radius_deg{0.0};
+  std::int64_t renewal_steps{0};  ///< of kRandom: how long a place lasts
+  ScreenPoint point{};            ///< of kFixed
+};
+
+/// How much a step may do; at most one of the two limits.
+struct WorkBudget {
+  std::int64_t tests_per_step{kUnlimitedTests};  ///< units of work: see WorldSettings::costs
+  std::int64_t ns_per_step{0};                   ///< by the clock; 0: none
+};
+
+struct StagedScene {
+  World world;
+  Viewer viewer;
+  std::vector<DrawnBody> looks;  ///< one per body of the world
+  double step_hz{240.0};
+  double duration_s{0.0};       ///< from onset to the end of the stimulus, an imposed hold included
+  double contact_s{0.0};        ///< when two bodies are to meet, from onset; 0: nothing is to
+  double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
+  bool no_spin{false};          ///< imposed: nothing turns
+  double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
+  RegionRule region{};
+  WorkBudget budget{};
+  bool depends_on_gaze{false};  ///< the gaze decides the detail of collisions
+  /// As they were asked for, for controls that show them; "": not known by name.
+  std::string scheduler{};
+  MetricOptions metric_options{};
+  std::string reduction{};
+  ViewerTurn turn{};           ///< `viewer` is where it starts
+  double gaze_latency_s{0.0};  ///< imposed: samples younger than this are not used yet
+  std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
+
+  [[nodiscard]] Viewer viewer_at_time(double time_s) const {
+    return turned_viewer(viewer, turn, time_s);
+  }
+};
+
+}  // namespace impetus

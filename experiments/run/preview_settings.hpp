@@ -1,0 +1,84 @@
+// What a preview's controls say, as plain data: scheduler, lists, region, budget, contacts,
+// response.
+//
+//   controls -> PreviewSettings -> Schedule, ContactModel, ..., for the next step
+//
+// A combination that no schedule allows is kept as it is, with the sentence that says why.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/record/staged_scene.hpp"
+
+namespace impetus {
+
+inline constexpr int kMostPreviewLists = 4;
+
+enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
+
+struct PreviewList {
+  double share{1.0};       ///< relative to the other lists'
+  int least_level{0};      ///< done whatever the budget
+  int greatest_level{0};   ///< at the finest level: no limit
+  double threshold{0.0};   ///< in the scheduler's unit; the last list needs none
+  double pair_share{0.0};  ///< in place of the threshold, when lists go by shares
+};
+
+struct PreviewSettings {
+  std::string scheduler{"distance"};  ///< one of scheduler_names()
+  int list_count{1};                  ///< 1 to kMostPreviewLists; two for "region"
+  std::array<PreviewList, kMostPreviewLists> lists{};
+  int finest_level{0};                               ///< of all trees of the scene
+  RegionRule region{RegionKind::kTracked, 5.0, 60};  ///< for the scheduler "region"
+  BudgetUnit budget{BudgetUnit::kUnlimited};
+  int tests_per_step{500};
+  double ms_per_step{0.2};
+  bool all_phases{false};  ///< work counts contacts and response too
+  bool by_pair_shares{false};
+  Traversal traversal{Traversal::kDepthFirst};
+  int persistence_steps{0};
+  MetricOptions metric_options{};    ///< the scene's own; its terms for the scheduler "weighted"
+  std::string reduction{"average"};  ///< one of reduction_names()
+  int most_per_pair{4};
+  Tunnelling tunnelling{Tunnelling::kStopAtEntry};
+  ResponseMethod response{ResponseMethod::kInTurn};
+  Rotation rotation{Rotation::kMidpoint};
+};
+
+/// The names of the metrics, and "region".
+std::vector<std::string> scheduler_names();
+
+/// Thresholds of a scheduler: their unit, and from where to where they make sense, from the most
+/// urgent to the least.
+struct ThresholdRange {
+  std::string unit;
+  double urgent{0.0};
+  double relaxed{0.0};
+};
+ThresholdRange threshold_range(const std::string& scheduler);
+
+/// As the scene's own schedule, region and budget are, where they fit the controls; otherwise one
+/// list, a region about the mouse that is renewed every quarter of a second, no limit.
+PreviewSettings settings_of(const StagedScene& scene);
+
+/// Another scheduler, with thresholds spread over its range; "region" brings its two lists.
+void choose_scheduler(PreviewSettings& settings, const std::string& scheduler);
+
+/// Another number of lists, with thresholds spread anew.
+void choose_list_count(PreviewSettings& settings, int count);
+
+/// What the contacts, and the work, are to be.
+ContactModel contacts_of(const PreviewSettings& settings);
+WorkCosts costs_of(const PreviewSettings& settings);
+
+/// The schedule they ask for, which may be impossible: see problem_of().
+Schedule schedule_of(const PreviewSettings& settings);
+
+/// One sentence when no world would take the schedule; otherwise empty.
+std::string problem_of(const PreviewSettings& settings);
+
+}  // namespace impetus

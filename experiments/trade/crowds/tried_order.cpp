@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/trade/crowds/tried_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "engine/numerics/bits.hpp"
+#include "engine/scheduling/metrics.hpp"
+#include "experiments/settings/input_error.hpp"
+
+namespace impetus {
+namespace {
+
+struct NamedTraversal {
+  Traversal traversal;
+  std::string_view name;
+};
+
+constexpr std::array<NamedTraversal, 4> kTraversals{{{Traversal::kDepthFirst, "depth-first"},
+                                                     {Traversal::kBreadthFirst, "breadth-first"},
+                                                     {Traversal::kBestFirst, "best-first"},
+                                                     {Traversal::kVisibleFirst, "visible-first"}}};
+
+/// A number in [0, 1) for each pair, whatever it does.
+class RandomMetric final : public PriorityMetric {
+ public:
+  explicit RandomMetric(std::uint64_t seed) : PriorityMetric(Urgent::kLarge), seed_(seed) {}
+
+  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& /*viewer*/,
+                               const Fixation& /*fixation*/) const override {
+    constexpr double kUnit = 0x1p-53;
+    const std::uint64_t of_a = fold_bits(seed_, static_cast<std::uint32_t>(bounds.pair.a));
+    const std::uint64_t bits = fold_bits(of_a, static_cast<std::uint32_t>(bounds.pair.b));
+    return kUnit * static_cast<double>(bits >> 11);
+  }
+
+ private:
+  std::uint64_t seed_;
+};
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) {
+    list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  return list;
+}
+
+void require_known(const std::string& scheduler, const StagedScene& scene) {
+  const std::vector<std::string> known = schedulers_for(scene);
+  if (std::find(known.begin(), known.end(), scheduler) == known.end()) {
+    throw InputError("schedulers: expected some of " + listed(known) + ", got \"" + scheduler +
+                     "\"");
+  }
+}
+
+/// What the metric called `name` takes of the scene's own options.
+MetricOptions options_for(const std::string& name, const StagedScene& scene) {
+  MetricOptions options;
+  if (takes_point(name)) {
+    options.point = scene.metric_options.point;
+  }
+  if (needs_terms(name)) {
+    options.terms = scene.metric_options.terms;
+  }
+  return options;
+}
+
+}  // namespace
+
+std::string_view traversal_name(Traversal traversal) {
+  return std::find_if(kTraversals.begin(), kTraversals.end(),
+                      [&](const NamedTraversal& named) { return named.traversal == traversal; })
+      ->name;
+}
+
+const std::vector<Traversal>& all_traversals() {
+  static const std::vector<Traversal> all{Traversal::kDepthFirst, Traversal::kBreadthFirst,
+                                          Traversal::kBestFirst, Traversal::kVisibleFirst};
+  return all;
+}
+
+Traversal traversal_called(std::string_view name) {
+  std::vector<std::string> names;
+  for (const NamedTraversal& named : kTraversals) {
+    if (named.name == name) {
+      return named.traversal;
+    }
+    names.emplace_back(named.name);
+  }
+  throw InputError("traversals: expected some of " + listed(names) + ", got \"" +
+                   std::string(name) + "\"");
+}
+
+std::vector<std::string> schedulers_for(const StagedScene& scene) {
+  std::vector<std::string> names{kOwnScheduler, kRandomScheduler};
+  for (const std::string_view name : metric_names()) {
+    if (!needs_terms(name) || !scene.metric_options.terms.empty()) {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
+std::vector<TriedOrder> tried_orders(const StagedScene& scene,
+                                     const std::vector<std::string>& schedulers,
+                                     const std::vector<Traversal>& traversals) {
+  std::vector<TriedOrder> orders;
+  for (const std::string& scheduler : schedulers) {
+    require_known(scheduler, scene);
+    if (scheduler == kOwnScheduler) {
+      orders.push_back({scheduler, scene.world.settings().schedule.traversal});
+      continue;
+    }
+    for (const Traversal traversal : traversals) {
+      orders.push_back({scheduler, traversal});
+    }
+  }
+  return orders;
+}
+
+Schedule schedule_of(const TriedOrder& order, const StagedScene& scene, std::uint64_t seed) {
+  Schedule schedule;
+  if (order.scheduler == kOwnScheduler) {
+    schedule = scene.world.settings().schedule;
+    schedule.persistence_steps = 0;
+    return schedule;
+  }
+  schedule.traversal = order.traversal;
+  schedule.metric = order.scheduler == kRandomScheduler
+                        ? std::make_shared<RandomMetric>(seed)
+                        : make_metric(order.scheduler, options_for(order.scheduler, scene));
+  return schedule;
+}
+
+}  // namespace impetus

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/viewers/replays/replay_picture.hpp"
+
+#include <algorithm>
+
+#include "experiments/drawing/overlay_marks.hpp"
+#include "experiments/viewers/colour_legend.hpp"
+#include "experiments/viewers/gaze_overlay.hpp"
+#include "experiments/viewers/picture_badge.hpp"
+#include "experiments/window/pages/widgets.hpp"
+
+namespace impetus {
+namespace {
+
+Viewer participant_of(const ReplayMoment& moment) {
+  return turned_viewer(moment.replay->viewer, moment.replay->turn, moment.time_s);
+}
+
+double arrow_length_m(const ReplayView& replay) {
+  double largest_m = 0.0;
+  for (const auto& tree : replay.trees) {
+    largest_m = std::max(largest_m, tree->bounding_radius_m());
+  }
+  return kArrowShare * largest_m;
+}
+
+void draw_contacts(const ReplayMoment& moment, const PictureMap& map) {
+  const double arrow_m = arrow_length_m(*moment.replay);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (const FadingContact& contact :
+       contacts_at(*moment.replay, step_at(*moment.replay, moment.time_s))) {
+    const Vector3& place = contact.touch.point;
+    mark_contact(draw, map, place, place + arrow_m * contact.touch.normal, contact.freshness);
+  }
+}
+
+/// The raw samples of the last moments, and what the present step was told.
+void draw_gaze_of(const ReplayMoment& moment, const PictureMap& map) {
+  const Viewer own = participant_of(moment);
+  const GazeTrail trail = trail_at(moment.replay->samples, moment.time_s);
+  draw_trail(map, own, trail);
+  const GazeInput gaze = gaze_of_step(*moment.replay, step_at(*moment.replay, moment.time_s));
+  if (gaze.fixation) {
+    draw_gaze(map, own, *gaze.fixation);
+  }
+  if (gaze.region) {
+    draw_region(map, own, *gaze.region);
+  }
+}
+
+}  // namespace
+
+void ReplayPicture::paint(const ReplayMoment& moment, const ReplayLook& look) {
+  const ReplayView& replay = *moment.replay;
+  const std::vector<BodyDetail> details = details_at(replay, step_at(replay, moment.time_s));
+  Picture picture;
+  picture.bodies = bodies_at(replay, moment.time_s);
+  picture.enclosure = replay.enclosure;
+  picture.viewer = look.camera.seen_from(participant_of(moment));
+  std::vector<ColouredVolume> volumes;
+  if (look.volumes) {
+    std::vector<int> levels;
+    levels.reserve(details.size());
+    for (const BodyDetail& detail : details) {
+      levels.push_back(detail.level);
+    }
+    volumes = volumes_.of(replay.trees, levels, picture.bodies);
+  }
+  colour_bodies(picture.bodies, details, look.colours, replay.finest_level);
+  canvas_.painter.paint(picture, moment.area, volumes);
+}
+
+void ReplayPicture::draw_over(const ReplayMoment& moment, const ReplayLook& look) const {
+  const PictureMap map(look.camera.seen_from(participant_of(moment)), moment.area,
+                       canvas_.window.height_px());
+  push_clip_rect(moment.area, canvas_.gui.height());
+  if (look.contacts) {
+    draw_contacts(moment, map);
+  }
+  if (look.gaze) {
+    draw_gaze_of(moment, map);
+  }
+  draw_colour_line(canvas_.gui, moment.area,
+                   meanings_of(look.colours, moment.replay->finest_level));
+  draw_badge(canvas_.gui, moment.area, moment.words);
+  ImGui::PopClipRect();
+}
+
+}  // namespace impetus

@@ -1,0 +1,41 @@
+// A moment of a replay as a picture, with what was asked to be seen over it.
+//
+//   words          in the upper left corner: what it is
+//   own view       as the participant saw it; the gaze and the region lie on the glass, so from
+//                  elsewhere they are seen where the glass was
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "experiments/viewers/replays/replay_look.hpp"
+#include "experiments/viewers/volume_levels.hpp"
+#include "experiments/viewing/replay_view.hpp"
+#include "experiments/window/canvas.hpp"
+
+namespace impetus {
+
+struct ReplayMoment {
+  const ReplayView* replay{nullptr};
+  double time_s{0.0};
+  PixelArea area;  ///< of the window, with the shape of the recorded screen
+  std::string words;
+};
+
+class ReplayPicture {
+ public:
+  explicit ReplayPicture(Canvas& canvas) : canvas_(canvas) {}
+
+  /// Bodies and volumes. Before the frame of ImGui that draw_over() draws into.
+  void paint(const ReplayMoment& moment, const ReplayLook& look);
+
+  /// Contacts, gaze, legend and words.
+  void draw_over(const ReplayMoment& moment, const ReplayLook& look) const;
+
+ private:
+  Canvas& canvas_;
+  VolumeLevels volumes_;
+};
+
+}  // namespace impetus

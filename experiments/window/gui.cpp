@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/window/gui.hpp"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <backends/imgui_impl_sdl.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "experiments/drawing/palette.hpp"
+#include "experiments/record/shown_letters.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr const char* kPlainFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* kBoldFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+
+/// Body text: readable at arm's length.
+constexpr float kBodyShareOfHeight = 1.0F / 36.0F;
+constexpr float kSmallestBodyPx = 22.0F;
+constexpr std::array<float, kReadingSizes> kReadingScale{1.0F, 0.86F, 0.74F};
+constexpr float kTitleScale = 1.4F;
+constexpr float kSmallScale = 0.64F;
+
+/// First and last of each range, then 0. ImGui reads it when it builds the fonts' texture.
+const std::array<ImWchar, 2 * kShownLetters.size() + 1>& glyphs() {
+  static const auto kGlyphs = [] {
+    std::array<ImWchar, 2 * kShownLetters.size() + 1> ranges{};
+    for (std::size_t i = 0; i < kShownLetters.size(); ++i) {
+      ranges[2 * i] = kShownLetters[i].first;
+      ranges[2 * i + 1] = kShownLetters[i].last;
+    }
+    return ranges;
+  }();
+  return kGlyphs;
+}
+
+ImFont* load_font(const char* path, float size_px) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  const float whole_px = std::round(size_px);
+  if (std::filesystem::exists(path)) {
+    return atlas.AddFontFromFileTTF(path, whole_px, nullptr, glyphs().data());
+  }
+  ImFontConfig scaled;
+  scaled.SizePixels = whole_px;
+  return atlas.AddFontDefault(&scaled);
+}
+
+void apply_style(float body_px) {
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  style.WindowPadding = ImVec2(0, 0);
+  style.WindowBorderSize = 0.0F;
+  style.FramePadding = ImVec2(0.45F * body_px, 0.3F * body_px);
+  style.FrameRounding = 0.2F * body_px;
+  style.FrameBorderSize = 1.0F;
+  style.ItemSpacing = ImVec2(0.5F * body_px, 0.4F * body_px);
+  style.ScrollbarSize = 0.5F * body_px;
+  style.AntiAliasedLinesUseTex = false;
+  const auto colour = [&style](ImGuiCol what, ImU32 value) {
+    style.Colors[what] = ImGui::ColorConvertU32ToFloat4(value);
+  };
+  colour(ImGuiCol_Text, palette::kText);
+  colour(ImGuiCol_TextSelectedBg, IM_COL32(34, 82, 124, 90));
+  colour(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 0));
+  colour(ImGuiCol_ChildBg, palette::kSurface);
+  colour(ImGuiCol_FrameBg, palette::kSurface);
+  colour(ImGuiCol_FrameBgHovered, palette::kSurfaceHovered);
+  colour(ImGuiCol_FrameBgActive, palette::kSurfaceHovered);
+  colour(ImGuiCol_Border, palette::kLine);
+  colour(ImGuiCol_ScrollbarBg, palette::kSurface);
+  colour(ImGuiCol_ScrollbarGrab, palette::kLine);
+  colour(ImGuiCol_NavHighlight, IM_COL32(0, 0, 0, 0));
+}
+
+bool is_of_keyboard(const SDL_Event& event) {
+  return event.type == SDL_KEYDOWN || event.type == SDL_KEYUP;
+}
+
+bool is_ours(const SDL_Event& event) {
+  if (!is_of_keyboard(event)) {
+    return false;
+  }
+  const SDL_Keycode key = event.key.keysym.sym;
+  return key == SDLK_TAB || key == SDLK_ESCAPE || key == SDLK_RETURN || key == SDLK_KP_ENTER;
+}
+
+bool is_editing_key(const SDL_Event& event) {
+  if (!is_of_keyboard(event)) {
+    return false;
+  }
+  const SDL_Keysym& key = event.key.keysym;
+  const bool writes_text = key.sym >= SDLK_SPACE && key.sym < SDLK_DELETE;
+  return !writes_text || (key.mod & KMOD_CTRL) != 0;
+}
+
+}  // namespace
+
+Gui::Gui(GlWindow& window) : window_(window) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  load_fonts();
+  apply_style(body_size());
+  ImGui_ImplSDL2_InitForOpenGL(window_.handle(), window_.context());
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  // The first frame builds the fonts' texture: here, not in front of a participant.
+  begin();
+  discard();
+}
+
+Gui::~Gui() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplSDL2_Shutdown();
+  ImGui::DestroyContext();
+}
+
+float Gui::body_size() const {
+  return std::round(std::max(kSmallestBodyPx, height() * kBodyShareOfHeight));
+}
+
+void Gui::load_fonts() {
+  const float body_px = body_size();
+  for (std::size_t size = 0; size < kReadingSizes; ++size) {
+    fonts_.body[size] = load_font(kPlainFont, body_px * kReadingScale[size]);
+    fonts_.title[size] = load_font(kBoldFont, body_px * kTitleScale * kReadingScale[size]);
+  }
+  fonts_.small = load_font(kPlainFont, std::max(14.0F, body_px * kSmallScale));
+}
+
+void Gui::feed(const SDL_Event& event) {
+  const bool repeats = is_of_keyboard(event) && event.key.repeat != 0;  // ImGui repeats by itself
+  if (!is_ours(event) && !repeats) {
+    waiting_.push_back(event);
+  }
+}
+
+// ImGui sees only which keys are down in a frame: one that edits (Backspace, arrows, Ctrl-V) and
+// was pressed and released since the last frame would be lost, so one such event passes in a frame.
+// Letters come as text of their own.
+void Gui::pass_events() {
+  bool edited = false;
+  while (!waiting_.empty()) {
+    const SDL_Event& event = waiting_.front();
+    if (is_editing_key(event) && edited) {
+      break;
+    }
+    edited = edited || is_editing_key(event);
+    pointer_used_ =
+        pointer_used_ || event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN;
+    ImGui_ImplSDL2_ProcessEvent(&event);
+    if (is_of_keyboard(event)) {
+      // As they were with this key; ImGui's own code takes them as they are by now.
+      ImGui::GetIO().KeyCtrl = (event.key.keysym.mod & KMOD_CTRL) != 0;
+      ImGui::GetIO().KeyShift = (event.key.keysym.mod & KMOD_SHIFT) != 0;
+    }
+    waiting_.pop_front();
+  }
+}
+
+void Gui::forget_input() {
+  waiting_.clear();
+  pointer_used_ = false;
+  ImGuiIO& io = ImGui::GetIO();
+  std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+  io.ClearInputCharacters();
+  ImGui::ClearActiveID();
+}
+
+void Gui::begin() {
+  pass_events();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplSDL2_NewFrame();
+  if (!pointer_used_) {
+    ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // nowhere
+  }
+  ImGui::NewFrame();
+  ImGui::SetNextWindowPos(ImVec2(0, 0));
+  ImGui::SetNextWindowSize(ImVec2(width(), height()));
+  ImGui::Begin("screen", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushFont(fonts_.body[0]);
+}
+
+void Gui::end() {
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Gui::discard() {
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::EndFrame();
+}
+
+}  // namespace impetus

@@ -1,0 +1,67 @@
+// Dear ImGui for this room: one style, one set of fonts, and who may see which event.
+//
+// ImGui lays out, draws, edits text and follows the mouse. Keys that move the focus or answer a
+// page are ours (page_view), taken from the stamped events, so ImGui never sees them.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <array>
+#include <deque>
+
+#include "experiments/window/gl_window.hpp"
+
+namespace impetus {
+
+/// Text sizes: reading is tried at full size first, then closer, when a page is long.
+inline constexpr int kReadingSizes = 3;
+
+struct Fonts {
+  std::array<ImFont*, kReadingSizes> body{};
+  std::array<ImFont*, kReadingSizes> title{};
+  ImFont* small{nullptr};
+};
+
+class Gui {
+ public:
+  /// One per process at a time. `window` must outlive it.
+  explicit Gui(GlWindow& window);
+  ~Gui();
+  Gui(const Gui&) = delete;
+  Gui& operator=(const Gui&) = delete;
+
+  /// Hands over an event that text fields or buttons may need.
+  void feed(const SDL_Event& event);
+
+  /// Whether handed-over events still wait for the next frame.
+  [[nodiscard]] bool input_waits() const { return !waiting_.empty(); }
+
+  /// Forgets keys and letters on their way, and where the pointer rests, so that a new screen
+  /// starts clean: nothing is under the pointer until it moves or clicks.
+  void forget_input();
+
+  /// Starts a frame: one window without decoration that covers the display.
+  void begin();
+  /// Draws the frame on what was painted.
+  void end();
+  /// Ends the frame without drawing it: what it laid out was only measured.
+  void discard();
+
+  [[nodiscard]] const Fonts& fonts() const { return fonts_; }
+  [[nodiscard]] float width() const { return static_cast<float>(window_.width_px()); }
+  [[nodiscard]] float height() const { return static_cast<float>(window_.height_px()); }
+
+ private:
+  [[nodiscard]] float body_size() const;
+  void load_fonts();
+  void pass_events();
+
+  GlWindow& window_;
+  Fonts fonts_;
+  std::deque<SDL_Event> waiting_;
+  bool pointer_used_{false};  ///< moved or clicked since input was forgotten
+};
+
+}  // namespace impetus

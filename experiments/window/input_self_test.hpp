@@ -1,0 +1,20 @@
+// The window sends input to itself while it shows pictures, and notes when each arrives.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "experiments/record/sent_input.hpp"
+#include "experiments/window/window.hpp"
+
+namespace impetus {
+
+/// Calls `show`, which shows a picture in the window, until it returns false. Arrivals have the
+/// stamps and uncertainties that a session would keep. Somebody's own hand on the mouse disturbs
+/// the test. `clock` is the window's.
+InputTrace try_input(Window& window, const Clock& clock, const std::function<bool()>& show);
+
+/// Puts the pointer into the window's middle.
+void centre_pointer(Window& window);
+
+}  // namespace impetus

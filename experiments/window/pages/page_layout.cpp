@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/window/pages/page_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/drawing/palette.hpp"
+#include "experiments/window/key_names.hpp"
+#include "experiments/window/pages/button_rows.hpp"
+#include "experiments/window/pages/text_lines.hpp"
+#include "experiments/window/pages/widgets.hpp"
+
+namespace impetus {
+namespace {
+
+constexpr float kColumnEms = 36.0F;
+constexpr float kWidestShare = 0.86F;
+constexpr float kPointEms = 3.2F;  // of the points' own, larger text
+
+std::string hint_for(const Choice& choice) {
+  return choice.key.empty() || choice.label == choice.key ? ""
+                                                          : "  (" + printed_key(choice.key) + ")";
+}
+
+ButtonLook look_of(const Page& page, std::size_t choice, ImVec2 size_px, const ChoiceMarks& marks) {
+  return {page.choices[choice].label, hint_for(page.choices[choice]), size_px,
+          marks.focused == choice, marks.chosen == choice};
+}
+
+void move_down(float pixels) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::round(pixels)));
+}
+
+std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
+                                     const ChoiceMarks& marks) {
+  std::optional<std::size_t> clicked;
+  ImGui::SetCursorScreenPos(ImVec2(column.left, ImGui::GetCursorScreenPos().y));
+  ButtonRows rows(column.width, std::round(0.7F * ImGui::GetFontSize()));
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    const ImVec2 size_px =
+        button_size(page.choices[choice].label, hint_for(page.choices[choice]), column.width);
+    rows.place(size_px);
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+  }
+  rows.end();
+  return clicked;
+}
+
+/// Side by side, the first at the column's left edge and the last at its right.
+std::optional<std::size_t> draw_points(const Page& page, const Column& column,
+                                       const ChoiceMarks& marks) {
+  std::optional<std::size_t> clicked;
+  const auto count = static_cast<float>(page.choices.size());
+  float width_px = kPointEms * ImGui::GetFontSize();
+  for (const Choice& choice : page.choices) {
+    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
+  }
+  width_px = std::round(std::min(width_px, 0.86F * column.width / count));
+  const ImVec2 size_px(width_px, std::round(2.1F * ImGui::GetFontSize()));
+  const float apart_px = count > 1.0F ? (column.width - width_px) / (count - 1.0F) : 0.0F;
+  const float top = ImGui::GetCursorScreenPos().y;
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    const float left = column.left + std::round(static_cast<float>(choice) * apart_px);
+    ImGui::SetCursorScreenPos(ImVec2(left, top));
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+  }
+  ImGui::SetCursorScreenPos(ImVec2(column.left, top + size_px.y));
+  return clicked;
+}
+
+float widest_label(const Page& page) {
+  float width_px = 0.0F;
+  for (const Choice& choice : page.choices) {
+    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
+  }
+  return width_px;
+}
+
+float highest_label(const Page& page, float width_px) {
+  float height_px = 0.0F;
+  for (const Choice& choice : page.choices) {
+    height_px = std::max(height_px, button_size(choice.label, hint_for(choice), width_px).y);
+  }
+  return height_px;
+}
+
+/// The largest letters in which every label fits the width; none when not even the smallest do.
+ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
+  const Fonts& fonts = gui.fonts();
+  for (ImFont* font : {fonts.title[0], fonts.body[0], fonts.body[1]}) {
+    ImGui::PushFont(font);
+    const bool fits = widest_label(page) <= width_px;
+    ImGui::PopFont();
+    if (fits) {
+      return font;
+    }
+  }
+  return nullptr;
+}
+
+/// Side by side and of one size; one below the other when their words are long.
+std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
+                                              const Column& column, const ChoiceMarks& marks) {
+  const float gap_px = std::round(1.2F * ImGui::GetFontSize());
+  const auto count = static_cast<float>(page.choices.size());
+  const float share_px = std::floor((column.width - (count - 1.0F) * gap_px) / count);
+  ImFont* font = font_within(gui, page, share_px);
+  const bool abreast = font != nullptr;
+  if (!abreast) {
+    font = font_within(gui, page, column.width);
+  }
+  ImGui::PushFont(font != nullptr ? font : gui.fonts().body[kReadingSizes - 1]);
+  const float width_px = abreast ? share_px : column.width;
+  const ImVec2 size_px(
+      width_px, std::max(std::round(3.0F * ImGui::GetFontSize()), highest_label(page, width_px)));
+  std::optional<std::size_t> clicked;
+  ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
+  for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
+    ImGui::SetCursorScreenPos(at);
+    if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
+      clicked = choice;
+    }
+    at.x += abreast ? size_px.x + gap_px : 0.0F;
+    at.y += abreast ? 0.0F : size_px.y + gap_px;
+  }
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos(ImVec2(column.left, abreast ? at.y + size_px.y : at.y - gap_px));
+  return clicked;
+}
+
+/// Beside a bar, as a quotation is set.
+void draw_statement(const std::string& statement, ImFont* font, const Column& column) {
+  const float indent_px = std::round(0.8F * font->FontSize);
+  const float bar_px = std::round(0.18F * font->FontSize);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(column.left + indent_px, from.y));
+  const float height_px =
+      draw_text(statement, font, palette::kText, column.width - indent_px, Align::kLeft);
+  const float bottom = from.y + height_px - (line_height(*font) - font->FontSize);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(column.left, from.y),
+                                            ImVec2(column.left + bar_px, bottom), palette::kAccent);
+  ImGui::SetCursorScreenPos(ImVec2(from.x, from.y + height_px));
+}
+
+void draw_anchors(const Gui& gui, const Page& page, const Column& column) {
+  ImFont* font = gui.fonts().body[1];
+  const float width_px = 0.42F * column.width;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float low = draw_text(page.low_anchor, font, palette::kText, width_px, Align::kLeft);
+  ImGui::SetCursorScreenPos(ImVec2(column.left + column.width - width_px, at.y));
+  const float high = draw_text(page.high_anchor, font, palette::kText, width_px, Align::kRight);
+  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::max(low, high)));
+}
+
+}  // namespace
+
+Column reading_column(const Gui& gui) {
+  const float em_px = gui.fonts().body[0]->FontSize;
+  const float width = std::round(std::min(kColumnEms * em_px, kWidestShare * gui.width()));
+  return {std::floor((gui.width() - width) / 2.0F), width};
+}
+
+float part_gap() { return std::round(0.9F * ImGui::GetFontSize()); }
+
+void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
+  const Column column = reading_column(gui);
+  const bool is_centred =
+      page.layout == Page::Layout::kScale || page.layout == Page::Layout::kChoices;
+  const Align align = is_centred ? Align::kCentre : Align::kLeft;
+  if (!page.title.empty()) {
+    draw_text(page.title, gui.fonts().title[reading_size], palette::kText, column.width, align);
+    move_down(part_gap());
+  }
+  for (const std::string& paragraph : page.paragraphs) {
+    draw_text(paragraph, gui.fonts().body[reading_size], palette::kText, column.width, align);
+    move_down(0.65F * ImGui::GetFontSize());
+  }
+  if (!page.statement.empty()) {
+    draw_statement(page.statement, gui.fonts().body[reading_size], column);
+  }
+}
+
+std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
+                                        const ChoiceMarks& marks) {
+  const Column column = reading_column(gui);
+  move_down(part_gap());
+  if (page.layout == Page::Layout::kChoices) {
+    move_down(part_gap());
+    return draw_large_choices(gui, page, column, marks);
+  }
+  if (page.layout != Page::Layout::kScale) {
+    return draw_rows(page, column, marks);
+  }
+  move_down(part_gap());
+  ImGui::PushFont(gui.fonts().title[0]);
+  const auto clicked = draw_points(page, column, marks);
+  ImGui::PopFont();
+  move_down(0.5F * ImGui::GetFontSize());
+  draw_anchors(gui, page, column);
+  if (page.choices.size() > 1) {
+    move_down(1.5F * part_gap());
+    draw_text("Press " + printed_key(page.choices.front().key) + " – " +
+                  printed_key(page.choices.back().key) + ", or click.",
+              gui.fonts().small, palette::kQuietText, column.width, Align::kCentre);
+  }
+  return clicked;
+}
+
+}  // namespace impetus

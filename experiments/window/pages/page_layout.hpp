@@ -1,0 +1,37 @@
+// How a page is laid out: one column of comfortable width, its words, and its choices.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "experiments/record/page.hpp"
+#include "experiments/window/gui.hpp"
+
+namespace impetus {
+
+/// Where a page's words stand.
+struct Column {
+  float left{0.0F};
+  float width{0.0F};
+};
+
+/// 60 to 70 letters wide, in the middle of the window.
+[[nodiscard]] Column reading_column(const Gui& gui);
+
+/// Space between a page's parts.
+[[nodiscard]] float part_gap();
+
+/// Which choice stands out.
+struct ChoiceMarks {
+  std::optional<std::size_t> focused;
+  std::optional<std::size_t> chosen;
+};
+
+/// Title and paragraphs, from the cursor down.
+void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
+
+/// The choices as buttons in rows, as the points of a scale with its anchors, or large and side by
+/// side. Returns the one that was clicked.
+std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
+
+}  // namespace impetus

@@ -1,0 +1,25 @@
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(SDL2 REQUIRED IMPORTED_TARGET sdl2)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
+pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
+pkg_check_modules(X11 IMPORTED_TARGET x11)
+pkg_check_modules(XTST IMPORTED_TARGET xtst)
+
+impetus_room(drawing USES impetus_run)
+impetus_room(window USES impetus_drawing impetus_session)
+impetus_room(viewers USES impetus_window impetus_viewing)
+
+# Private: no other room sees the window's libraries.
+foreach(room drawing window viewers)
+  target_link_libraries(impetus_${room}
+    PRIVATE PkgConfig::SDL2 PkgConfig::EPOXY PkgConfig::IMGUI PkgConfig::PNG ${CMAKE_DL_LIBS})
+endforeach()
+if(X11_FOUND)
+  target_link_libraries(impetus_window PRIVATE PkgConfig::X11)
+  target_compile_definitions(impetus_window PRIVATE IMPETUS_HAS_X11)
+endif()
+if(X11_FOUND AND XTST_FOUND)
+  target_link_libraries(impetus_window PRIVATE PkgConfig::XTST)
+  target_compile_definitions(impetus_window PRIVATE IMPETUS_HAS_XTEST)
+endif()

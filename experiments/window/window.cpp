@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/window/window.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "experiments/drawing/palette.hpp"
+#include "experiments/window/canvas.hpp"
+#include "experiments/window/display_loss.hpp"
+#include "experiments/window/fixation_target.hpp"
+#include "experiments/window/pages/page_turn.hpp"
+#include "experiments/window/pages/progress_bar.hpp"
+
+namespace impetus {
+namespace {
+
+std::shared_ptr<const TriangleMesh> tiny_triangle() {
+  TriangleMesh mesh;
+  mesh.vertices = {Vector3(0.0, 0.0, 0.0), Vector3(0.01, 0.0, 0.0), Vector3(0.0, 0.01, 0.0)};
+  mesh.triangles = {{0, 1, 2}};
+  return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+}  // namespace
+
+Window::Window(const WindowOptions& options, const Clock& clock)
+    : canvas_(std::make_unique<Canvas>(options, clock)) {
+  set_geometry({});
+  while_display_lasts([this] { warm_up(); });
+}
+
+Window::~Window() {
+  if (display_lost()) {
+    // Closing would call into libraries whose locks the loss left held.
+    static_cast<void>(canvas_.release());
+  }
+}
+
+double Window::refresh_hz() const { return canvas_->window.refresh_hz(); }
+const ScreenGeometry& Window::geometry() const { return geometry_; }
+int Window::width_px() const { return canvas_->window.width_px(); }
+int Window::height_px() const { return canvas_->window.height_px(); }
+void Window::restart_grid() { canvas_->pacer.restart(); }
+bool Window::has_patch() const { return canvas_->patch.area().has_value(); }
+
+void Window::show_patch(ScreenCorner corner) {
+  canvas_->patch.lie_in(patch_area(corner, geometry_, width_px(), height_px()));
+}
+
+void Window::set_geometry(const ScreenGeometry& geometry) {
+  geometry_ = geometry;
+  if (geometry_.width_px == 0) {
+    geometry_.width_px = width_px();
+  }
+  if (geometry_.height_px == 0) {
+    geometry_.height_px = height_px();
+  }
+  ScreenGeometry shown = geometry_;
+  shown.width_px = width_px();
+  shown.height_px = height_px();
+  canvas_->mouse.set_geometry(shown);
+}
+
+// Drivers finish compiling shaders when they are first used: not in front of a participant.
+void Window::warm_up() {
+  Picture picture;
+  picture.fixation_cross = true;
+  picture.viewer = viewer_at({0.4, 0.3, width_px(), height_px(), 0.6}, 0.0);
+  picture.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}}});
+  picture.progress = {1, 2, "0123456789"};
+  canvas_->window.show_cursor(false);
+  Picture with_mesh = picture;
+  with_mesh.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}, tiny_triangle()}});
+  with_mesh.enclosure = ClosedCube{0.1};
+  Picture crowd = with_mesh;
+  crowd.bodies.resize(kFewBodies + 1, with_mesh.bodies.back());
+  constexpr int kFrames = 3;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    canvas_->painter.paint(with_mesh, canvas_->whole());
+    canvas_->painter.paint(crowd, canvas_->whole());
+    canvas_->painter.paint(picture, canvas_->whole());
+    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
+    canvas_->gui.begin();
+    draw_progress(canvas_->gui, picture.progress, Ground::kPage);
+    canvas_->gui.end();
+    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
+    static_cast<void>(canvas_->pacer.flip());
+  }
+  canvas_->events.discard();
+}
+
+Flip Window::show(const Picture& picture) {
+  Flip flip;
+  while_display_lasts([&] {
+    canvas_->window.show_cursor(picture.pointer);
+    canvas_->painter.paint(picture, canvas_->whole());
+    canvas_->gui.begin();
+    if (picture.target) {
+      draw_fixation_target(canvas_->gui, geometry_, *picture.target);
+    }
+    draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
+    canvas_->gui.end();
+    canvas_->patch.paint(canvas_->painter, picture.patch_code);
+    flip = canvas_->pacer.flip();
+    canvas_->mouse.take(canvas_->events.take());
+  });
+  return flip;
+}
+
+std::vector<ClickRecord> Window::take_clicks() { return canvas_->mouse.take_clicks(); }
+Gaze& Window::mouse_gaze() { return canvas_->mouse; }
+
+Answer Window::ask(const Page& page) {
+  Answer answer;
+  answer.interruption = Interruption::kDisplayClosed;
+  while_display_lasts([&] { answer = PageTurn(*canvas_, page).ask(); });
+  return answer;
+}
+
+void Window::show_page_for(const Page& page, double seconds,
+                           std::optional<std::size_t> highlighted_choice) {
+  while_display_lasts([&] { PageTurn(*canvas_, page).show_for(seconds, highlighted_choice); });
+}
+
+Interruption Window::interruption() {
+  if (canvas_->events.closed()) {
+    return Interruption::kDisplayClosed;
+  }
+  return canvas_->events.take_pause_request() ? Interruption::kPauseRequested : Interruption::kNone;
+}
+
+SyncTest Window::sync_test() {
+  SyncTest test;
+  while_display_lasts([&] {
+    canvas_->window.show_cursor(false);
+    test = canvas_->pacer.sync_test(
+        [this] { canvas_->painter.fill(canvas_->whole(), palette::kPictureGrey); });
+  });
+  return test;
+}
+
+std::string Window::description() const {
+  return canvas_->window.description() + "; flip stamp: " + canvas_->pacer.anchor();
+}
+
+}  // namespace impetus

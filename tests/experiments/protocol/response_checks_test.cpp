@@ -1,0 +1,114 @@
+// Questions that do not fit their protocol are refused by name.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "tests/experiments/asked_study.hpp"
+
+namespace impetus::response_checks_test {
+
+TEST(ResponseChecks, SomethingMustBeAsked) {
+  EXPECT_EQ(asked_refusal(asked_protocol({})),
+            "asked.json:/: expected something that participants answer, a key \"rating\", "
+            "\"yes_no\", \"two_interval\", \"free_text\" or \"clicks\", but there is none");
+  for (const char* question : {kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText, kAskClicks}) {
+    EXPECT_EQ(asked_refusal(asked_protocol({question})), "accepted") << question;
+  }
+}
+
+TEST(ResponseChecks, YesIsRightByAFactorOfNumbers) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["yes_no"]["right_when"]["factor"] = "gap";
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/yes_no/right_when/factor: expected the name of a factor, got \"gap\"");
+  protocol["yes_no"]["right_when"]["factor"] = "colour";
+  protocol["design"]["factors"].push_back(json::parse(
+      R"({"name": "colour", "pointer": "/bodies/0/colour", "levels": ["#ffffff", "#000000"]})"));
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/yes_no/right_when/factor: expected a factor whose levels are numbers, got "
+            "\"colour\", which has \"#ffffff\"");
+}
+
+TEST(ResponseChecks, TheStandardNamesFactorsAndHasLevelsThatTheSceneCanShow) {
+  const auto refused = [](const json& standard) {
+    json protocol = asked_protocol({kAskTwoInterval});
+    protocol["two_interval"]["standard"] = standard;
+    return asked_refusal(protocol);
+  };
+  EXPECT_EQ(refused({{"gap", 0}}),
+            "asked.json:/two_interval/standard: expected only factors of the design, got \"gap\"");
+  EXPECT_EQ(refused(json::object()),
+            "asked.json:/two_interval/standard: expected at least one level, or both intervals "
+            "show the same, got {}");
+  EXPECT_EQ(refused({{"delay_ms", "long"}}),
+            "asked.json:/two_interval/standard/delay_ms: expected a number ≥ 0 and ≤ 60000, got "
+            "\"long\"");
+  EXPECT_EQ(
+      refused({{"delay_ms", -100}}),
+      "asked.json:/two_interval/standard/delay_ms: expected a number ≥ 0 and ≤ 60000, got -100");
+  EXPECT_EQ(refused({{"delay_ms", 100}}), "accepted");
+}
+
+TEST(ResponseChecks, TheStandardAndTheBlankFallOnFrames) {
+  const auto refused = [](const json& standard, double between_ms, bool allow_rounding) {
+    json protocol = asked_protocol({kAskTwoInterval});
+    protocol["two_interval"]["standard"] = standard;
+    protocol["two_interval"]["between_ms"] = between_ms;
+    return refusal([&] { check_frames(study_of(protocol), 60.0, allow_rounding); });
+  };
+  EXPECT_EQ(refused({{"delay_ms", 90}}, 500, false),
+            "asked.json:/two_interval/standard/delay_ms: expected a whole number of 60 Hz frames "
+            "(16.67 ms), got 90");
+  EXPECT_EQ(refused({{"delay_ms", 100}}, 510, false),
+            "asked.json:/two_interval/between_ms: expected a whole number of 60 Hz frames (16.67 "
+            "ms), got 510.0");
+  EXPECT_EQ(refused({{"delay_ms", 90}}, 510, true), "accepted");
+  EXPECT_EQ(refused({{"delay_ms", 100}}, 500, false), "accepted");
+}
+
+json with_training(json protocol) {
+  protocol["design"]["train_until"] = json::parse(R"({"right": 1, "of": 2, "most_trials": 9})");
+  return protocol;
+}
+
+TEST(ResponseChecks, TrainingNeedsARightAnswerAndPracticeAndNoOtherRule) {
+  EXPECT_EQ(asked_refusal(with_training(asked_protocol({kAskYesNo}))), "accepted");
+  EXPECT_EQ(asked_refusal(with_training(asked_protocol({kAskTwoInterval}))), "accepted");
+  json without_rule = with_training(asked_protocol({kAskYesNo, kAskRating}));
+  without_rule["yes_no"].erase("right_when");
+  EXPECT_EQ(asked_refusal(without_rule),
+            "asked.json:/design/train_until: expected a question that has a right answer (yes_no "
+            "with right_when, or two_interval), but there is none");
+  json untrained = with_training(asked_protocol({kAskYesNo}));
+  untrained["design"].erase("practice");
+  EXPECT_EQ(asked_refusal(untrained),
+            "asked.json:/design/train_until: expected conditions to train with in "
+            "/design/practice, but there are none");
+  json both = with_training(asked_protocol({kAskYesNo, kAskRating}));
+  both["design"]["practice_until"] =
+      json::parse(R"({"factor": "delay_ms", "best": 0, "worst": 300, "rounds": 2})");
+  EXPECT_EQ(asked_refusal(both),
+            "asked.json:/design/train_until: expected either this or practice_until, but both are "
+            "there");
+}
+
+TEST(ResponseChecks, PracticeUntilNeedsARating) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["design"]["practice_until"] =
+      json::parse(R"({"factor": "delay_ms", "best": 0, "worst": 300, "rounds": 2})");
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/design/practice_until: expected the key \"rating\" in the protocol, "
+            "because the best level must be rated better than the worst, but it is missing");
+}
+
+TEST(ResponseChecks, ATimeLimitIsPositive) {
+  for (const char* kind : {"rating", "yes_no", "two_interval"}) {
+    json protocol = asked_protocol({kAskRating, kAskYesNo, kAskTwoInterval});
+    protocol[kind]["timeout_ms"] = 0;
+    EXPECT_EQ(asked_refusal(protocol),
+              std::string("asked.json:/") + kind +
+                  "/timeout_ms: expected a number > 0 and ≤ 600000, got 0");
+  }
+}
+
+}  // namespace impetus::response_checks_test

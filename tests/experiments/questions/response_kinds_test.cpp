@@ -1,0 +1,130 @@
+// What a kind of response declares is what the protocol takes, what the study file keeps and what
+// a simulated participant does.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "experiments/protocol/checks/observer_checks.hpp"
+#include "experiments/questions/response_kinds.hpp"
+#include "tests/experiments/asked_study.hpp"
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus::response_kinds_test {
+
+constexpr const char* kSharedTable = "response";
+
+std::vector<std::string> sorted_names(const std::vector<DeclaredValue>& values) {
+  std::vector<std::string> names;
+  for (const DeclaredValue& value : values) {
+    EXPECT_FALSE(value.meaning.empty()) << value.name;
+    names.push_back(value.name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(ResponseKinds, ParametersAreThoseOfTheProtocolsSchema) {
+  const json schema = json::parse(shipped("protocols/protocol.schema.json"));
+  for (const ResponseKind& kind : response_kinds()) {
+    const json& block = schema["properties"][kind.protocol_key];
+    std::vector<std::string> known;
+    for (auto entry = block["properties"].begin(); entry != block["properties"].end(); ++entry) {
+      known.push_back(entry.key());
+    }
+    EXPECT_EQ(sorted_names(kind.parameters), known) << kind.name;
+    std::vector<DeclaredValue> needed = kind.parameters;
+    std::erase_if(needed, [](const DeclaredValue& value) { return value.optional; });
+    auto required = block["required"].get<std::vector<std::string>>();
+    std::sort(required.begin(), required.end());
+    EXPECT_EQ(required, sorted_names(needed)) << kind.name;
+  }
+}
+
+TEST(ResponseKinds, ColumnsAreThoseOfTheStudyFilesTables) {
+  const TemporaryFolder folder;
+  StudyFile study = opened(folder / "a.sqlite");
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.table == kSharedTable) {
+      continue;
+    }
+    SQLite::Statement query(study.database(),
+                            "SELECT name FROM pragma_table_info(?) WHERE name <> 'attempt_id' "
+                            "ORDER BY name");
+    query.bind(1, kind.table);
+    std::vector<std::string> columns;
+    while (query.executeStep()) {
+      columns.push_back(query.getColumn(0).getString());
+    }
+    EXPECT_EQ(sorted_names(kind.recorded), columns) << kind.name;
+  }
+}
+
+TEST(ResponseKinds, DetailsAreThoseThatARecordHas) {
+  const std::vector<std::string> questions{kAskYesNo, kAskTwoInterval, kAskFreeText};
+  TestLab lab(60.0, asked(questions));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), 0);
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.table != kSharedTable) {
+      continue;
+    }
+    const ResponseRecord* response = response_to(kind.name, record);
+    ASSERT_NE(response, nullptr) << kind.name;
+    std::vector<std::string> names;
+    for (const FactorLevel& detail : response->detail) {
+      names.push_back(detail.factor);
+    }
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, sorted_names(kind.recorded)) << kind.name;
+  }
+}
+
+TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
+  json document = json::parse(shipped("protocols/gaze-contingent.json"));
+  document.merge_patch(json::parse(R"({"yes_no": {"question": "?"}, "free_text": {"question": "?"},
+    "two_interval": {"question": "?", "standard": {"scheduling": "all-good"}}})"));
+  const Protocol protocol =
+      make_protocol(parse_json(source_file("protocols/gaze-contingent.json"), document.dump()),
+                    parse_json("cube.json", shipped("stimuli/l-blocks-in-a-cube.json")));
+  const ObserverFile file = load_observer("gaze-contingent", protocol.document.name);
+  EXPECT_NO_THROW(check_observer(protocol, file));
+  TestLab lab(60.0, protocol);
+  const auto observer = make_observer(file, 1, "S01", lab.clock, lab.clock);
+  PlannedTrial bad;
+  bad.condition = {{"scheduling", std::string("all-bad")}, {"bodies", 5.0}};
+  const Ports ports{lab.display,     *observer,  lab.scenes, lab.recorder,
+                    observer->eye(), &lab.clock, &lab.clock};
+  const AttemptRecord record = run_attempt(bad, 1, protocol.script, {}, ports).record;
+  const std::vector<std::string> asked = responses_of(protocol.script);
+  ASSERT_EQ(asked.size(), response_kinds().size());
+  EXPECT_GT(record.clicks.size(), 0U);
+  EXPECT_EQ(record.clicks.front().device, "simulated");
+  EXPECT_EQ(record.ratings.size(), 1U);
+  EXPECT_EQ(record.responses.size(), 3U);
+  EXPECT_GT(record.gaze.size(), 2000U);  // twice 10 s at 250 Hz
+}
+
+TEST(ResponseKinds, AnObserverThatCannotDoWhatIsAskedIsRefused) {
+  json document = json::parse(shipped("protocols/gaze-contingent.json"));
+  document["rating"]["maximum"] = 3;
+  document["rating"]["best"] = 3;
+  const auto refused = [&](const char* without) {
+    json changed = document;
+    changed.erase(without);
+    changed["design"]["factors"][0]["levels"] = {"all-good", "all-bad", "random"};
+    changed["design"]["practice"].erase(2);
+    return refusal([&] {
+      const Protocol protocol =
+          make_protocol(parse_json("gaze.json", changed.dump()),
+                        parse_json("cube.json", shipped("stimuli/l-blocks-in-a-cube.json")));
+      check_observer(protocol, load_observer("gap", source_file("protocols/gaze-contingent.json")));
+    });
+  };
+  EXPECT_EQ(refused("gaze"),
+            "gaze.json:/clicks: expected none for the simulated participant gap, which does not "
+            "click");
+  EXPECT_EQ(refused("clicks"),
+            "gaze.json:/gaze: expected none for the simulated participant gap, which has no eye");
+}
+
+}  // namespace impetus::response_kinds_test

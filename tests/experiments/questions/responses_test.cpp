@@ -1,0 +1,186 @@
+// What the questions after a stimulus ask, and what becomes of an answer or of none.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/session_pages.hpp"
+#include "experiments/session/intervals.hpp"
+#include "tests/experiments/asked_study.hpp"
+
+namespace impetus::responses_test {
+
+constexpr std::size_t kYes = 0;
+constexpr std::size_t kNo = 1;
+
+ResponseRecord yes_no_answer(double delay_ms, std::size_t choice) {
+  TestLab lab(60.0, asked({kAskYesNo}));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(delay_ms), choice);
+  EXPECT_EQ(record.outcome, AttemptOutcome::kCompleted);
+  EXPECT_TRUE(record.ratings.empty());
+  EXPECT_EQ(record.responses.size(), 1U);
+  return record.responses.front();
+}
+
+TEST(Responses, YesIsPositiveAndRightOnlyWhereTheLevelIsAboveTheRule) {
+  EXPECT_EQ(yes_no_answer(300, kYes).positive, true);
+  EXPECT_EQ(yes_no_answer(300, kYes).correct, true);
+  EXPECT_EQ(yes_no_answer(300, kNo).positive, false);
+  EXPECT_EQ(yes_no_answer(300, kNo).correct, false);
+  EXPECT_EQ(yes_no_answer(0, kYes).correct, false);
+  EXPECT_EQ(yes_no_answer(0, kNo).correct, true);
+  EXPECT_EQ(yes_no_answer(0, kNo).answer, "no");
+}
+
+TEST(Responses, WithoutARuleNothingIsRightOrWrong) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["yes_no"].erase("right_when");
+  TestLab lab(60.0, study_of(protocol));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), kYes);
+  EXPECT_EQ(record.responses.front().positive, true);
+  EXPECT_FALSE(record.responses.front().correct);
+  EXPECT_FALSE(answered_right(record));
+}
+
+TEST(Responses, KindsAreAskedOneAfterTheOtherInAFixedOrder) {
+  TestLab lab(60.0, asked({kAskFreeText, kAskTwoInterval, kAskYesNo, kAskRating}));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), 0);
+  EXPECT_EQ(lab.input.titles,
+            (std::vector<std::string>{"How believable was it?", "Was there a delay?",
+                                      "Which had a delay?", "What did you see?"}));
+  ASSERT_EQ(record.responses.size(), 3U);
+  EXPECT_EQ(record.responses[0].kind, "yes_no");
+  EXPECT_EQ(record.responses[1].kind, "two_interval");
+  EXPECT_EQ(record.responses[2].kind, "free_text");
+  EXPECT_EQ(record.ratings.size(), 1U);
+}
+
+TEST(Responses, AQuestionLeftUnansweredIsKeptAsTimedOutAndTheTrialIsCompleted) {
+  TestLab lab(60.0, asked({kAskRating, kAskYesNo, kAskTwoInterval}));
+  lab.input.on_page = [](const Page& page) {
+    EXPECT_EQ(page.timeout_ms, 5000.0) << page.response;
+    Answer answer;
+    answer.timed_out = true;
+    return answer;
+  };
+  const AttemptRecord record =
+      run_attempt(trial_with_delay(0), 1, lab.protocol.script, {}, lab.ports()).record;
+  EXPECT_EQ(record.outcome, AttemptOutcome::kCompleted);
+  EXPECT_TRUE(record.ratings.empty());
+  ASSERT_EQ(record.responses.size(), 3U);
+  EXPECT_EQ(record.responses[0].kind, "rating");
+  EXPECT_EQ(record.responses[0].question, "How believable was it?");
+  for (const ResponseRecord& response : record.responses) {
+    EXPECT_TRUE(response.timed_out) << response.kind;
+    EXPECT_EQ(response.answer, "") << response.kind;
+    EXPECT_EQ(response.device, "none") << response.kind;
+    EXPECT_FALSE(response.positive) << response.kind;
+  }
+  // There is no right answer to a rating; no answer is not a right one.
+  EXPECT_FALSE(record.responses[0].correct);
+  EXPECT_EQ(record.responses[1].correct, false);
+  EXPECT_EQ(record.responses[2].correct, false);
+}
+
+TEST(Responses, AnInterruptedQuestionInterruptsTheTrialAndKeepsWhatWasAnsweredBefore) {
+  TestLab lab(60.0, asked({kAskRating, kAskYesNo}));
+  lab.input.on_page = [](const Page& page) {
+    Answer answer;
+    if (page.response == "yes_no") {
+      answer.interruption = Interruption::kPauseRequested;
+    }
+    return answer;
+  };
+  const AttemptResult result =
+      run_attempt(trial_with_delay(0), 1, lab.protocol.script, {}, lab.ports());
+  EXPECT_EQ(result.record.outcome, AttemptOutcome::kInterrupted);
+  EXPECT_EQ(result.interruption, Interruption::kPauseRequested);
+  EXPECT_EQ(result.record.ratings.size(), 1U);
+  EXPECT_TRUE(result.record.responses.empty());
+}
+
+TEST(Responses, FreeWordsAreKeptAsTheyWereWritten) {
+  TestLab lab(60.0, asked({kAskFreeText}));
+  lab.input.on_page = [](const Page& page) {
+    Answer answer;
+    answer.fields = {page.response == "free_text" ? "it “stuck”, 2×" : ""};
+    return answer;
+  };
+  const AttemptRecord record =
+      run_attempt(trial_with_delay(0), 1, lab.protocol.script, {}, lab.ports()).record;
+  ASSERT_EQ(record.responses.size(), 1U);
+  EXPECT_EQ(record.responses.front().answer, "it “stuck”, 2×");
+  EXPECT_FALSE(record.responses.front().positive);
+}
+
+TEST(Responses, PagesSayWhichResponseTheyAskForAndWhichChoiceIsPositive) {
+  const Protocol protocol = asked({kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText});
+  const SessionProgress progress;
+  const PlannedTrial trial = trial_with_delay(0);
+  const AskedTrial second{protocol.script, trial, progress, 2};
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.page != nullptr) {
+      const Page page = kind.page(second);
+      EXPECT_EQ(page.response, kind.name);
+      EXPECT_EQ(page.positive_choice, kind.name == "two_interval" ? 1U : 0U) << kind.name;
+      EXPECT_TRUE(page.can_pause) << kind.name;
+    }
+  }
+}
+
+TEST(Responses, PracticeFeedbackSaysInWordsWhetherItWasRight) {
+  const auto feedback = [](const std::vector<std::string>& questions, double delay_ms,
+                           std::size_t choice) {
+    TestLab lab(60.0, asked(questions));
+    const AttemptRecord record = answered_trial(lab, trial_with_delay(delay_ms), choice);
+    const auto page = practice_feedback(lab.protocol.script, record, {});
+    std::string words = page ? page->title : "none";
+    for (std::size_t i = 0; page && i < page->paragraphs.size(); ++i) {
+      words += " / " + page->paragraphs[i];
+    }
+    return words;
+  };
+  EXPECT_EQ(feedback({kAskYesNo}, 300, kYes), "You answered “yes” / That was right.");
+  EXPECT_EQ(feedback({kAskYesNo}, 0, kYes),
+            "You answered “yes” / That was not right: the answer was “no”.");
+  EXPECT_EQ(feedback({kAskYesNo}, 300, kNo),
+            "You answered “no” / That was not right: the answer was “yes”.");
+  const bool first = test_interval(asked({kAskTwoInterval}).script, trial_with_delay(300)) == 1;
+  EXPECT_EQ(feedback({kAskTwoInterval}, 300, first ? 0 : 1),
+            std::string("You chose “the ") + (first ? "first" : "second") + "” / That was right.");
+  EXPECT_EQ(feedback({kAskTwoInterval}, 300, first ? 1 : 0),
+            std::string("You chose “the ") + (first ? "second" : "first") +
+                "” / That was not right: the answer was “the " + (first ? "first" : "second") +
+                "”.");
+  EXPECT_EQ(feedback({kAskClicks}, 300, 0),
+            "Practice / You did not click. / There are no right or wrong answers: it is how it "
+            "looked to you.");
+  EXPECT_EQ(feedback({kAskFreeText}, 300, 0), "none");
+}
+
+TEST(Responses, PracticeFeedbackOnYesOrNoWithoutARuleDoesNotDenyThatOneIsRight) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["yes_no"].erase("right_when");
+  TestLab lab(60.0, study_of(protocol));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300), kYes);
+  const auto page = practice_feedback(lab.protocol.script, record, {});
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->title, "You answered “yes”");
+  EXPECT_EQ(page->paragraphs, (std::vector<std::string>{"Answer by how it looked to you."}));
+}
+
+TEST(Responses, PracticeFeedbackSaysThatTheTimeWasUp) {
+  TestLab lab(60.0, asked({kAskRating}));
+  lab.input.on_page = [](const Page&) {
+    Answer answer;
+    answer.timed_out = true;
+    return answer;
+  };
+  const AttemptRecord record =
+      run_attempt(trial_with_delay(0), 1, lab.protocol.script, {}, lab.ports()).record;
+  const auto page = practice_feedback(lab.protocol.script, record, {});
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->title, "The time was up");
+  EXPECT_EQ(page->paragraphs.front(), "You have 5 s to answer.");
+}
+
+}  // namespace impetus::responses_test

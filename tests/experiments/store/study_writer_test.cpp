@@ -1,0 +1,268 @@
+// What a session keeps in its study, and that it says in one sentence when it cannot.
+// SPDX-License-Identifier: MIT
+#include "experiments/run/playback.hpp"
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus::study_writer_test {
+
+/// Saves the recorded attempts one by one until one fails; returns how many were acknowledged and
+/// the sentence: "3 file: could not ...".
+std::string save_until_refused(EnrolledStudy& at, const std::function<void()>& fill_disk) {
+  StudyWriter writer(at.study, at.enrolment, facts());
+  int acknowledged = 0;
+  for (const AttemptRecord& attempt : recorded_attempts()) {
+    if (acknowledged == 3) {
+      fill_disk();
+    }
+    writer.save(attempt);
+    const std::string sentence = sentence_of([&] { writer.await_saved(); });
+    if (sentence != "accepted") {
+      // What comes after a gap must not stand in the file as if there were none.
+      writer.save(QuestionRecord{"question", "strategy", "How?", "later"});
+      EXPECT_EQ(sentence_of([&] { writer.await_saved(); }), sentence);
+      return std::to_string(acknowledged) + " " + sentence;
+    }
+    ++acknowledged;
+  }
+  return "accepted";
+}
+
+void expect_three_whole_attempts(const std::filesystem::path& path) {
+  opened(path);  // Opens, and leaves one file.
+  EXPECT_EQ(value_of(path, "PRAGMA integrity_check"), "ok");
+  EXPECT_EQ(value_of(path,
+                     "SELECT group_concat(slot) FROM attempt JOIN trial "
+                     "ON trial.id = trial_id WHERE outcome = 'completed'"),
+            "1,2,3");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM answer"), "0");
+  StudyFile study = StudyFile::open_for_reading(path);
+  for (const StoredAttempt& attempt : load_attempts(study)) {
+    const auto slot = static_cast<std::size_t>(attempt.trial.slot);
+    EXPECT_EQ(load_steps(study.database(), attempt.id).size(),
+              recorded_attempts()[slot - 1].steps.size());
+  }
+}
+
+TEST(StudyWriter, AFullDatabaseEndsInOneSentenceAndKeepsWhatWasAcknowledged) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  {
+    EnrolledStudy at(path);
+    EXPECT_EQ(
+        save_until_refused(at, [&] { at.study.database().exec("PRAGMA max_page_count = 1"); }),
+        "3 " + path +
+            ": could not be written (database or disk is full); everything up to the last "
+            "completed trial is saved");
+  }
+  expect_three_whole_attempts(path);
+}
+
+TEST(StudyWriter, AFileThatMayNotGrowEndsInOneSentenceAndKeepsWhatWasAcknowledged) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  recorded_attempts();
+  EXPECT_EQ(in_child([&] {
+              EnrolledStudy at(path);
+              return save_until_refused(at, [&] {
+                // The log grows by far more than this with every trial.
+                const rlim_t size = std::filesystem::file_size(path + "-wal") + 5000;
+                const rlimit limit{size, size};
+                std::signal(SIGXFSZ, SIG_IGN);
+                setrlimit(RLIMIT_FSIZE, &limit);
+              });
+            }),
+            "3 " + path +
+                ": could not be written (disk I/O error); everything up to the last completed "
+                "trial is saved");
+  expect_three_whole_attempts(path);
+}
+
+TEST(StudyWriter, AStepIsKeptBitForBit) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ASSERT_GT(attempt.steps.size(), 100U);
+  attempt.steps[1].state.hash = std::numeric_limits<std::uint64_t>::max();
+  attempt.steps[2].state.hash = std::uint64_t{1} << 63;
+  attempt.steps[3].state.hash = 0;
+  attempt.steps[4].state.bodies[0] = {0x0000, 0xffff, 0x00ff, 0xff00};
+  attempt.steps[5].degradations = 0xffffffffU;
+  attempt.steps[6].work_granted = std::numeric_limits<std::int64_t>::max();
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  StudyFile study = StudyFile::open_for_reading(path);
+  const std::vector<StepRecord> steps = load_steps(study.database(), 1);
+  ASSERT_EQ(steps.size(), attempt.steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(steps[i].step, attempt.steps[i].step);
+    EXPECT_EQ(steps[i].work_granted, attempt.steps[i].work_granted);
+    EXPECT_EQ(steps[i].work_spent, attempt.steps[i].work_spent);
+    EXPECT_EQ(steps[i].degradations, attempt.steps[i].degradations);
+    EXPECT_EQ(steps[i].state.hash, attempt.steps[i].state.hash);
+    EXPECT_EQ(steps[i].state.bodies, attempt.steps[i].state.bodies);
+  }
+}
+
+TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  const AttemptRecord& attempt = recorded_attempts()[0];
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM collision"),
+            std::to_string(attempt.collisions.size()));
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM frame"), std::to_string(attempt.frames.size()));
+  EXPECT_EQ(value_of(path, "SELECT rating FROM rated_trial"),
+            std::to_string(attempt.ratings.front().rating));
+  EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "quit");
+}
+
+TEST(StudyWriter, ATrialWithABodyThatWasNotFiniteIsMarkedByANoteThatNamesIt) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  attempt.steps[7].not_finite = {{1, StateField::kLinearMomentum}};
+  attempt.steps[7].degradations |= kNotFinite;
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(recorded_attempts()[1]);
+    EXPECT_EQ(writer.not_finite_attempts(), 0);
+    writer.save(attempt);
+    EXPECT_EQ(writer.not_finite_attempts(), 1);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT group_concat(kind || ': ' || text) FROM note"),
+            "not finite: trial " + std::to_string(attempt.slot) + ", attempt " +
+                std::to_string(attempt.number) + ", step 7: " + attempt.body_names[1] +
+                ", linear momentum");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM step WHERE degradations & 4"), "1");
+}
+
+TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ASSERT_FALSE(attempt.collisions.empty());
+  attempt.collisions[0].report.stop = StopReason::kCapped;
+  attempt.collisions[0].report.contact_count = 3;
+  StepReport degraded;
+  degraded.pops = {{{0, 1}, 3, 2, 0.25}, {{0, 1}, 3, 1, 0.5}};
+  degraded.stopped = {{{0, 1}, 0.125}};
+  const StepRecord popped = record_of(7, {}, degraded);
+  attempt.steps[7].pops = popped.pops;
+  attempt.steps[7].largest_pop_deg = popped.largest_pop_deg;
+  attempt.steps[7].stopped_short = popped.stopped_short;
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT stopped || ' ' || contacts FROM seen_collision"), "capped 3");
+  EXPECT_EQ(value_of(path,
+                     "SELECT group_concat(step || ' ' || pops || ' ' || largest_pop_deg || ' ' || "
+                     "stopped_short) FROM popped_step"),
+            "7 2 0.5 1");
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM step WHERE largest_pop_deg IS NULL"),
+            std::to_string(attempt.steps.size() - 1));
+  StudyFile study = StudyFile::open_for_reading(path);
+  const StepRecord loaded = load_steps(study.database(), 1)[7];
+  EXPECT_EQ(loaded.pops, 2);
+  EXPECT_EQ(loaded.largest_pop_deg, 0.5);
+  EXPECT_EQ(loaded.stopped_short, 1);
+}
+
+TEST(StudyWriter, SqlAndMarkupStayText) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  const std::string nasty = "Robert'); DROP TABLE trial;-- <b onclick=\"x()\">&amp;</b> %s\n\tü \\";
+  {
+    EnrolledStudy at(path, nasty);
+    EXPECT_TRUE(at.found(nasty));
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(QuestionRecord{"question", "strategy", nasty, nasty});
+    writer.save(NoteRecord{nasty, nasty});
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT participant FROM questionnaire"), nasty);
+  EXPECT_EQ(value_of(path, "SELECT words FROM questionnaire"), nasty);
+  EXPECT_EQ(value_of(path, "SELECT answer FROM questionnaire"), nasty);
+  EXPECT_EQ(value_of(path, "SELECT kind FROM note"), nasty);
+  EXPECT_EQ(value_of(path, "SELECT text FROM note"), nasty);
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM trial"), "6");
+}
+
+TEST(StudyWriter, RowsThatContradictEachOtherAreRefused) {
+  AttemptRecord impossible_rating = recorded_attempts()[0];
+  impossible_rating.ratings.front().rating = 4;
+  AttemptRecord completed_again = recorded_attempts()[0];
+  completed_again.number = 2;
+  const std::vector<std::pair<std::vector<AttemptRecord>, std::string>> cases{
+      {{impossible_rating},
+       "CHECK constraint failed: minimum < maximum AND rating BETWEEN minimum AND maximum"},
+      {{recorded_attempts()[0], completed_again}, "UNIQUE constraint failed: attempt.trial_id"}};
+  for (const auto& [attempts, reason] : cases) {
+    const TemporaryFolder folder;
+    const std::string path = (folder / "a.sqlite").string();
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    for (const AttemptRecord& attempt : attempts) {
+      writer.save(attempt);
+    }
+    EXPECT_EQ(sentence_of([&] { writer.await_saved(); }),
+              path + ": could not be written (" + reason +
+                  "); everything up to the last completed trial is saved");
+  }
+}
+
+TEST(StudyWriter, RowsWithoutAnOwnerAreRefused) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  EnrolledStudy at(path);
+  Enrolment nobody = at.enrolment;
+  nobody.id = 99;
+  StudyWriter writer(at.study, nobody, facts());
+  EXPECT_EQ(sentence_of([&] { writer.await_saved(); }),
+            path +
+                ": could not be written (FOREIGN KEY constraint failed); everything up to the "
+                "last completed trial is saved");
+}
+
+TEST(StudyWriter, ADisplayThatClosesInMidTrialLosesNoRow) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  std::int64_t completed = 0;
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    TestLab lab;
+    constexpr std::int64_t kFrameOfTheThirdTrial = 600;
+    lab.input.on_frame = [](std::int64_t frame) {
+      return frame == kFrameOfTheThirdTrial ? Interruption::kDisplayClosed : Interruption::kNone;
+    };
+    const Ports ports{lab.display, lab.input, lab.scenes, writer};
+    const SessionResult result =
+        run_session(lab.protocol.script, short_plan(lab.protocol, 4), {}, ports);
+    EXPECT_EQ(result.ending, SessionEnding::kDisplayClosed);
+    completed = result.completed_trials;
+    writer.end("display closed");
+  }
+  EXPECT_GE(completed, 1);
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM attempt WHERE outcome = 'completed'"),
+            std::to_string(completed));
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM rating"), std::to_string(completed));
+  EXPECT_EQ(value_of(path, "SELECT count(*) FROM attempt WHERE outcome = 'interrupted'"), "1");
+  EXPECT_EQ(value_of(path, "SELECT kind FROM note ORDER BY id DESC"), "display closed");
+  EXPECT_EQ(value_of(path, "SELECT ending FROM session"), "display closed");
+}
+
+}  // namespace impetus::study_writer_test
