@@ -202,7 +202,8 @@ TEST(Rooms, HoldNoMoreThanAPersonKeepsInMind) {
   constexpr std::size_t kMostFiles = 45;
   std::map<std::filesystem::path, std::size_t> files;
   for (const char* folder : {"engine", "experiments", "tests"}) {
-    for (const std::filesystem::path& file : sources_under(source_folder() / folder)) {
+    for (const std::filesystem::path& file :
+         sources_under(std::filesystem::path(source_folder()) / folder)) {
       ++files[file.parent_path().lexically_relative(source_folder())];
     }
   }

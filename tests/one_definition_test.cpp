@@ -81,4 +81,31 @@ TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
                                       "Inner is a type of b.hpp and of c.hpp"}));
 }
 
+/// A sentence for each namespace of a file of `engine` or `experiments` that is not its room's.
+std::vector<std::string> foreign_namespaces(const std::string& path, const std::string& text) {
+  const std::size_t room = path.find('/') + 1;
+  const std::string own = "impetus::inline " + path.substr(room, path.find('/', room) - room);
+  static const std::regex opening(R"(namespace (impetus[\w: ]*) \{)");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, match, opening) && !match[1].str().starts_with(own)) {
+      found.push_back(path + ": expected namespace " + own + ", got " + match[1].str());
+    }
+  }
+  return found;
+}
+
+TEST(OneDefinition, EveryFileIsInTheNamespaceOfItsRoom) {
+  for (const auto& [path, text] : all_headers()) {
+    if (!path.starts_with("tests/")) {
+      EXPECT_EQ(foreign_namespaces(path, text), std::vector<std::string>()) << path;
+    }
+  }
+  EXPECT_EQ(foreign_namespaces("experiments/trade/impacts/approach.hpp", "namespace impetus {\n"),
+            std::vector<std::string>{"experiments/trade/impacts/approach.hpp: expected namespace "
+                                     "impetus::inline trade, got impetus"});
+}
+
 }  // namespace impetus::one_definition_test

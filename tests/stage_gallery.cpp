@@ -329,7 +329,7 @@ const std::map<std::string, Screen>& screens() {
   return all;
 }
 
-int run(int count, char** arguments) {
+int show(int count, char** arguments) {
   const auto screen = count > 1 ? screens().find(arguments[1]) : screens().end();
   if (screen == screens().end()) {
     std::printf("which screen?");
@@ -358,7 +358,7 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   try {
-    return impetus::run(count, arguments);
+    return impetus::show(count, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

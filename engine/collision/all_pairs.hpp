@@ -6,9 +6,9 @@
 
 #include "engine/collision/broad_phase.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// What candidate_pairs(bodies) returns, in place of what `pairs` held.
 void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

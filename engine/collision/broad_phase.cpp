@@ -3,7 +3,7 @@
 
 #include "engine/collision/all_pairs.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 bool could_meet(const MovedBound& a, const MovedBound& b) {
   Sphere swept = a.bound;
@@ -32,4 +32,4 @@ std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
   return pairs;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -6,7 +6,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// What the broad phase needs of a body: its bound at the end of the step, how far it moved in
 /// it (metres), and whether anything can move it.
@@ -24,4 +24,4 @@ bool could_meet(const MovedBound& a, const MovedBound& b);
 /// (Dingliana 2002, sec. 5.3.2: space-time bounds)
 std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

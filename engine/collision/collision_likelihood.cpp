@@ -4,7 +4,7 @@
 
 #include "engine/collision/pair_refinement.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// κ of the spheres about the nodes, (R_a + R_b − d) / (2 min(R_a, R_b)) in [0, 1], for it need
@@ -39,4 +39,4 @@ double PairRefinement::likeliest_collision() const {
   return likeliest;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

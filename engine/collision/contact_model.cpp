@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 Vector3 outward_in_world(const PlacedTree& tree, const NodeSurface& surface) {
@@ -190,4 +190,4 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
   return contacts;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

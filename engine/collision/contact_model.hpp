@@ -15,7 +15,7 @@
 #include "engine/collision/torque_span.hpp"
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// One contact between two bodies, or of a body and a wall: `normal` unit, from b towards a, in
 /// world.
@@ -104,4 +104,4 @@ std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair
                                    const ContactModel& model,
                                    std::vector<Contact>* watched = nullptr);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

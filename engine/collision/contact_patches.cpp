@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Of an even row of points with the patch's variance along `direction` (unit).
 double ContactPatches::Patch::half_length_m(const Vector3& direction) const {
@@ -105,4 +105,4 @@ void ContactPatches::add_contacts_to(std::vector<TouchPoint>& contacts) const {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

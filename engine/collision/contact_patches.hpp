@@ -17,7 +17,7 @@
 
 #include "engine/collision/node_contact.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Length of the mean of unit normals below which they are not of one surface, and cosine between
 /// patches that are not: two normals 120° apart, two patches 60° apart. Normals between nodes of a
@@ -64,4 +64,4 @@ class ContactPatches {
   mutable std::vector<Patch> whole_;  ///< memory for patches that are one again
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

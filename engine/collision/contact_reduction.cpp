@@ -12,7 +12,7 @@
 #include "engine/collision/mean_contact.hpp"
 #include "engine/collision/weighted_contacts.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 using MakeReduction = std::shared_ptr<const ContactReduction> (*)();
@@ -65,4 +65,4 @@ std::int64_t most_contacts(const ContactModel& model, std::int64_t node_contacts
       {node_contacts, reduction_of(model).most(), static_cast<std::int64_t>(model.most_per_pair)});
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

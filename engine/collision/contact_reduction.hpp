@@ -23,7 +23,7 @@
 
 #include "engine/collision/node_contact.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// What a reduction keeps of the node contacts of one pair, or of a body and a wall, as they come.
 class ContactSums {
@@ -94,4 +94,4 @@ const ContactReduction& reduction_of(const ContactModel& model);
 /// `node_contacts` nodes overlap; 0 of none.
 std::int64_t most_contacts(const ContactModel& model, std::int64_t node_contacts);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

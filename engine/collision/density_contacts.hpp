@@ -10,7 +10,7 @@
 #include "engine/collision/contact_patches.hpp"
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Outward normals less than 90° apart, whose difference is shorter than this, are not of surfaces
 /// that face each other: the geometric normal stands.
@@ -40,4 +40,4 @@ class DensityContacts final : public ContactSums {
   ContactPatches patches_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -7,7 +7,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class EveryContact final : public ContactSums {
  public:
@@ -26,4 +26,4 @@ class EveryContact final : public ContactSums {
   std::vector<TouchPoint> contacts_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

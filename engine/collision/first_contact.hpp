@@ -13,7 +13,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class FirstContact final : public ContactSums {
  public:
@@ -42,4 +42,4 @@ class FirstContact final : public ContactSums {
   std::vector<NodeContact> first_;  ///< none or one
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -8,7 +8,7 @@
 #include "engine/collision/contact_patches.hpp"
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class GroupedContacts final : public ContactSums {
  public:
@@ -23,4 +23,4 @@ class GroupedContacts final : public ContactSums {
   ContactPatches patches_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

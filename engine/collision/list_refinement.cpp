@@ -9,7 +9,7 @@
 #include "engine/collision/list_shares.hpp"
 #include "engine/collision/waiting_pairs.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// Brings every pair to its list's least level; returns how many are not resolved yet.
@@ -151,4 +151,4 @@ WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<Priorit
   return refinement.refine(pairs, lists, as_they_come, meter, settings);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

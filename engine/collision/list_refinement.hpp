@@ -22,7 +22,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// In units of work.
 struct WorkDone {
@@ -69,4 +69,4 @@ class ListRefinement {
 WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          WorkMeter& meter, const RefinementSettings& settings = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

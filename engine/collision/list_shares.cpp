@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 ListShares::ListShares(const std::vector<PriorityList>& lists) : lists_(&lists) {
   for (const PriorityList& list : lists) {
@@ -51,4 +51,4 @@ std::array<double, kMostLists> ListShares::behind_of(const std::array<bool, kMos
   return behind;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

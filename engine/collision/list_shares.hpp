@@ -12,7 +12,7 @@
 
 #include "engine/scheduling/priority_lists.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class ListShares {
  public:
@@ -34,4 +34,4 @@ class ListShares {
   double sum_{0.0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -12,7 +12,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class MeanContact final : public ContactSums {
  public:
@@ -52,4 +52,4 @@ class MeanContact final : public ContactSums {
   std::int64_t count_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

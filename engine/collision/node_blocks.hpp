@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Nodes of a and b that overlap; b is 0 when a touches a wall.
 struct NodePair {
@@ -61,4 +61,4 @@ class NodeBlockStore {
   std::array<std::vector<std::vector<NodeBlock>>, 64> by_size_;  ///< by the power of two
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, double speed_m_s) {
   const double way = (reach_m - depth_m) * approach_m_s;
@@ -13,4 +13,4 @@ double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, d
   return divisor > 0.0 ? left / divisor : 0.0;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

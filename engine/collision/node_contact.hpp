@@ -7,7 +7,7 @@
 #include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Of a node of a and a node of b, or a node of a and a wall, which is one group and solid.
 struct NodeContact {
@@ -37,4 +37,4 @@ inline double collision_probability(const NodeContact& contact) {
 /// nothing moves.
 double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, double speed_m_s);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

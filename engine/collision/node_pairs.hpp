@@ -19,7 +19,7 @@
 #include "engine/collision/node_blocks.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// How many bits are set. (Without an instruction for it, std::popcount is a call.)
 inline std::int64_t bits_in(std::uint64_t bits) {
@@ -164,4 +164,4 @@ class NodePairs {
   NodeBlockStore* store_{nullptr};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

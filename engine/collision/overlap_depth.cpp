@@ -6,7 +6,7 @@
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/volumes/core.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// By how far two cored volumes would have to move apart along `axis` (unit) to part.
@@ -52,4 +52,4 @@ double PairRefinement::deepest_overlap_m() const {
   return deepest_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// The nodes that stand for `index` one level deeper: its children, or itself when it has none.
@@ -189,4 +189,4 @@ StopReason PairRefinement::stop_reason() const {
   return level_ < greatest_level_ ? StopReason::kBudgetSpent : at_greatest_;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -18,7 +18,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Why a refinement is where it is: apart, nothing finer exists, no work was left, its priority
 /// list goes no deeper, or the bodies are too fast for finer nodes.
@@ -132,4 +132,4 @@ class PairRefinement {
   std::int64_t next_block_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

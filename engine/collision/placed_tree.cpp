@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 PlacedTree::PlacedTree(const VolumeTree& tree)
     : tree_(&tree),
@@ -42,4 +42,4 @@ const Volume& PlacedTree::placed_volume(std::int32_t node) {
   return volumes_[slot];
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -14,7 +14,7 @@
 #include "engine/volumes/pair_procedures.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class PlacedTree {
  public:
@@ -123,4 +123,4 @@ inline TouchPoint touch_of_wall(PlacedTree& tree, std::int32_t node, const Enclo
                            : touch_wall(walls, wall, tree.world_volume(node));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/few.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// Share of a generator's length: what of it is no longer beyond others depends on them.
@@ -142,4 +142,4 @@ double PushCone::distance(const Wrench& wrench) const {
   return nearest.distance();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -7,7 +7,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// A push and its torque over the body's size, which makes them comparable.
 using Wrench = Eigen::Matrix<double, 6, 1>;
@@ -27,4 +27,4 @@ class PushCone {
   std::vector<Wrench> generators_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

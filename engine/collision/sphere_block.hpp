@@ -10,7 +10,7 @@
 #include "engine/collision/node_pairs.hpp"
 #include "engine/collision/placed_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// What stands for a node one level deeper: its children, or itself.
 inline NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
@@ -68,4 +68,4 @@ void for_each_block_below(PlacedTree& a, PlacedTree& b, const NodePair& nodes, c
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

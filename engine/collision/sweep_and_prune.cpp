@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// Far beyond what rounding can do to the test of two spheres, as a share of the numbers in it.
@@ -196,4 +196,4 @@ void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<Pair
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -26,7 +26,7 @@
 #include "engine/collision/broad_phase.hpp"
 #include "engine/collision/swept_intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class SweepAndPrune {
  public:
@@ -60,4 +60,4 @@ class SweepAndPrune {
   std::vector<std::size_t> places_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 using Ends = SweptIntervals::Ends;
@@ -82,4 +82,4 @@ std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first, Lane
   return meeting_by_lanes(one, others);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -10,7 +10,7 @@
 
 #include "engine/numerics/lanes.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// What a body covers along the axis of the sweep and across it.
 struct SweptInterval {
@@ -55,4 +55,4 @@ class SweptIntervals {
   std::array<std::vector<double>, 2> across_greatest_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// A wrench this near to the cone, as a share of a push of one, adds nothing to it.
@@ -70,4 +70,4 @@ std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, i
   return contacts;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -17,7 +17,7 @@
 #include "engine/collision/push_cone.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Finds them in memory that it keeps.
 class TorqueSpan {
@@ -39,4 +39,4 @@ class TorqueSpan {
 std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
                                              double size_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

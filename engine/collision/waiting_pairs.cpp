@@ -5,7 +5,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// Degrees that the next level is expected to take off the visible gap, per unit of work.
@@ -101,4 +101,4 @@ void WaitingPairs::remove_next() {
   waiting_.pop_back();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -30,7 +30,7 @@
 
 #include "engine/collision/work_ledger.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// How soon a pair comes, larger sooner; zero for depth-first.
 double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& costs);
@@ -66,4 +66,4 @@ class WaitingPairs {
   bool is_queue_{true};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

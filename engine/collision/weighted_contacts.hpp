@@ -8,7 +8,7 @@
 #include "engine/collision/contact_patches.hpp"
 #include "engine/collision/contact_reduction.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class WeightedContacts final : public ContactSums {
  public:
@@ -25,4 +25,4 @@ class WeightedContacts final : public ContactSums {
   ContactPatches patches_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

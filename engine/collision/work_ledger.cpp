@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 WorkLedger::Demand WorkLedger::for_next_block(const RefinedPair& pair, std::size_t index) const {
   const PairRefinement& refinement = pair.refinement;
@@ -25,4 +25,4 @@ void WorkLedger::note(const RefinedPair& pair, std::size_t index, std::int64_t t
   reserved_ += reserves_[index];
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -18,7 +18,7 @@
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/scheduling/work_costs.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 struct RefinedPair {
   BodyPair bodies;
@@ -94,4 +94,4 @@ class WorkLedger {
   std::vector<std::int64_t> reserves_;  ///< by pair
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 Matrix3 world_inverse_inertia(const BodyModel& model, const BodyState& state) {
   const Matrix3 rotation = state.pose.orientation.toRotationMatrix();
@@ -30,4 +30,4 @@ double kinetic_energy(const BodyModel& model, const BodyState& state) {
                 state.angular_momentum.dot(angular_velocity(model, state)));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

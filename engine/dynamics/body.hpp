@@ -11,7 +11,7 @@
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Constant through a trial. An inverse mass of zero means that nothing moves or turns the body,
 /// whatever its momenta; an inverse inertia of zero that nothing turns it, an imposed manipulation.
@@ -45,4 +45,4 @@ Vector3 angular_momentum_at(const BodyModel& model, const Quaternion& orientatio
                             const Vector3& spin);
 double kinetic_energy(const BodyModel& model, const BodyState& state);  ///< J
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

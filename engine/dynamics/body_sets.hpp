@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Each body is a set of its own at first. A set is named by its least body.
 class BodySets {
@@ -38,4 +38,4 @@ class BodySets {
   std::vector<std::size_t> above_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -8,7 +8,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
@@ -57,4 +57,4 @@ inline void add(std::vector<Vector6>& u, const ConstraintRow& row, double times)
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

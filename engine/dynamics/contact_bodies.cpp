@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/dynamics/contact_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 double mobility(const ContactBody& body, const Vector3& arm, const Vector3& normal) {
@@ -115,4 +115,4 @@ void ContactBodies::push_body(std::int32_t place, const Vector3& arm, const Vect
   follow(place, states);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

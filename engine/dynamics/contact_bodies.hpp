@@ -13,7 +13,7 @@
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// A body that one contact or more touches.
 struct ContactBody {
@@ -91,4 +91,4 @@ class ContactBodies {
   std::vector<std::int32_t> place_of_body_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

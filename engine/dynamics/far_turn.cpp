@@ -8,7 +8,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/trees/builders/part_shape.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 /// Radians that L can turn within the body in a step and the iterations converge well.
@@ -173,4 +173,4 @@ Quaternion turned_far(const BodyModel& model, const BodyState& state, double dt_
   return FarTurn(model, state, dt_s).run();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

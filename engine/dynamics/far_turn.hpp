@@ -15,7 +15,7 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Of a step, at most: a turn beyond what these take well is taken less well, but keeps energy.
 inline constexpr int kMostTurnParts = 4096;
@@ -27,4 +27,4 @@ bool turns_far(const BodyModel& model, const BodyState& state, double dt_s);
 /// The orientation after `dt_s` seconds.
 Quaternion turned_far(const BodyModel& model, const BodyState& state, double dt_s);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

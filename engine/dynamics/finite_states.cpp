@@ -5,7 +5,7 @@
 
 #include "engine/dynamics/limits.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 /// The sum of the sizes of a vector's coordinates.
@@ -86,4 +86,4 @@ void FiniteStates::take_out(std::size_t body, BodyState& state) {
   any_out_ = true;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -17,7 +17,7 @@
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/state_hash.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// A body that was taken out, and what of its state was not finite; the first of several.
 struct NotFiniteBody {
@@ -58,4 +58,4 @@ class FiniteStates {
   bool any_out_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 class GramFactor {
  public:
@@ -79,4 +79,4 @@ class GramFactor {
   std::size_t size_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

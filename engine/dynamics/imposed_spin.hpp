@@ -9,7 +9,7 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Added to the angular velocities of both bodies (rad/s, world).
 struct ImposedSpin {
@@ -29,4 +29,4 @@ inline void add_spin(const BodyModel& model, const Vector3& spin_rad_s, BodyStat
   state.angular_momentum += angular_momentum_at(model, state.pose.orientation, spin_rad_s);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -4,7 +4,7 @@
 #include "engine/dynamics/contact_bodies.hpp"
 #include "engine/dynamics/responder.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 double separation_speed(const Contact& contact, const std::vector<BodyModel>& models,
                         const std::vector<BodyState>& states) {
@@ -24,4 +24,4 @@ ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
   return respond(contacts, std::vector<double>(contacts.size(), restitution), models, states);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

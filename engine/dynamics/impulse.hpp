@@ -16,7 +16,7 @@
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// How the impulses of contacts that affect each other are found: one after the other, or for all
 /// of an island together, after which nothing approaches (see simultaneous_response.hpp).
@@ -60,4 +60,4 @@ ResponseResult respond(const std::vector<Contact>& contacts,
 ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
                        const std::vector<BodyModel>& models, std::vector<BodyState>& states);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

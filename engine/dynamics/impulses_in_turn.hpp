@@ -20,7 +20,7 @@
 #include "engine/dynamics/contact_bodies.hpp"
 #include "engine/dynamics/impulse.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// `Bodies` are the bodies at the contacts: as ContactBodies, of whose members it uses those named
 /// here. Keeps its arrays from one step to the next.
@@ -168,4 +168,4 @@ void ImpulsesInTurn<Bodies>::respond(std::span<const std::size_t> members,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

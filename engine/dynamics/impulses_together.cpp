@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 constexpr std::int32_t kNone = ContactArms::kNone;
@@ -254,4 +254,4 @@ void ImpulsesTogether::push(std::size_t row, double impulse_Ns, std::vector<Body
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -11,7 +11,7 @@
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/nearest_velocities.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Of an island whose passes are limited, the most contacts that can be active at once, at most six
 /// for each body that moves, for its impulses to be found together: beyond it the work grows with
@@ -67,4 +67,4 @@ class ImpulsesTogether {
   NearestVelocitySolver solver_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

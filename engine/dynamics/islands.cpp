@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 constexpr auto kNoIsland = std::numeric_limits<std::size_t>::max();
@@ -56,4 +56,4 @@ void Islands::find(const ContactBodies& bodies) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -9,7 +9,7 @@
 #include "engine/dynamics/body_sets.hpp"
 #include "engine/dynamics/contact_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Indices of the contacts, island by island in the order of each island's first contact, rising
 /// within an island. Bodies that nothing moves, and walls, connect nothing; a contact of none but
@@ -34,4 +34,4 @@ class Islands {
   std::vector<std::size_t> members_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

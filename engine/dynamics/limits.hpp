@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// Any measure of a body: a radius, an edge, a thickness.
 inline constexpr double kLeastSize_m = 1e-6;
@@ -32,4 +32,4 @@ inline constexpr double kMostStep_s = 0.1;
 /// are still numbers.
 inline constexpr double kMostNumber = 1e100;
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -5,7 +5,7 @@
 
 #include "engine/dynamics/far_turn.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 Quaternion sum_normalised(const Quaternion& p, const Quaternion& q) {
@@ -102,4 +102,4 @@ Pose between(const BodyState& before, const BodyState& after, double fraction) {
   return {position, before.pose.orientation.slerp(moved, after.pose.orientation)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -12,7 +12,7 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// How a body's rotation is stepped. Both leave the angular momentum L untouched, and turn by the
 /// Cayley map of one angular velocity for the step, found by a fixed number of iterations; where
@@ -51,4 +51,4 @@ double advance(const BodyModel& model, BodyState& state, double dt_s,
 /// The pose at `fraction` of the step from `before` to `after`, for drawing alone.
 Pose between(const BodyState& before, const BodyState& after, double fraction);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

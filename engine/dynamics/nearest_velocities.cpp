@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 /// What of a unit row must not lie in the span of the active rows for it to count as independent,
@@ -210,4 +210,4 @@ NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Ve
   return {outcome, solver.multipliers()};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -17,7 +17,7 @@
 #include "engine/dynamics/gram_factor.hpp"
 #include "engine/dynamics/row_columns.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 enum class Projection { kSolved, kGaveUp };
 
@@ -79,4 +79,4 @@ struct NearestVelocities {
 NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
                           double tolerance);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

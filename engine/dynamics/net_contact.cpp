@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 TouchPoint net_contact(const std::vector<Contact>& contacts,
                        const std::vector<double>& impulse_Ns) {
@@ -25,4 +25,4 @@ TouchPoint net_contact(const std::vector<Contact>& contacts,
   return net;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -6,11 +6,11 @@
 
 #include "engine/collision/contact_model.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// The direction of the impulses' sum, unit, and their mean place; of impulses that are all zero,
 /// the deepest contact. `impulse_Ns` (along each contact's normal) is as long as `contacts`, which
 /// must not be empty.
 TouchPoint net_contact(const std::vector<Contact>& contacts, const std::vector<double>& impulse_Ns);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

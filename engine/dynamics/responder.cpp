@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 const ResponseResult& Responder::respond(const std::vector<Contact>& contacts,
                                          const std::vector<double>& restitutions,
@@ -71,4 +71,4 @@ void Responder::note_residual() {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

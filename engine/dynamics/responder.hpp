@@ -13,7 +13,7 @@
 #include "engine/dynamics/impulses_together.hpp"
 #include "engine/dynamics/islands.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// What it did in one step changes nothing of what it does in another: a memory of sizes alone.
 /// Once it has seen as many contacts and bodies as it will, it allocates nothing.
@@ -43,4 +43,4 @@ class Responder {
   ResponseResult result_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

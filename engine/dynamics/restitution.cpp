@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 bool is_of(const PairRestitution& pair, int material, int other) {
@@ -52,4 +52,4 @@ std::string problem_of(const std::vector<PairRestitution>& stated) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -8,7 +8,7 @@
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// The restitution of bodies of two materials (see BodyModel), in either order.
 struct PairRestitution {
@@ -34,4 +34,4 @@ struct Restitutions {
 /// [0, 1], and no pair of materials is stated twice, in whichever order.
 std::string problem_of(const std::vector<PairRestitution>& stated);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 /// sums += x · y, lane by lane
@@ -126,4 +126,4 @@ void RowColumns::make_unit(const RowColumns& of, std::vector<double>& lengths) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -12,7 +12,7 @@
 
 #include "engine/dynamics/constraint_row.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 inline constexpr std::size_t kRowLanes = 4;
 using LanesOf3 = double[3][kRowLanes];
@@ -56,4 +56,4 @@ class RowColumns {
   std::vector<std::size_t> place_of_row_;  ///< block · kRowLanes + lane
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -3,7 +3,7 @@
 
 #include "engine/dynamics/responder.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 ResponseResult respond_together(const std::vector<Contact>& contacts,
                                 const std::vector<double>& restitutions,
@@ -14,4 +14,4 @@ ResponseResult respond_together(const std::vector<Contact>& contacts,
   return Responder().respond(contacts, restitutions, rules, models, states);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

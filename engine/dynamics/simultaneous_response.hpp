@@ -14,7 +14,7 @@
 
 #include "engine/dynamics/impulse.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// As respond(), with a restitution in [0, 1] for each contact. An island whose problem cannot be
 /// solved gets the impulses of respond() instead.
@@ -23,4 +23,4 @@ ResponseResult respond_together(const std::vector<Contact>& contacts,
                                 const std::vector<BodyModel>& models,
                                 std::vector<BodyState>& states);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/bits.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 std::uint64_t hash_numbers(std::initializer_list<double> numbers) {
@@ -73,4 +73,4 @@ std::optional<DigestDifference> first_difference(const std::vector<BodyDigest>& 
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

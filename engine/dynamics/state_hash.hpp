@@ -14,7 +14,7 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 enum class StateField { kPosition, kOrientation, kLinearMomentum, kAngularMomentum };
 inline constexpr std::size_t kStateFieldCount = 4;
@@ -43,4 +43,4 @@ struct DigestDifference {
 std::optional<DigestDifference> first_difference(const std::vector<BodyDigest>& expected,
                                                  const std::vector<BodyDigest>& actual);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

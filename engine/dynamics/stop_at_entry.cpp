@@ -9,7 +9,7 @@
 #include "engine/dynamics/body_sets.hpp"
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 namespace {
 
 /// Of slow_way_m: bodies one of which was stopped are looked at when they move further than this,
@@ -278,4 +278,4 @@ bool Stopping::lacked_tests(BodyPair bodies) const {
   return std::binary_search(unsearched.begin(), unsearched.end(), bodies, comes_before);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

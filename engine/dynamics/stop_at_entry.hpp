@@ -34,7 +34,7 @@
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
 
-namespace impetus {
+namespace impetus::inline dynamics {
 
 /// How often a body is stopped in a step before it is stopped together with others.
 inline constexpr int kMostStops = 16;
@@ -87,4 +87,4 @@ const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& stat
 Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                        std::vector<PlacedTree>& placed);
 
-}  // namespace impetus
+}  // namespace impetus::inline dynamics

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 /// The angular velocity that turns one orientation into the other in a second, by the chord of
@@ -182,4 +182,4 @@ std::string problem_of(const std::vector<Figure>& figures, const std::vector<Bod
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -17,7 +17,7 @@
 #include "engine/figures/hinge.hpp"
 #include "engine/figures/joint_motion.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// Which parts of one figure may collide with each other.
 struct SelfCollision {
@@ -85,4 +85,4 @@ std::string problem_of(const Figure& figure, const std::vector<BodyModel>& model
 /// The same of all figures of a world, no two of which share a part.
 std::string problem_of(const std::vector<Figure>& figures, const std::vector<BodyModel>& models);
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -8,7 +8,7 @@
 #include "engine/figures/internal_motion.hpp"
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 /// Of the beginning impulses, at most.
@@ -177,4 +177,4 @@ void FigureMotion::stop_across_hinges(std::span<BodyState> parts) {
   solver_.push_parts(impulses_, parts);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

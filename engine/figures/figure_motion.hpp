@@ -17,7 +17,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/figures/hinge_solver.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// Of the figure's size, by how much anchors may part, and axes (radians): what the iteration ends
 /// at.
@@ -77,4 +77,4 @@ class FigureMotion {
   std::vector<Vector5> of_hinges_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

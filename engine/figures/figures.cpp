@@ -5,7 +5,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 std::size_t begin_of(const Figure& figure) { return at(figure.first_part); }
@@ -106,4 +106,4 @@ const ResponseResult& Figures::respond(const std::vector<Figure>& figures,
                             {figures, motions_, figure_of_}, states);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

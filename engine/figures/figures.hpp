@@ -11,7 +11,7 @@
 #include "engine/dynamics/finite_states.hpp"
 #include "engine/figures/hinged_responder.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 class Figures {
  public:
@@ -67,4 +67,4 @@ class Figures {
   HingedResponder responder_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
@@ -122,4 +122,4 @@ std::string problem_of(const Hinge& hinge) {
                                     std::to_string(degrees(hinge.fold_rad)) + " degrees";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

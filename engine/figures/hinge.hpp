@@ -16,7 +16,7 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// One part's side of a hinge, in that part's own frame.
 struct HingeSide {
@@ -66,4 +66,4 @@ Pose hung_from(const Hinge& hinge, const Pose& parent, double angle_rad);
 /// What is wrong with a hinge alone, as "expected ..., got ..."; empty when nothing is.
 std::string problem_of(const Hinge& hinge);
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

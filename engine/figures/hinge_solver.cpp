@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 using Matrix56 = Eigen::Matrix<double, 5, 6>;
@@ -190,4 +190,4 @@ Vector5 HingeSolver::speed_across(std::size_t hinge, std::span<const BodyState> 
   return joint.of_child * velocity_of(hinge + 1) + joint.of_parent * velocity_of(joint.parent);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -18,7 +18,7 @@
 #include "engine/figures/figure.hpp"
 #include "engine/figures/small_cholesky.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -95,4 +95,4 @@ class HingeSolver {
   bool is_placed_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

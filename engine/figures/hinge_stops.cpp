@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 const Pose& pose_of(std::int32_t body, const std::vector<BodyState>& states) {
@@ -77,4 +77,4 @@ void add_folds(const Figure& figure, std::span<const double> rest_openings,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -11,7 +11,7 @@
 #include "engine/collision/contact_model.hpp"
 #include "engine/figures/figure.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// A limit within reach of the next step.
 struct HingeStop {
@@ -38,4 +38,4 @@ const Hinge* hinge_between(const Figure& figure, BodyPair parts);
 void add_folds(const Figure& figure, std::span<const double> rest_openings,
                const std::vector<BodyState>& states, std::vector<Contact>& folds);
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

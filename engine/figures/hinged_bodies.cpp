@@ -6,7 +6,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 constexpr std::int32_t kNone = ContactArms::kNone;
@@ -232,4 +232,4 @@ void HingedBodies::push(std::size_t row, double impulse, std::vector<BodyState>&
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

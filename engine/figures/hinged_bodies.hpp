@@ -15,7 +15,7 @@
 #include "engine/figures/figure_motion.hpp"
 #include "engine/figures/hinge_stops.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// The figures of a world and what moves them, one for one.
 struct FiguresInMotion {
@@ -108,4 +108,4 @@ class HingedBodies {
   std::vector<PartImpulse> impulses_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline figures {
 
 const ResponseResult& HingedResponder::respond(const std::vector<Contact>& contacts,
                                                const std::vector<HingeStop>& stops,
@@ -43,4 +43,4 @@ const ResponseResult& HingedResponder::respond(const std::vector<Contact>& conta
   return result_;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

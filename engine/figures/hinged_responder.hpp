@@ -8,7 +8,7 @@
 #include "engine/dynamics/impulses_in_turn.hpp"
 #include "engine/figures/hinged_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 class HingedResponder {
  public:
@@ -30,4 +30,4 @@ class HingedResponder {
   ResponseResult result_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

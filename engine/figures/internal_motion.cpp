@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 /// Beyond this an energy cannot be had back by faster internal motion: there is too little of it.
@@ -101,4 +101,4 @@ void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> 
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

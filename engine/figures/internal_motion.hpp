@@ -13,7 +13,7 @@
 
 #include "engine/figures/hinge_solver.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// The kinetic energy of a figure's parts (J).
 double kinetic_energy(std::span<const BodyModel> parts, std::span<const BodyState> states);
@@ -24,4 +24,4 @@ double kinetic_energy(std::span<const BodyModel> parts, std::span<const BodyStat
 void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> parts,
                      std::span<BodyState> states);
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

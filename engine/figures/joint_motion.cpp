@@ -6,7 +6,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 namespace {
 
 double sine_of_turns(double turns) {
@@ -125,4 +125,4 @@ std::string problem_of(const JointMotion& motion, std::size_t joints) {
                                              " joints, got " + std::to_string(motion.waves.size());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

@@ -11,7 +11,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 /// amplitude · sin(2π (cycles · t / period + phase)), about a middle.
 struct JointWave {
@@ -55,4 +55,4 @@ Pose root_pose(const JointMotion& motion, double time_s);
 /// What is wrong with the motion of a figure with so many joints; empty when nothing is.
 std::string problem_of(const JointMotion& motion, std::size_t joints);
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

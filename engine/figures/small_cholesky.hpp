@@ -7,7 +7,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline figures {
 
 template <int N>
 class SmallCholesky {
@@ -55,4 +55,4 @@ class SmallCholesky {
   Vector inverse_diagonal_{Vector::Zero()};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline figures

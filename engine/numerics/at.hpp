@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// Precondition: not negative.
 inline std::size_t at(std::int32_t index) {
@@ -14,4 +14,4 @@ inline std::size_t at(std::int32_t index) {
   return static_cast<std::size_t>(index);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// A bijection of 64 bits in which every input bit reaches every output bit (SplitMix64's
 /// finaliser; Steele, Lea and Flood 2014).
@@ -26,4 +26,4 @@ constexpr std::uint64_t canonical_bits(double x) {
   return x == 0.0 ? 0 : std::bit_cast<std::uint64_t>(x);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// A running sum of vectors or matrices, number by number, with what rounding took from it kept
 /// beside: its error does not grow with the count of terms. (Neumaier 1974)
@@ -31,4 +31,4 @@ class CompensatedSum {
   Array lost_{Array::Zero()};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

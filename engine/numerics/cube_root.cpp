@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/numerics/cube_root.hpp"
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 double cube_root(double x) {
   // From above, the iteration falls until rounding stops it.
@@ -15,4 +15,4 @@ double cube_root(double x) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// Of a positive number, to within an ulp or two. (Newton's iteration)
 double cube_root(double x);
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 double exp_of(double x) {
   constexpr double kMostFinite = 709.8;
@@ -32,4 +32,4 @@ double exp_of(double x) {
   return std::ldexp(1.0 + r * series, static_cast<int>(twos));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 template <typename T, std::size_t kMost>
 class Few {
@@ -36,4 +36,4 @@ class Few {
   std::size_t count_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

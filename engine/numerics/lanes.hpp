@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// Doubles of a block, whatever the width.
 inline constexpr int kLanes = 8;
@@ -28,7 +28,7 @@ inline LaneWidth widest_lanes() {
   return LaneWidth::kTwo;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics
 
 // What is inlined into the function of each width, and the functions of the wider ones.
 #define IMPETUS_INLINED inline __attribute__((always_inline))

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-namespace impetus {
+namespace impetus::inline numerics {
 namespace {
 
 /// ln m = 2 artanh s, s = (m − 1) / (m + 1), for m in [√½, √2]: |s| ≤ 0.172, so the first term of
@@ -72,4 +72,4 @@ double log_of(double x) {
   return twos * kLn2Head + (twos * kLn2Tail + log_near_one(m));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// log₁₀ of a positive number, error below 1e-15 of the larger of 1 and the result; −∞ of zero,
 /// not a number of a negative one.
@@ -15,4 +15,4 @@ double log10_of(double x);
 /// a negative one.
 double log_of(double x);
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/exponential.hpp"
 
-namespace impetus {
+namespace impetus::inline numerics {
 namespace {
 
 /// exp(−z²/2) / √(2π). z² is split so that its rounding is not magnified by the exponential.
@@ -59,4 +59,4 @@ double cumulative_normal(double z) {
   return z >= 0.0 ? 0.5 + above_the_middle(z) : 0.5 - above_the_middle(-z);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/bits.hpp"
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 std::uint64_t derived_seed(std::uint64_t seed, std::string_view name) {
   std::uint64_t hash = mix_bits(seed);
@@ -50,4 +50,4 @@ std::uint64_t RandomStream::below(std::uint64_t count) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

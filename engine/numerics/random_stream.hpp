@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 class RandomStream {
  public:
@@ -45,4 +45,4 @@ class RandomStream {
 /// A seed for `name` derived from `seed`, for what must be stored and used later (a trial's seed).
 std::uint64_t derived_seed(std::uint64_t seed, std::string_view name);
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// The least float that is not below `x`.
 inline float rounded_up(double x) {
@@ -15,4 +15,4 @@ inline float rounded_up(double x) {
              : nearest;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

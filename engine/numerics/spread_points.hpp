@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 /// The digits of `index` in base `base`, mirrored behind the point: in [0, 1), spread evenly for
 /// any run of indices. Coordinates with different prime bases fill a cube evenly. (Halton 1960)
@@ -16,4 +16,4 @@ inline double spread_share(int index, int base) {
   return share;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

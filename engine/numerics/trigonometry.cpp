@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace impetus {
+namespace impetus::inline numerics {
 namespace {
 
 /// Taylor series on |x| ≤ π/4 radians, where the first term left out is below 1e-18.
@@ -84,4 +84,4 @@ double metres_per_degree(double viewing_distance_m) {
   return 2.0 * viewing_distance_m * (half.sine / half.cosine);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

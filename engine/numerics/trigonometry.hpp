@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 inline constexpr double kRadiansPerDegree = 0.017453292519943295;
 inline constexpr double kDegreesPerRadian = 57.29577951308232;
@@ -29,4 +29,4 @@ double degrees(double angle_rad);
 /// `viewing_distance_m` away: 2 d tan(½°). Used as a linear scale, so 10° is ten times 1°.
 double metres_per_degree(double viewing_distance_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace impetus {
+namespace impetus::inline numerics {
 
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
@@ -24,4 +24,4 @@ struct Pose {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline numerics

@@ -4,7 +4,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// Metres from the eye to the midpoint of the centres.
 class DistanceMetric final : public PriorityMetric {
@@ -17,4 +17,4 @@ class DistanceMetric final : public PriorityMetric {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

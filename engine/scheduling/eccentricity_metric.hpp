@@ -6,7 +6,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// Degrees between the place of the collision and what is looked at: `point` where one is given,
 /// else the fixation, else the screen's centre.
@@ -30,4 +30,4 @@ class EccentricityMetric final : public PriorityMetric {
   std::optional<ScreenPoint> point_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

@@ -13,7 +13,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// Metres between the centres of the two bounding spheres; zero for a body and a wall.
 class GapMetric final : public PriorityMetric {
@@ -65,4 +65,4 @@ class ProjectedCentresMetric final : public PriorityMetric {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

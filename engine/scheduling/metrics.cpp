@@ -13,7 +13,7 @@
 #include "engine/scheduling/visible_frequency.hpp"
 #include "engine/scheduling/weighted_metric.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 using Metric = std::shared_ptr<const PriorityMetric>;
@@ -111,4 +111,4 @@ std::vector<std::string_view> metric_names() {
   return names;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

@@ -25,7 +25,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// One metric's part of a weighted sum: 1 at `urgent` and beyond, 0 at `relaxed` and beyond, linear
 /// between them, times `weight`.
@@ -57,4 +57,4 @@ bool needs_terms(std::string_view name);
 /// The names make_metric() takes, in alphabetical order.
 std::vector<std::string_view> metric_names();
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

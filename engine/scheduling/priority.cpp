@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 Vector3 collision_place(const PairBounds& bounds) {
   return touch(bounds.a, bounds.b, Vector3::UnitX()).point;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

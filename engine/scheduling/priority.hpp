@@ -12,7 +12,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// In the place of the second body: the enclosure as a whole, which is also its wall 0; wall w is
 /// kEnclosure − w.
@@ -79,4 +79,4 @@ class PriorityMetric {
   Urgent urgent_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

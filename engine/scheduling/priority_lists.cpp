@@ -7,7 +7,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 int list_by_threshold(const Schedule& schedule, const PriorityMetric& metric, double measured) {
@@ -181,4 +181,4 @@ std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
   return ordered;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

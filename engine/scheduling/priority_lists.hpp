@@ -16,7 +16,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 inline constexpr int kMostLists = 16;
 inline constexpr int kUnlimitedLevel = std::numeric_limits<int>::max();
@@ -118,4 +118,4 @@ std::vector<ScheduledPair> scheduled(const std::vector<PairBounds>& bounds,
                                      const Fixation& fixation,
                                      const std::optional<GazeRegion>& region);
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

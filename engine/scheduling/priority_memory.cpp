@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 bool comes_before(const BodyPair& x, const BodyPair& y) {
@@ -77,4 +77,4 @@ bool PriorityMemory::touched(const BodyPair& pair) const {
   return std::binary_search(touching_.begin(), touching_.end(), pair, comes_before);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

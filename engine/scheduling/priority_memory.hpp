@@ -15,7 +15,7 @@
 
 #include "engine/scheduling/priority_lists.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 class PriorityMemory {
  public:
@@ -47,4 +47,4 @@ class PriorityMemory {
   std::vector<BodyPair> touching_;  ///< sorted
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 inline constexpr double kHalfAcuity_deg = 2.3;
 
@@ -16,4 +16,4 @@ inline double relative_acuity(double eccentricity_deg) {
   return kHalfAcuity_deg / (eccentricity_deg + kHalfAcuity_deg);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

@@ -3,7 +3,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 Vector3 seen_velocity(const Viewer& viewer, const Vector3& place, const Vector3& velocity) {
   const Vector3 from_eye = place - viewer.eye;
@@ -33,4 +33,4 @@ std::optional<ScreenVelocity> projected_velocity(const Viewer& viewer, const Vec
   return ScreenVelocity{along(viewer.right), along(viewer.up)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

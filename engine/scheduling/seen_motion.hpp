@@ -11,7 +11,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// The velocity, as the viewer's moving frame has it, of what is at `place` and moves at
 /// `velocity` (m/s, world).
@@ -32,4 +32,4 @@ struct ScreenVelocity {
 std::optional<ScreenVelocity> projected_velocity(const Viewer& viewer, const Vector3& place,
                                                  const Vector3& velocity);
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

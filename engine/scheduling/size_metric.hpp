@@ -7,7 +7,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// Degrees that the two bounds' diameters span at the eye, mean.
 class SizeMetric final : public PriorityMetric {
@@ -30,4 +30,4 @@ class SizeMetric final : public PriorityMetric {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

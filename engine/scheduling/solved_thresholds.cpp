@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 /// Shares such as 0.1 + 0.2 + 0.7 may exceed 1 by rounding.
@@ -92,4 +92,4 @@ std::vector<double> thresholds_for(const std::vector<double>& shares, std::vecto
   return thresholds;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

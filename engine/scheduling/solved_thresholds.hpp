@@ -14,7 +14,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// What is wrong with the shares of all lists but the last, which must lie in [0, 1] and add up to
 /// at most 1, as "expected ..., got ..."; empty when nothing is.
@@ -33,4 +33,4 @@ std::vector<std::size_t> cuts_for(const std::vector<double>& shares, std::size_t
 std::vector<double> thresholds_for(const std::vector<double>& shares, std::vector<double> measures,
                                    const PriorityMetric& metric);
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

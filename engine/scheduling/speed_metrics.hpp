@@ -6,7 +6,7 @@
 #include "engine/scheduling/priority.hpp"
 #include "engine/scheduling/seen_motion.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// Degrees per second at which the two bodies are seen to move, mean.
 inline double mean_seen_speed_deg_s(const PairBounds& bounds, const Viewer& viewer) {
@@ -43,4 +43,4 @@ class CollisionSpeedMetric final : public PriorityMetric {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

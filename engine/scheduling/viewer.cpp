@@ -3,7 +3,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg) {
   const SineCosine turn = sine_cosine_deg(azimuth_deg);
@@ -45,4 +45,4 @@ double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q
   return degrees(atan2_rad(u.cross(w).norm(), u.dot(w)));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

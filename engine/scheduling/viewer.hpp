@@ -10,7 +10,7 @@
 #include "engine/numerics/vector.hpp"
 #include "engine/volumes/view_frustum.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// The screen as the viewer meets it: size in metres and pixels, eye to screen in metres.
 struct ScreenGeometry {
@@ -58,4 +58,4 @@ std::optional<ScreenPoint> projected(const Viewer& viewer, const Vector3& point)
 /// The angle at the eye between two points of the world (degrees).
 double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q);
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

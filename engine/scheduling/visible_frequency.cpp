@@ -5,7 +5,7 @@
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 double frequency_seen_at_speed(double speed_deg_s) {
   constexpr double kSlowest_deg_s = 0.825;
@@ -31,4 +31,4 @@ double VisibleFrequencyMetric::measure(const PairBounds& bounds, const Viewer& v
          share_seen_at_eccentricity(eccentricity_deg(bounds, viewer, fixation, point_));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

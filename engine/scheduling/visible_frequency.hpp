@@ -14,7 +14,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// What speed leaves: the highest spatial frequency visible at the fovea (cycles per degree).
 double frequency_seen_at_speed(double speed_deg_s);
@@ -36,4 +36,4 @@ class VisibleFrequencyMetric final : public PriorityMetric {
   std::optional<ScreenPoint> point_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

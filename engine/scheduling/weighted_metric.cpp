@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 [[noreturn]] void refuse_weights(const std::string& expected, const std::string& got) {
@@ -71,4 +71,4 @@ double WeightedMetric::measure(const PairBounds& bounds, const Viewer& viewer,
   return sum;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

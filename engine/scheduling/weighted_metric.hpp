@@ -11,7 +11,7 @@
 
 #include "engine/scheduling/metrics.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// From 0 to the sum of the weights, large first.
 class WeightedMetric final : public PriorityMetric {
@@ -33,4 +33,4 @@ class WeightedMetric final : public PriorityMetric {
   std::vector<Term> terms_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

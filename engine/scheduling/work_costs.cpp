@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/work_costs.hpp"
 
-namespace impetus {
+namespace impetus::inline scheduling {
 namespace {
 
 std::string problem_of(const char* what, std::int64_t least, std::int64_t cost) {
@@ -28,4 +28,4 @@ std::string problem_of(const WorkCosts& costs) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 /// As it stands, node-pair tests alone count.
 struct WorkCosts {
@@ -35,4 +35,4 @@ inline constexpr std::int64_t kGreatestCost = 1'000'000;
 /// What is wrong with the costs, as "work costs: expected ..., got ..."; empty when nothing is.
 std::string problem_of(const WorkCosts& costs);
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

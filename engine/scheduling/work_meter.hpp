@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline scheduling {
 
 class WorkMeter {
  public:
@@ -48,4 +48,4 @@ class FixedWork final : public WorkMeter {
 
 inline constexpr std::int64_t kUnlimitedTests = INT64_MAX;
 
-}  // namespace impetus
+}  // namespace impetus::inline scheduling

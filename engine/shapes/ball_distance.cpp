@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 ClosestPoints ball_distance(const TriangleMesh& mesh, const Pose& pose, const Vector3& centre,
                             double radius_m) {
@@ -27,4 +27,4 @@ ClosestPoints ball_distance(const TriangleMesh& mesh, const Pose& pose, const Ve
           centre + radius_m / from_centre_m * (on_mesh - centre)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// Above Shewchuk's (7 + 56 ε) ε with ε = 2^-53.
@@ -102,4 +102,4 @@ int turn_across(int axis, const Vector3& a, const Vector3& b, const Vector3& c) 
   return sum.sign();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -9,7 +9,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// The sign of (b - a) × (c - a) · (d - a): +1 when `d` is where `a`, `b`, `c` run
 /// counter-clockwise, 0 when all four lie in one plane. Coordinates (metres) must be finite and,
@@ -21,4 +21,4 @@ int side_of_plane(const Vector3& a, const Vector3& b, const Vector3& c, const Ve
 /// line.
 int turn_across(int axis, const Vector3& a, const Vector3& b, const Vector3& c);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

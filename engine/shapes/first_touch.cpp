@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/first_touch.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 std::optional<FirstTouch> first_touch(const ClosestAtWay& closest_at, double gap_m,
                                       double farthest_m) {
@@ -17,4 +17,4 @@ std::optional<FirstTouch> first_touch(const ClosestAtWay& closest_at, double gap
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

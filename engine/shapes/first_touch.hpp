@@ -10,7 +10,7 @@
 
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 struct FirstTouch {
   double way_m{0.0};      ///< how far the surface had moved
@@ -27,4 +27,4 @@ using ClosestAtWay = std::function<ClosestPoints(double way_m)>;
 std::optional<FirstTouch> first_touch(const ClosestAtWay& closest_at, double gap_m,
                                       double farthest_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

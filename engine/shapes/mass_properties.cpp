@@ -6,7 +6,7 @@
 
 #include "engine/numerics/compensated_sum.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// Sums of this many terms are exact enough as they are, and recorded trials of small shapes rest
@@ -70,4 +70,4 @@ TriangleMesh about_centre_of_mass(TriangleMesh mesh) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

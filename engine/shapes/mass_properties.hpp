@@ -5,7 +5,7 @@
 #include "engine/numerics/vector.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// `centre` in the shape's own frame (metres); `inertia` (kg m²) about the centre of mass, in the
 /// same axes.
@@ -29,4 +29,4 @@ MassProperties solid_of(const TriangleMesh& mesh, double density_kg_m3);
 /// The mesh moved so that the centre of mass of its solid is the origin: a body's own frame.
 TriangleMesh about_centre_of_mass(TriangleMesh mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -110,4 +110,4 @@ std::vector<TriangleMesh> split(const TriangleMesh& mesh, const MeshComponents& 
   return parts;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -10,7 +10,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 struct MeshComponents {
   std::vector<std::uint32_t> of_triangle;  ///< from 0, by first triangle; joined by shared edges
@@ -24,4 +24,4 @@ MeshComponents find_components(const TriangleMesh& mesh);
 /// One mesh for each component, with its own vertices only.
 std::vector<TriangleMesh> split(const TriangleMesh& mesh, const MeshComponents& components);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 struct Box {
@@ -133,4 +133,4 @@ ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const Tri
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -8,7 +8,7 @@
 #include "engine/shapes/triangle_distance.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Whether the surfaces cross. A mesh wholly inside another crosses nothing.
 bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
@@ -19,4 +19,4 @@ bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b
 ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
                             const Pose& pose_b);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

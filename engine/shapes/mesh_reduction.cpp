@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// A triangle may turn by no more than this when a corner of it moves.
@@ -271,4 +271,4 @@ TriangleMesh reduced_mesh(const TriangleMesh& mesh, std::size_t triangles) {
   return Reduction(mesh).reduced_to(triangles);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -13,11 +13,11 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// `mesh` with at most `triangles` triangles, or as few as the shape allows: two fewer for each
 /// edge that can go. Vertices keep their order. The same on every machine. Precondition:
 /// find_defects(mesh).none().
 TriangleMesh reduced_mesh(const TriangleMesh& mesh, std::size_t triangles);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -9,7 +9,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 bool contains(const TriangleMesh& solid, const Vector3& point) {
   // tan(Ω/2) = a·(b×c) / (|a||b||c| + a·b |c| + b·c |a| + c·a |b|)
@@ -36,4 +36,4 @@ double distance_to_surface(const TriangleMesh& mesh, const Vector3& point) {
   return std::sqrt(least);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -4,7 +4,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// By the winding number, the sum of the triangles' solid angles over 4π (Van Oosterom and Strackee
 /// 1983). Points of the surface itself may fall either way.
@@ -13,4 +13,4 @@ bool contains(const TriangleMesh& solid, const Vector3& point);
 /// Distance from `point` to the nearest triangle (metres).
 double distance_to_surface(const TriangleMesh& mesh, const Vector3& point);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

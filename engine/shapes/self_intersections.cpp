@@ -7,7 +7,7 @@
 
 #include "engine/shapes/triangle_meeting.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 constexpr std::size_t kTrianglesPerLeaf = 4;
@@ -155,4 +155,4 @@ SelfIntersections find_self_intersections_by_brute_force(const TriangleMesh& mes
   return found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -9,7 +9,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 struct SelfIntersections {
   std::int64_t crossing_pairs{0};  ///< triangles without a common corner that cross or touch
@@ -26,4 +26,4 @@ SelfIntersections find_self_intersections(const TriangleMesh& mesh);
 /// The same by trying every pair: the oracle of the search above.
 SelfIntersections find_self_intersections_by_brute_force(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -10,7 +10,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 constexpr std::uint32_t kLargestLeaf = 4;
@@ -184,4 +184,4 @@ double SurfaceDistance::distance_to_m(std::uint32_t triangle, const Vector3& poi
   return (closest_on_triangle(corners(triangle), point) - point).norm();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

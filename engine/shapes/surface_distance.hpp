@@ -13,7 +13,7 @@
 #include "engine/shapes/triangle_distance.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// The point of a surface nearest to another; the triangle of the least index among equals.
 struct NearestOnSurface {
@@ -82,4 +82,4 @@ class SurfaceDistance {
   std::vector<Vector3> vertex_normals_;               ///< of any length
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -13,7 +13,7 @@
 #include "engine/shapes/mesh_reduction.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 constexpr std::int32_t kNoGroup = -1;
@@ -154,4 +154,4 @@ std::vector<std::int32_t> surface_groups(const TriangleMesh& mesh) {
   return groups;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -13,7 +13,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// A triangle joins a group when the cosine between its normal and the area-weighted mean of the
 /// group's is not below this: 25.8°.
@@ -26,4 +26,4 @@ inline constexpr std::size_t kReducedMesh = 200;
 /// through edges. Precondition: find_defects(mesh).none().
 std::vector<std::int32_t> surface_groups(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// Where the segment passes through the triangle, its border included; nothing for a segment in
@@ -131,4 +131,4 @@ bool triangles_cross(const Triangle& a, const Triangle& b) {
   return common_point(a, b).has_value();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

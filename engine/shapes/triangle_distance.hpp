@@ -6,7 +6,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 using Triangle = std::array<Vector3, 3>;
 
@@ -41,4 +41,4 @@ ClosestPoints triangle_distance(const Triangle& a, const Triangle& b);
 /// Whether an edge of one passes through the other. Coplanar triangles never cross.
 bool triangles_cross(const Triangle& a, const Triangle& b);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

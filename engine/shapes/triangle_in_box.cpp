@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 bool parted_along(const Vector3& axis, const Triangle& triangle, const Vector3& half_extents_m) {
@@ -39,4 +39,4 @@ bool meets_box(const Triangle& triangle, const Vector3& half_extents_m) {
   return true;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

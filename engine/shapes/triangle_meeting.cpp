@@ -6,7 +6,7 @@
 #include "engine/shapes/exact_orientation.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -142,4 +142,4 @@ TriangleMeeting meeting(const TriangleMesh& mesh, const Corners& a, const Corner
   return folded ? TriangleMeeting::kFolded : TriangleMeeting::kNone;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

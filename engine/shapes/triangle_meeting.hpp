@@ -8,7 +8,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 enum class TriangleMeeting {
   kNone,      ///< nothing in common, or only shared corners and edges
@@ -21,4 +21,4 @@ enum class TriangleMeeting {
 TriangleMeeting meeting(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
                         const std::array<std::uint32_t, 3>& b);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -6,7 +6,7 @@
 
 #include "engine/shapes/useless_triangles.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 struct EdgeUse {
@@ -43,4 +43,4 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
   return defects;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -8,7 +8,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Vertices in metres; each triangle lists three of them counter-clockwise as seen from outside.
 struct TriangleMesh {
@@ -33,4 +33,4 @@ struct MeshDefects {
 /// Counts the defects of a mesh. Every vertex index must be within `vertices`.
 MeshDefects find_defects(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -57,4 +57,4 @@ std::int64_t count_duplicates(const TriangleMesh& mesh) {
   return count;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

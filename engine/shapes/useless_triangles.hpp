@@ -7,7 +7,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Whether the triangle has a repeated vertex or no area.
 bool is_degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
@@ -21,4 +21,4 @@ std::int64_t drop_duplicates(TriangleMesh& mesh);
 /// How many drop_duplicates() would remove.
 std::int64_t count_duplicates(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -7,7 +7,7 @@
 #include "engine/trees/surface_part.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The parts of a node's children tile the node's own part, the root's is the whole surface, and
 /// every volume holds every corner of its part. So each level holds the whole surface.
@@ -16,4 +16,4 @@ struct BuiltTree {
   std::vector<SurfacePart> parts;  ///< one per node, in the tree's order
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

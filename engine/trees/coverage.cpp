@@ -10,7 +10,7 @@
 #include "engine/trees/surface_part.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kMostHalvings = 100;
@@ -269,4 +269,4 @@ double uncovered_area_m2(const TriangleMesh& mesh, const VolumeTree& tree, int l
   return bare_m2;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -12,11 +12,11 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The area of `mesh` outside every node that stands for it at `level` (m²), 0 when all is covered.
 /// Never less than the truth but for pieces narrower than 1e-12 of the mesh's size, which count as
 /// covered; a piece not settled within 100 halvings counts as bare.
 double uncovered_area_m2(const TriangleMesh& mesh, const VolumeTree& tree, int level);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// The point of a cell (or, on its cone's rim, of the volume) farthest from a ball.
@@ -133,4 +133,4 @@ Farthest farthest_from(const Anchor& anchor, const FitCell& cell, const Cone& co
                                             : farthest_from_convex(anchor, cell, cone);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -9,7 +9,7 @@
 
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// What is known of the solid: a triangle of its surface, a box along the volume's axes inside it
 /// (given by two opposite corners), or a ball inside it (given by its centre). All are convex, so
@@ -72,4 +72,4 @@ struct Farthest {
 /// A bound for the distance of all points of a cell from the solid, by way of an anchor.
 Farthest farthest_from(const Anchor& anchor, const FitCell& cell, const Cone& cone);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

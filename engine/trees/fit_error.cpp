@@ -13,7 +13,7 @@
 #include "engine/trees/fit_cell.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Shares of the volume's size: above rounding in a bound, and above what builders add to nodes.
@@ -351,4 +351,4 @@ double fit_error_m(const Volume& volume, const SurfaceDistance& solid, double in
   return Search(form, solid, indifferent_m, most_questions).upper_bound_m();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -11,7 +11,7 @@
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The bound exceeds the truth by at most this share of itself, or by kFitResolution of the
 /// volume's bounding radius where that is more.
@@ -25,4 +25,4 @@ inline constexpr double kFitResolution = 1e-3;
 double fit_error_m(const Volume& volume, const SurfaceDistance& solid, double indifferent_m = 0.0,
                    int most_questions = 1000);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -10,7 +10,7 @@
 #include "engine/trees/mean_protrusion.hpp"
 #include "engine/trees/solid_grid.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kDivisions = 128;
@@ -88,4 +88,4 @@ std::vector<LevelQuality> measure_levels(const TriangleMesh& solid, const Volume
   return levels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

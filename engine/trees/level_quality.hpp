@@ -19,7 +19,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// All of it is of the nodes that stand for the object at the level (VolumeTree::standing_at), but
 /// for `bytes`.
@@ -44,4 +44,4 @@ struct LevelQuality {
 std::vector<LevelQuality> measure_levels(const TriangleMesh& solid, const VolumeTree& tree,
                                          const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

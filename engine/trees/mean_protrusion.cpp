@@ -9,7 +9,7 @@
 #include "engine/numerics/spread_points.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -148,4 +148,4 @@ double mean_protrusion_m(const std::vector<Volume>& volumes, const SurfaceDistan
   return area_m2 > 0.0 ? sum_m3 / area_m2 : 0.0;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -7,7 +7,7 @@
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Distance to the solid (metres; 0 inside) averaged over the surface of the union of `volumes`, by
 /// about `samples` points spread evenly over the volumes' surfaces; those within another volume are
@@ -15,4 +15,4 @@ namespace impetus {
 double mean_protrusion_m(const std::vector<Volume>& volumes, const SurfaceDistance& solid,
                          int samples);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

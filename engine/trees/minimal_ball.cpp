@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -119,4 +119,4 @@ Sphere minimal_ball(const std::vector<Vector3>& points) {
   return ball;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

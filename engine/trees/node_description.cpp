@@ -11,7 +11,7 @@
 #include "engine/trees/fit_error.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// A point and how far about it nothing changes from solid to empty.
@@ -99,4 +99,4 @@ Vector3 density_normal_of(const SurfacePart& part) {
   return faces ? Vector3(doubled / length) : Vector3::Zero();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

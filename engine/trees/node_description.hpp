@@ -10,7 +10,7 @@
 #include "engine/trees/surface_part.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A part whose area vector is a smaller share of its area than this faces no way: the opposite
 /// sides of a thin limb cancel, and what is left is chance.
@@ -53,4 +53,4 @@ double occupancy_of(const Volume& volume, const SurfaceDistance& solid);
 /// corrected, are its discrete form. (Dingliana 2002, eq. 4.7 to 4.9, corrected)
 Vector3 density_normal_of(const SurfacePart& part);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr std::uint32_t kKindBits = 3;
@@ -156,4 +156,4 @@ std::size_t NodeVolumes::bytes() const {
          (are_voxels() ? bytes_of(level_starts_) : 0);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -15,7 +15,7 @@
 #include "engine/volumes/sphere_lanes.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A cube split into `divisions`³ equal cubes, each of them again, and so on.
 struct VoxelGrid {
@@ -70,4 +70,4 @@ class NodeVolumes {
   std::vector<std::int32_t> level_starts_;  ///< of voxels
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

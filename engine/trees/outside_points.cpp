@@ -7,7 +7,7 @@
 
 #include "engine/numerics/cube_root.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 OutsidePoints::OutsidePoints(const SurfaceDistance& surface, const std::vector<Vector3>& points,
                              std::size_t count) {
@@ -69,4 +69,4 @@ std::vector<double> OutsidePoints::volumes_m3(const Vector3& centre, double step
   return volumes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -7,7 +7,7 @@
 
 #include "engine/shapes/surface_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 class OutsidePoints {
  public:
@@ -32,4 +32,4 @@ class OutsidePoints {
   double each_m3_{0.0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 using Cells = Eigen::Array3i;
@@ -168,4 +168,4 @@ double outside_volume_m3(const TriangleMesh& solid, const std::vector<Volume>& v
   return static_cast<double>(outside) * grid.cell_m * grid.cell_m * grid.cell_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The volume of the union of `volumes` outside `solid` (m³), by the cells of a grid over the
 /// bounds of the union, `divisions` along the longest side. Cells count by their centres.
@@ -16,4 +16,4 @@ namespace impetus {
 double outside_volume_m3(const TriangleMesh& solid, const std::vector<Volume>& volumes,
                          int divisions);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -5,7 +5,7 @@
 
 #include "engine/shapes/mass_properties.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kLeastShare = 1e-12;
@@ -50,4 +50,4 @@ void require_solid(const TriangleMesh& mesh, const std::string& builder) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

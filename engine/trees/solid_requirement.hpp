@@ -7,7 +7,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Throws std::invalid_argument in the name of `builder` unless `mesh` is closed, faces outward and
 /// encloses more than rounding may have left of nothing: 1e-12 of its bounding cube.
@@ -25,4 +25,4 @@ struct MeshBounds {
 /// Precondition: one triangle or more. Vertices of no triangle do not count.
 MeshBounds bounds_of(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

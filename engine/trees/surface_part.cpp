@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// The corners of `facet` where heights, times `sign`, are not negative, and the crossings.
@@ -96,4 +96,4 @@ std::vector<Vector3> corners_of(const SurfacePart& part) {
   return corners;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -11,7 +11,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A convex piece of one triangle.
 struct Facet {
@@ -46,4 +46,4 @@ double area_m2(const SurfacePart& part);
 /// Every corner of every facet, in order.
 std::vector<Vector3> corners_of(const SurfacePart& part);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 bool is_cube_number(int count) {
@@ -82,4 +82,4 @@ std::string problem_of(const TreeSettings& settings) {
   return {};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

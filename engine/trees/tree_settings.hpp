@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// octree         spheres round the cubes of an octree: fast and simple
 /// medial         spheres near the medial axis: tight
@@ -50,4 +50,4 @@ std::string problem_of(const TreeSettings& settings);
 /// abandons the work.
 using Progress = std::function<void(double share)>;
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Breadth-first order means: each node's children follow the children of the node before it.
@@ -149,4 +149,4 @@ VolumeTree single_node_tree(const Volume& volume) {
   return {std::vector<VolumeNode>{{volume, 0, 0, {}}}, {0}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -18,7 +18,7 @@
 #include "engine/numerics/at.hpp"
 #include "engine/trees/node_volumes.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The children of a node: `count` of them from `first_child` on.
 struct NodeLinks {
@@ -107,4 +107,4 @@ class VolumeTree {
 /// A volume is its own tree of one node: nothing finer exists.
 VolumeTree single_node_tree(const Volume& volume);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

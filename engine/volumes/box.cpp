@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 Sphere bounding_sphere(const Box& box) { return {box.centre, box.half_extents_m.norm()}; }
 
@@ -43,4 +43,4 @@ double content_m3(const Cube& cube) {
   return 8.0 * cube.half_edge_m * (cube.half_edge_m * cube.half_edge_m);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -4,7 +4,7 @@
 
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// The points centre + R x with |x_i| ≤ half_extents_m[i], R the matrix of `orientation` (unit).
 struct Box {
@@ -33,4 +33,4 @@ Cube placed(const Cube& cube, const Pose& pose);
 bool holds(const Cube& cube, const Vector3& point);
 double content_m3(const Cube& cube);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

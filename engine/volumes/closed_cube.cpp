@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/volumes/closed_cube.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// How far along the wall's outward direction a point lies from the cube's centre.
@@ -76,4 +76,4 @@ Vector3 corner(const ClosedCube& cube, int index) {
   return {side(0), side(1), side(2)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -6,7 +6,7 @@
 
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 inline constexpr int kWallCount = 6;
 
@@ -42,4 +42,4 @@ TouchPoint touch_wall(const ClosedCube& cube, int wall, const Volume& volume);
 /// The eight corners (metres, world): bit i is the side along axis i.
 Vector3 corner(const ClosedCube& cube, int index);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

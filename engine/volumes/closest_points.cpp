@@ -7,7 +7,7 @@
 
 #include "engine/volumes/separating_axes.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// Times what rounding can do to a distance: closer than this the cores meet.
@@ -172,4 +172,4 @@ bool come_within(const Core& a, const Core& b, double distance_m) {
   return apart_m <= far_m || gap_along(a, b, (closest.on_a - closest.on_b) / apart_m) <= far_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

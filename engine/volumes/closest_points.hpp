@@ -10,7 +10,7 @@
 
 #include "engine/volumes/core.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 struct ClosestOfCores {
   Vector3 on_a{Vector3::Zero()};
@@ -26,4 +26,4 @@ std::optional<ClosestOfCores> closest_points(const Core& a, const Core& b);
 /// with a direction along which they are further apart.
 bool come_within(const Core& a, const Core& b, double distance_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <compare>
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 Core point_core(const Vector3& centre) {
   Core core;
@@ -93,4 +93,4 @@ Vector3 unit_across(const Vector3& direction) {
   return direction.cross(Vector3(Vector3::Unit(flattest))).normalized();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

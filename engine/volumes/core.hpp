@@ -9,7 +9,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// The points centre + Σ s_i half_m[i] axes.col(i), |s_i| ≤ 1. The axes are orthonormal; the first
 /// `dimension` of half_m are positive, the others zero.
@@ -53,4 +53,4 @@ Vector3 nearest_point(const Core& core, const Vector3& point);
 /// A unit vector across `direction` (not zero), always the same one.
 Vector3 unit_across(const Vector3& direction);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -7,7 +7,7 @@
 #include "engine/volumes/separating_axes.hpp"
 #include "engine/volumes/shared_region.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// Cosine below which a direction does not tell one sense of an axis from the other.
@@ -115,4 +115,4 @@ TouchPoint core_contact(const CoredVolume& a, const CoredVolume& b, const Vector
   return contact;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -4,9 +4,9 @@
 
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// See touch() of two volumes, which states what it is. The same bits both ways round.
 TouchPoint core_contact(const CoredVolume& a, const CoredVolume& b, const Vector3& fallback);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// What `question` of the kind at hand answers.
@@ -59,4 +59,4 @@ const ViewFrustum* view_frustum(const std::optional<Enclosure>& enclosure) {
   return enclosure ? std::get_if<ViewFrustum>(&*enclosure) : nullptr;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -12,7 +12,7 @@
 #include "engine/volumes/closed_cube.hpp"
 #include "engine/volumes/view_frustum.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 using Enclosure = std::variant<ClosedCube, ViewFrustum>;
 
@@ -34,4 +34,4 @@ Vector3 corner(const Enclosure& enclosure, int index);
 const ClosedCube* closed_cube(const std::optional<Enclosure>& enclosure);
 const ViewFrustum* view_frustum(const std::optional<Enclosure>& enclosure);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

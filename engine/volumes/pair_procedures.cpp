@@ -8,7 +8,7 @@
 #include "engine/volumes/core_contact.hpp"
 #include "engine/volumes/separating_axes.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 struct PairProcedures {
@@ -108,4 +108,4 @@ double wall_interpenetration(const Volume& volume, const TouchPoint& contact) {
   return share_of(width_along(volume, contact.normal), contact.depth_m);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

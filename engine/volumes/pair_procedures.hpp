@@ -8,7 +8,7 @@
 
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// Whether the volumes overlap or touch. Never denied to volumes that do; within rounding it is
 /// exact.
@@ -34,4 +34,4 @@ double interpenetration(const Volume& a, const Volume& b, const TouchPoint& cont
 /// The same of a volume and a wall, which is wider than any.
 double wall_interpenetration(const Volume& volume, const TouchPoint& contact);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

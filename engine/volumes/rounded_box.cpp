@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// Some unit vector across the unit vector `axis`.
@@ -151,4 +151,4 @@ double least_half_width_m(const Volume& volume) {
   return form.half_extents_m.minCoeff() + form.radius_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

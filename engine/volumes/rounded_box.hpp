@@ -13,7 +13,7 @@
 
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// The points within `radius_m` of { centre + axes x : |x_i| ≤ half_extents_m[i] }; the columns of
 /// `axes` are orthonormal.
@@ -54,4 +54,4 @@ struct SegmentSpan {
 std::optional<SegmentSpan> span_within(const RoundedBox& volume, const Vector3& from,
                                        const Vector3& to);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 constexpr double kRounding = 1e-13;
@@ -105,4 +105,4 @@ Penetration least_penetration(const Core& a, const Core& b) {
   return least;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

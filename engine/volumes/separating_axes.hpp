@@ -9,7 +9,7 @@
 
 #include "engine/volumes/core.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// What rounding can do to a distance between the cores (metres).
 double rounding_slack_m(const Core& a, const Core& b);
@@ -30,4 +30,4 @@ struct Penetration {
 /// axes of a's frame before those of b's before products.
 Penetration least_penetration(const Core& a, const Core& b);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

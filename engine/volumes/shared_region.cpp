@@ -6,7 +6,7 @@
 
 #include "engine/numerics/few.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// A region with less area than this times its length squared counts as a line; with less volume
@@ -237,4 +237,4 @@ std::optional<Vector3> centroid_of_shared(const Core& a, const Core& b, double t
   return centroid_of_faces(one);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -7,10 +7,10 @@
 
 #include "engine/volumes/core.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// The centroid of the points that lie in both cores, each grown by `tolerance_m`; none when no
 /// such point is found. The region may have any dimension.
 std::optional<Vector3> centroid_of_shared(const Core& a, const Core& b, double tolerance_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

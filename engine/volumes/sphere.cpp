@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 Sphere bounding_sphere(const Sphere& sphere) { return sphere; }
 
@@ -33,4 +33,4 @@ TouchPoint touch(const Sphere& a, const Sphere& b, const Vector3& normal_if_coin
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

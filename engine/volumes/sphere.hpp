@@ -4,7 +4,7 @@
 
 #include "engine/volumes/core.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 struct Sphere {
   Vector3 centre{Vector3::Zero()};
@@ -37,4 +37,4 @@ struct TouchPoint {
 /// `normal_if_coincident` (unit) is used when the centres coincide.
 TouchPoint touch(const Sphere& a, const Sphere& b, const Vector3& normal_if_coincident);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

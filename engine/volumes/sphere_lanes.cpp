@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 // Vectors are passed by reference alone: how they would be passed by value depends on the width.
@@ -240,4 +240,4 @@ void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& pl
   place_by<2>(own, pose, placed);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

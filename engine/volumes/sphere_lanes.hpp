@@ -18,7 +18,7 @@
 #include "engine/numerics/lanes.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// Where a block's spheres begin in each array. kLanes elements can be read from there.
 struct SphereLanes {
@@ -96,4 +96,4 @@ void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincid
 void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& placed,
                  LaneWidth width = widest_lanes());
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

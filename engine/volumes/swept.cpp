@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -72,4 +72,4 @@ double content_m3(const RectangleSwept& rectangle) {
          (u_m + v_m) * kPi * square(rectangle.radius_m) + 2.0 * u_m * v_m * rectangle.radius_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

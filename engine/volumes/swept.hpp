@@ -5,7 +5,7 @@
 
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// All points within `radius_m` of the segment centre ± half_axis.
 struct LineSwept {
@@ -35,4 +35,4 @@ RectangleSwept placed(const RectangleSwept& rectangle, const Pose& pose);
 bool holds(const RectangleSwept& rectangle, const Vector3& point);
 double content_m3(const RectangleSwept& rectangle);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

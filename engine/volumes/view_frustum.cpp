@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline volumes {
 namespace {
 
 /// How far from unit length or from a right angle (cosine) the screen's axes may be.
@@ -132,4 +132,4 @@ Vector3 corner(const ViewFrustum& frustum, int index) {
          depth_m / distance_m * frustum.eye;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -15,7 +15,7 @@
 
 #include "engine/volumes/closed_cube.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// Six walls: 0 right, 1 left, 2 above, 3 below, 4 towards the eye, 5 away from it.
 struct ViewFrustum {
@@ -43,4 +43,4 @@ TouchPoint touch_wall(const ViewFrustum& frustum, int wall, const Volume& volume
 /// The eight corners (metres, world): bit 0 right, bit 1 above, bit 2 away from the eye.
 Vector3 corner(const ViewFrustum& frustum, int index);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

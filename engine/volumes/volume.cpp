@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 Sphere bounding_sphere(const Volume& volume) {
   return std::visit([](const auto& kind) { return bounding_sphere(kind); }, volume);
@@ -23,4 +23,4 @@ double content_m3(const Volume& volume) {
   return std::visit([](const auto& kind) { return content_m3(kind); }, volume);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

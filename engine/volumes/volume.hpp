@@ -10,7 +10,7 @@
 #include "engine/volumes/sphere.hpp"
 #include "engine/volumes/swept.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 /// Each kind answers the questions below in a file of its own, and has a row in the table of pairs
 /// (see pair_procedures.hpp).
@@ -31,4 +31,4 @@ bool holds(const Volume& volume, const Vector3& point);
 /// The volume's content (m³).
 double content_m3(const Volume& volume);
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 WallReach::WallReach(const Enclosure& walls) : cube_(std::get_if<ClosedCube>(&walls)) {
   if (cube_ != nullptr) {
@@ -28,4 +28,4 @@ bool WallReach::operator()(const Sphere& sphere) const {
   });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

@@ -6,7 +6,7 @@
 
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline volumes {
 
 class WallReach {
  public:
@@ -27,4 +27,4 @@ class WallReach {
   std::array<Plane, kWallCount> planes_{};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline volumes

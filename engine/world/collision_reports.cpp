@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 bool comes_first(const CollisionReport& x, const CollisionReport& y) {
@@ -107,4 +107,4 @@ void report_response(const ResponseResult& result, StepReport& report) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

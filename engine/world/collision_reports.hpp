@@ -14,7 +14,7 @@
 #include "engine/dynamics/impulse.hpp"
 #include "engine/world/step.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// Forgets what `report` said, and keeps its memory.
 void restart(StepReport& report);
@@ -50,4 +50,4 @@ void contacts_to_respond_to(const StepReport& report, std::vector<Contact>& cont
 /// Adds what the response to those contacts did: to each, and in all to each collision.
 void report_response(const ResponseResult& result, StepReport& report);
 
-}  // namespace impetus
+}  // namespace impetus::inline world

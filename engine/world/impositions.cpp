@@ -5,7 +5,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 void hold(double hold_s, CollisionReport& collision, std::vector<BodyState>& states) {
@@ -46,4 +46,4 @@ void Impositions::spin(const ImposedSpinRule& rule, const std::vector<BodyModel>
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -9,7 +9,7 @@
 #include "engine/world/step.hpp"
 #include "engine/world/world_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 class Impositions {
  public:
@@ -26,4 +26,4 @@ class Impositions {
   bool has_spun_{false};  ///< the first collision was, at whatever level
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

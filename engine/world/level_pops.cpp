@@ -6,7 +6,7 @@
 
 #include "engine/scheduling/gap_metrics.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 double fit_error_m(const BodyPair& bodies, int level, const std::vector<BodyModel>& models) {
@@ -39,4 +39,4 @@ void LevelMemory::note(const std::vector<TouchingLevel>& touching,
   before_ = touching;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -10,7 +10,7 @@
 #include "engine/dynamics/body.hpp"
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// A pair that touches at a coarser level than in the step before.
 struct LevelPop {
@@ -39,4 +39,4 @@ class LevelMemory {
   std::vector<TouchingLevel> before_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

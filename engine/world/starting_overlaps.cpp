@@ -6,7 +6,7 @@
 
 #include "engine/collision/pair_refinement.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 bool touches(PairRefinement pair) {
@@ -42,4 +42,4 @@ std::vector<BodyPair> overlapping_at_start(const World& world, int level) {
   return found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -6,10 +6,10 @@
 
 #include "engine/world/world.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// The pairs that touch in the world's present state at `level` of their trees (at the finest when
 /// it is deeper), walls included as {body, kEnclosure}; in order of (a, b).
 std::vector<BodyPair> overlapping_at_start(const World& world, int level = kUnlimitedLevel);
 
-}  // namespace impetus
+}  // namespace impetus::inline world

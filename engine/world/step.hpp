@@ -14,7 +14,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/world/level_pops.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// Everything that decides a step besides the state.
 struct StepInput {
@@ -81,4 +81,4 @@ struct StepReport {
   std::vector<NotFiniteBody> not_finite;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -20,7 +20,7 @@
 #include "engine/world/level_pops.hpp"
 #include "engine/world/step_order.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// Pairs that are refined, in objects that are used again.
 class RefinedPairs {
@@ -72,4 +72,4 @@ struct StepMemory {
   StepReport report;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 /// For a body and a wall, both are that body.
@@ -85,4 +85,4 @@ double StepOrder::measure(std::int32_t candidate, const Measuring& by) {
   return metric.measure(pair, by.input.viewer, by.input.fixation);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -17,7 +17,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/world/step.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// What pairs are measured by, in a step whose bodies are where they will be tested.
 struct Measuring {
@@ -53,4 +53,4 @@ class StepOrder {
   bool are_measured_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

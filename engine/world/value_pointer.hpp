@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// Copies what it points to.
 template <typename Value>
@@ -33,4 +33,4 @@ class ValuePointer {
   std::unique_ptr<Value> value_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

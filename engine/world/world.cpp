@@ -14,7 +14,7 @@
 #include "engine/world/collision_reports.hpp"
 #include "engine/world/world_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 void require(bool condition, const char* message) {
@@ -349,4 +349,4 @@ const TouchingPair* World::touched_before(BodyPair bodies) const {
   return found != touching_.end() && found->bodies == bodies ? &*found : nullptr;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -26,7 +26,7 @@
 #include "engine/world/value_pointer.hpp"
 #include "engine/world/world_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// Raised whenever a recording made before may no longer replay.
 inline constexpr int kRecordingFormat = 2;
@@ -119,4 +119,4 @@ class World {
   StepMemory memory_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -6,7 +6,7 @@
 #include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/limits.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 /// Whether it can be squared, and so can its inverse.
@@ -73,4 +73,4 @@ std::string problem_of(const std::vector<BodyModel>& models, const std::vector<B
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

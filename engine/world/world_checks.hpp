@@ -7,10 +7,10 @@
 
 #include "engine/dynamics/body.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// What keeps a world from stepping these bodies, as a sentence that names the body; empty when
 /// nothing does.
 std::string problem_of(const std::vector<BodyModel>& models, const std::vector<BodyState>& states);
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -10,7 +10,7 @@
 #include "engine/volumes/wall_reach.hpp"
 #include "engine/world/world.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 /// So few are sooner all tested against each other than put in order; the pairs are the same.
@@ -129,4 +129,4 @@ void World::add_wall_candidates() {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

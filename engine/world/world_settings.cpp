@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/world/world_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 namespace {
 
 std::string of_world(const std::string& problem) {
@@ -53,4 +53,4 @@ std::string problem_of(const WorldSettings& settings) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline world

@@ -19,7 +19,7 @@
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline world {
 
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
@@ -55,4 +55,4 @@ struct WorldSettings {
 /// What is wrong with the settings, as a sentence; empty when nothing is.
 std::string problem_of(const WorldSettings& settings);
 
-}  // namespace impetus
+}  // namespace impetus::inline world

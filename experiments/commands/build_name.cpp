@@ -5,7 +5,7 @@
 #include "engine/world/world.hpp"
 #include "experiments/store/migration.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 const char* build_name() {
   return "impetus " IMPETUS_VERSION ", " IMPETUS_COMMIT ", " IMPETUS_COMPILER ", " IMPETUS_FLAGS;
@@ -21,4 +21,4 @@ std::string version_text() {
          "\nreads studies of schema: " + up_to(kOldestSchemaVersion, kSchemaVersion);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/models/building_watch.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// For as long as it lives; where something else tells of a tree, it is silent.
 class BuildingLine {
@@ -20,4 +20,4 @@ class BuildingLine {
   }};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

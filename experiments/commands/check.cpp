@@ -20,7 +20,7 @@
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct CheckOptions {
@@ -152,4 +152,4 @@ void add_check(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 inline constexpr int kDone = 0;
 inline constexpr int kFound = 1;
@@ -36,4 +36,4 @@ void add_timing(CLI::App& app, Command& chosen);
 void add_trade(CLI::App& app, Command& chosen);
 void add_verify(CLI::App& app, Command& chosen);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

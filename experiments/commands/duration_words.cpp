@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 std::string counted(long count, const char* unit) { return std::to_string(count) + " " + unit; }
@@ -32,4 +32,4 @@ std::string duration_words(double seconds) {
   return counted(hours / 24, "days") + (hours % 24 > 0 ? " " + counted(hours % 24, "h") : "");
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// "0.4 s", "50 s", "12 min", "3 h 20 min", "2 days 5 h"; `seconds` ≥ 0.
 std::string duration_words(double seconds);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

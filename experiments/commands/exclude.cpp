@@ -8,7 +8,7 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/exclusion.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ExcludeOptions {
@@ -50,4 +50,4 @@ void add_exclude(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return run_exclude(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

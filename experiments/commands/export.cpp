@@ -15,7 +15,7 @@
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ExportOptions {
@@ -114,4 +114,4 @@ void add_export(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return run_export(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -15,7 +15,7 @@
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ void add_extremes(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return ask_extremes(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// What a file of "key separator value" lines says of the key, without quotation marks; "":
@@ -50,4 +50,4 @@ std::string machine_name() {
          names.machine + ", " + (processor.empty() ? "" : processor + ", ") + size_of_machine();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

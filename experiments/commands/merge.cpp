@@ -9,7 +9,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/store/merging/study_merge.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct MergeOptions {
@@ -40,4 +40,4 @@ void add_merge(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return merge(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

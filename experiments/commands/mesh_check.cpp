@@ -11,7 +11,7 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct MeshArguments {
@@ -71,4 +71,4 @@ void add_mesh(CLI::App& app, Command& chosen) {
       [arguments, &chosen] { chosen = [arguments] { return mesh_check(*arguments); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

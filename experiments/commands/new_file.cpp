@@ -8,7 +8,7 @@
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 void require_none(const std::filesystem::path& file, const char* unless) {
@@ -66,4 +66,4 @@ void make_out_folder(const std::filesystem::path& folder) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Throws InputError, in one sentence that names the file, when it is there already, and
 /// std::runtime_error when it could not be written: its folder is missing or closed. Nothing
@@ -25,4 +25,4 @@ void require_new_files(const std::filesystem::path& folder, const std::vector<st
 /// made.
 void make_out_folder(const std::filesystem::path& folder);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

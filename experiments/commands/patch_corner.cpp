@@ -3,7 +3,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 ScreenCorner patch_corner(const std::string& option, const std::string& name) {
   const auto corner = corner_named(name);
@@ -14,4 +14,4 @@ ScreenCorner patch_corner(const std::string& option, const std::string& name) {
   return *corner;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -6,9 +6,9 @@
 
 #include "experiments/record/photodiode_patch.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Throws InputError, naming the option, unless `name` is one of the four corners.
 ScreenCorner patch_corner(const std::string& option, const std::string& name);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -22,7 +22,7 @@
 #include "experiments/viewers/preview_view.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct PreviewOptions {
@@ -137,4 +137,4 @@ void add_preview(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 
 #include "experiments/commands/duration_words.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// ", about 3 min left", once enough is done to tell; "" of what is short.
@@ -52,4 +52,4 @@ void ProgressLine::tell(double share) {
   std::fflush(stderr);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 class ProgressLine {
  public:
@@ -31,4 +31,4 @@ class ProgressLine {
   std::chrono::steady_clock::time_point told_at_{began_at_};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 int run_r_script(const std::vector<std::string>& words) {
   std::vector<std::string> all{"Rscript", "--vanilla"};
@@ -44,4 +44,4 @@ int run_needed_r_script(const std::vector<std::string>& words) {
   return status;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 inline constexpr int kNoRscript = 127;
 
@@ -16,4 +16,4 @@ int run_r_script(const std::vector<std::string>& words);
 /// The same for what cannot be done without R: throws InputError when there is no Rscript.
 int run_needed_r_script(const std::vector<std::string>& words);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

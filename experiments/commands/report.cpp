@@ -19,7 +19,7 @@
 #include "experiments/exports/whole_folder.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ void add_report(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -13,7 +13,7 @@
 #include "experiments/trade/parting_rows.hpp"
 #include "experiments/trade/trial_starts.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 constexpr std::size_t kFewestOfACrowd = 3;
@@ -166,4 +166,4 @@ std::vector<TradeRow> scheduled_trade_rows(const ScheduledTrade& trade,
   return rows;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -12,7 +12,7 @@
 #include "experiments/settings/json_document.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// What the command line asks of them; empty lists stand for what is usual.
 struct ScheduledTradeOptions {
@@ -47,4 +47,4 @@ std::vector<TradeRow> scheduled_trade_rows(const ScheduledTrade& trade,
                                            const ScheduledTradeOptions& options,
                                            ShapeLibrary& shapes);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -15,7 +15,7 @@
 #include "experiments/viewers/screen_setup.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ScreenOptions {
@@ -89,4 +89,4 @@ void add_screen(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return screen(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

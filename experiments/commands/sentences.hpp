@@ -7,7 +7,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Throws InputError with the sentence unless it is fulfilled.
 inline void require(bool fulfilled, const std::string& sentence) {
@@ -25,4 +25,4 @@ inline std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

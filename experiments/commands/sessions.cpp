@@ -9,7 +9,7 @@
 #include "experiments/store/session_list.hpp"
 #include "experiments/study/session_words.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct SessionsOptions {
@@ -46,4 +46,4 @@ void add_sessions(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return list_sessions(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -3,7 +3,7 @@
 
 #include <system_error>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 std::string shipped_file(const std::string& given) {
   std::error_code ignored;
@@ -26,4 +26,4 @@ std::string shipped_file(const std::string& given, const std::filesystem::path& 
   return given;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// `given`, unless there is no such file and the program has one of that name in its data folder:
 /// then that one.
@@ -19,4 +19,4 @@ std::string shipped_file(const std::string& given);
 /// The same, with the program's own place given (for tests).
 std::string shipped_file(const std::string& given, const std::filesystem::path& program);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

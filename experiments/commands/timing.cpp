@@ -26,7 +26,7 @@
 #include "experiments/timing/timing_verdicts.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct TimingOptions {
@@ -148,4 +148,4 @@ void add_timing(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -38,7 +38,7 @@
 #include "experiments/trade/trade_choice.hpp"
 #include "experiments/trade/trade_words.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
@@ -365,4 +365,4 @@ void add_trade(CLI::App& app, Command& chosen) {
   });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -5,7 +5,7 @@
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/trade/trade_script.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 std::string draw_trade_figure(const std::filesystem::path& folder) {
   const std::string script = (folder / "trade.R").string();
@@ -23,4 +23,4 @@ std::string draw_trade_figure(const std::filesystem::path& folder) {
          by_hand + " draws it";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Writes the figure's script, trade.R, into `folder` beside trade.csv and runs it with Rscript.
 /// What to tell the user: that trade.svg and trade.pdf are written, or what is missing and how to
 /// make them then.
 std::string draw_trade_figure(const std::filesystem::path& folder);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -19,7 +19,7 @@
 #include "experiments/models/tree_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct BuildOptions {
@@ -132,4 +132,4 @@ void add_tree_build(CLI::App& tree, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return build(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -4,9 +4,9 @@
 
 #include "experiments/commands/commands.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 void add_tree_build(CLI::App& tree, Command& chosen);
 void add_tree_show(CLI::App& tree, Command& chosen);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -17,7 +17,7 @@
 #include "experiments/viewers/tree_view.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ShowOptions {
@@ -154,4 +154,4 @@ void add_tree(CLI::App& app, Command& chosen) {
   add_tree_show(*tree, chosen);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 #include "experiments/study/study_verification.hpp"
 #include "experiments/study/verification_words.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct VerifyOptions {
@@ -39,4 +39,4 @@ void add_verify(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return verify(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -5,7 +5,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 WindowOptions window_options(const std::string& size) {
   WindowOptions options;
@@ -31,4 +31,4 @@ DisplayMode shown_mode(const WindowOptions& window) {
   return mode;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 #include "experiments/window/display_query.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Fullscreen for "". Throws InputError for anything but WIDTHxHEIGHT of at least 640x480.
 WindowOptions window_options(const std::string& size);
@@ -16,4 +16,4 @@ WindowOptions window_options(const std::string& size);
 /// std::runtime_error when there is no display.
 DisplayMode shown_mode(const WindowOptions& window);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 std::size_t place_of(const std::vector<Factor>& factors, const std::string& name) {
@@ -89,4 +89,4 @@ bool has_its_level(const PlannedTrial& trial, const Design& design) {
   return trial.condition.size() == design.factors.size();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

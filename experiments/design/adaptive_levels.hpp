@@ -15,7 +15,7 @@
 #include "experiments/design/adaptive_track.hpp"
 #include "experiments/design/plan.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// One track: the levels of the other factors, and where it starts.
 struct TrackPlan {
@@ -48,4 +48,4 @@ class AdaptiveLevels {
 /// The trial's level has been chosen.
 bool has_its_level(const PlannedTrial& trial, const Design& design);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

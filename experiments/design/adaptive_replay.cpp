@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 const FactorLevel* find(const std::vector<FactorLevel>& values, const std::string& name) {
@@ -66,4 +66,4 @@ std::vector<LevelDivergence> level_divergences(const Design& design,
   return divergences;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -10,7 +10,7 @@
 
 #include "experiments/design/adaptive_levels.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// An adaptive trial as it was recorded.
 struct RecordedLevel {
@@ -32,4 +32,4 @@ struct LevelDivergence {
 std::vector<LevelDivergence> level_divergences(const Design& design,
                                                const std::vector<RecordedLevel>& recorded);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/design/adaptive_track.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 std::size_t AdaptiveTrack::level() const {
   return std::visit([](const auto& method) { return method.level(); }, method_);
@@ -28,4 +28,4 @@ std::vector<FactorLevel> AdaptiveTrack::state() const {
   return state;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

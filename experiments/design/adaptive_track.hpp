@@ -11,7 +11,7 @@
 #include "experiments/design/quest_plus.hpp"
 #include "experiments/design/staircase.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 class AdaptiveTrack {
  public:
@@ -33,4 +33,4 @@ class AdaptiveTrack {
   std::int64_t trials_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -7,7 +7,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
@@ -101,4 +101,4 @@ TrialBlocks divided(std::vector<PlannedTrial> trials, const std::vector<Conditio
   return parts;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -15,7 +15,7 @@
 #include "experiments/design/plan.hpp"
 #include "experiments/design/trial_order.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// The rows of a Williams square: orders of the conditions 0 to `count` − 1. `count` ≥ 1.
 std::vector<std::vector<std::size_t>> williams_square(std::size_t count);
@@ -28,4 +28,4 @@ std::vector<Condition> block_order(const Design& design, const PlanKey& key);
 /// `trials` divided among the blocks, each in the order given, with the number of its block.
 TrialBlocks divided(std::vector<PlannedTrial> trials, const std::vector<Condition>& blocks);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

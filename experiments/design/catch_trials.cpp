@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 /// A block's catch trials, kind by kind.
@@ -79,4 +79,4 @@ bool spread_catch_trials(TrialBlocks& blocks, const Design& design, RandomStream
   return false;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

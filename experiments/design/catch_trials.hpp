@@ -10,7 +10,7 @@
 
 #include "experiments/design/trial_order.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// Puts the design's catch trials into every block. Their repetition counts those of one kind, in
 /// the order shown. False, and nothing done, when no places were found that keep to the longest
@@ -18,4 +18,4 @@ namespace impetus {
 [[nodiscard]] bool spread_catch_trials(TrialBlocks& blocks, const Design& design,
                                        RandomStream& stream);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

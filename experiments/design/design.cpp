@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-namespace impetus {
+namespace impetus::inline design {
 
 std::vector<Condition> cells(const Design& design) {
   std::vector<Condition> result{Condition{}};
@@ -33,4 +33,4 @@ std::string to_text(const LevelValue& value) {
   return {digits.begin(), end.ptr};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline design {
 
 using LevelValue = std::variant<double, std::string, bool>;
 
@@ -98,4 +98,4 @@ std::vector<Condition> cells(const Design& design);
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.
 std::string to_text(const LevelValue& value);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -13,7 +13,7 @@
 #include "experiments/design/catch_trials.hpp"
 #include "experiments/design/trial_order.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 Plan practice_trials(const Design& design) {
@@ -107,4 +107,4 @@ Plan make_plan(const Design& design, const PlanKey& key) {
   return plan;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -9,7 +9,7 @@
 
 #include "experiments/design/design.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// A value of the scene that was solved before the plan was stored.
 struct SolvedValue {
@@ -39,6 +39,13 @@ struct PlannedTrial {
 
 using Plan = std::vector<PlannedTrial>;
 
+/// An adaptive trial's level, chosen just before the trial is shown, and what it was chosen by.
+struct ChosenLevel {
+  std::int64_t slot{0};
+  Condition condition;             ///< whole, with the level
+  std::vector<FactorLevel> state;  ///< of the track before the trial, by name
+};
+
 /// Whose plan it is: the order depends on these three alone, on every machine.
 struct PlanKey {
   std::string protocol;
@@ -52,4 +59,4 @@ struct PlanKey {
 /// found, and InputError when the participant's code has no number for a Latin square.
 Plan make_plan(const Design& design, const PlanKey& key);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

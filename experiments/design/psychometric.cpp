@@ -7,7 +7,7 @@
 #include "engine/numerics/logarithm.hpp"
 #include "engine/numerics/normal_distribution.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 constexpr double kDecibelsPerDecade = 20.0;
@@ -49,4 +49,4 @@ double positive_chance(QuestPlus::Function function, QuestPlus::Scale scale, dou
   return 1.0 - p.lapse_rate - range * exp_of(-weibull_exponent(scale, x, p));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -12,7 +12,7 @@
 
 #include "experiments/design/design.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 struct PsychometricParameters {
   double threshold{0.0};  ///< on the scale
@@ -33,4 +33,4 @@ bool is_defined(QuestPlus::Function function, QuestPlus::Scale scale, double x, 
 double positive_chance(QuestPlus::Function function, QuestPlus::Scale scale, double x,
                        const PsychometricParameters& parameters);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -7,7 +7,7 @@
 
 #include "engine/numerics/logarithm.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 /// −p ln p, which at 0 is 0.
@@ -147,4 +147,4 @@ std::vector<FactorLevel> QuestPlusTrack::state() const {
           {"lapse_rate", estimate.lapse_rate}, {"entropy", entropy()}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -16,7 +16,7 @@
 
 #include "experiments/design/psychometric.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// The chance of a positive answer to every level under every candidate.
 class PsychometricTable {
@@ -80,4 +80,4 @@ class QuestPlusTrack {
   std::vector<double> posterior_;  ///< by candidate; adds up to 1
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 double power(double base, std::int64_t exponent) {
@@ -71,4 +71,4 @@ double settling_share(const Staircase& rule) {
   return 0.5 * (low + high);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -14,7 +14,7 @@
 
 #include "experiments/design/design.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 class StaircaseTrack {
  public:
@@ -52,4 +52,4 @@ class StaircaseTrack {
 /// there `down` positives in a row come before `up` negatives in a row as often as not.
 double settling_share(const Staircase& rule);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

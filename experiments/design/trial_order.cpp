@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline design {
 namespace {
 
 const LevelValue& level_of(const PlannedTrial& trial, const std::string& factor) {
@@ -175,4 +175,4 @@ void draw_order(TrialBlocks& blocks, const std::vector<LongestRun>& rules, Rando
                            std::to_string(kMostShuffles) + " draws");
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

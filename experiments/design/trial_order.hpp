@@ -12,7 +12,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/design/plan.hpp"
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// The trials of each block, blocks in the order shown.
 using TrialBlocks = std::vector<std::vector<PlannedTrial>>;
@@ -25,4 +25,4 @@ bool keeps_to(const TrialBlocks& blocks, const std::vector<LongestRun>& rules);
 /// found.
 void draw_order(TrialBlocks& blocks, const std::vector<LongestRun>& rules, RandomStream& stream);
 
-}  // namespace impetus
+}  // namespace impetus::inline design

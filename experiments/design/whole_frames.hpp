@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline design {
 
 /// The frames that cover a duration; whole for every duration that a protocol's check passed.
 inline std::int64_t whole_frames(double duration_s, double refresh_hz) {
@@ -13,4 +13,4 @@ inline std::int64_t whole_frames(double duration_s, double refresh_hz) {
   return static_cast<std::int64_t>(std::ceil(duration_s * refresh_hz - kOfAFrame));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline design

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr float kPaleShare = 0.65F;
@@ -81,4 +81,4 @@ std::vector<ColourMeaning> meanings_of(BodyColours colours, int finest) {
   return meanings;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -16,7 +16,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/run/body_detail.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 using BodyColour = std::array<float, 3>;  ///< sRGB, 0–1
 
@@ -44,4 +44,4 @@ struct ColourMeaning {
 /// What is seen in these colours; nothing for bodies' own.
 [[nodiscard]] std::vector<ColourMeaning> meanings_of(BodyColours colours, int finest);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

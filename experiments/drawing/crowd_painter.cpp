@@ -12,7 +12,7 @@
 #include "experiments/drawing/shader_program.hpp"
 #include "experiments/drawing/sphere_image.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr unsigned kPlace = 2;
@@ -126,4 +126,4 @@ void CrowdPainter::paint(const Picture& picture, int height_px) {
   glDisable(GL_DEPTH_TEST);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -13,7 +13,7 @@
 #include "experiments/drawing/uploaded_meshes.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 class CrowdPainter {
  public:
@@ -50,4 +50,4 @@ class CrowdPainter {
   std::unordered_map<unsigned, std::size_t> group_of_;  ///< by the mesh's arrangement
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Follows kLightingShader; lengths in metres, the eye at the origin. The perspective and the
 /// depth are those of kMeshVertexShader.
@@ -35,4 +35,4 @@ out vec4 seen;
 void main() { seen = vec4(lit, 1.0); }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

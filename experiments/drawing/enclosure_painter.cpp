@@ -12,7 +12,7 @@
 #include "experiments/drawing/shader_program.hpp"
 #include "experiments/drawing/sphere_image.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr double kGreyFacing = 0.74;  // of the wall opposite the viewer
@@ -121,4 +121,4 @@ void EnclosurePainter::paint(const Enclosure& enclosure, const Viewer& viewer) {
   glDisable(GL_DEPTH_TEST);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -7,7 +7,7 @@
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Indices (as in the enclosure) of the walls whose inside the eye can see: not those of a view
 /// frustum that hold the eye and are seen from their edge.
@@ -36,4 +36,4 @@ class EnclosurePainter {
   int glass_{-1};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

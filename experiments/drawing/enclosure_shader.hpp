@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Follows kLightingShader; lengths in metres, the eye at the origin. The perspective and the
 /// depth are those of the meshes.
@@ -36,4 +36,4 @@ void main() {
 }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// light(normal, towards_eye, colour): unit vectors as the viewer sees them, colour and result
 /// sRGB. kNear and the depth 1 − kNear / distance are the same for every kind of body.
@@ -28,4 +28,4 @@ vec3 light(vec3 normal, vec3 towards_eye, vec3 colour) {
 }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

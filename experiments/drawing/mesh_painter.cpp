@@ -8,7 +8,7 @@
 #include "experiments/drawing/shader_program.hpp"
 #include "experiments/drawing/sphere_image.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 MeshPainter::MeshPainter()
     : program_(link_program({kLightingShader, kMeshVertexShader},
@@ -54,4 +54,4 @@ void MeshPainter::paint_body(const Viewer& viewer, const PosedBody& body) {
   glDrawElements(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_INT, nullptr);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

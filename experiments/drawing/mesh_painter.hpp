@@ -5,7 +5,7 @@
 #include "experiments/drawing/uploaded_meshes.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 class MeshPainter {
  public:
@@ -31,4 +31,4 @@ class MeshPainter {
   UploadedMeshes meshes_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Follows kLightingShader; lengths in metres, the eye at the origin.
 inline constexpr const char* kMeshVertexShader = R"(
@@ -34,4 +34,4 @@ void main() {
 }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr int kSamples = 4;  // every OpenGL 3.3 has them
@@ -67,4 +67,4 @@ void MultisampledTarget::end_onto(const PixelArea& area, unsigned framebuffer) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -4,7 +4,7 @@
 
 #include "experiments/drawing/pixel_area.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 class MultisampledTarget {
  public:
@@ -32,4 +32,4 @@ class MultisampledTarget {
   int height_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

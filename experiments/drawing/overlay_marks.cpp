@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 ImU32 ink(int red, int green, int blue, double opacity) {
@@ -60,4 +60,4 @@ void mark_arrow(ImDrawList& draw, const PictureMap& map, const Vector3& from, co
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -7,7 +7,7 @@
 
 #include "experiments/drawing/picture_map.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// The length of a normal's arrow, as a share of the largest body's radius.
 inline constexpr double kArrowShare = 0.7;
@@ -25,4 +25,4 @@ void mark_contact(ImDrawList& draw, const PictureMap& map, const Vector3& place,
 void mark_arrow(ImDrawList& draw, const PictureMap& map, const Vector3& from, const Vector3& to,
                 ImU32 ink);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

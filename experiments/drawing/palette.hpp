@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-namespace impetus::palette {
+namespace impetus::inline drawing::palette {
 
 inline constexpr float kPageGrey = 202.0F / 255.0F;  ///< sRGB
 inline constexpr float kPictureGrey = 0.5F;
@@ -29,4 +29,4 @@ inline constexpr ImU32 kLateFrame = IM_COL32(106, 62, 136, 255);
 inline constexpr ImU32 kGazeLost = IM_COL32(120, 120, 124, 255);
 inline constexpr ImU32 kParting = IM_COL32(200, 30, 120, 255);
 
-}  // namespace impetus::palette
+}  // namespace impetus::inline drawing::palette

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 PixelArea patch_area(ScreenCorner corner, const ScreenGeometry& screen, int width_px,
                      int height_px) {
@@ -34,4 +34,4 @@ std::optional<std::int64_t> code_of_pixel(int red, int green, int blue) {
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

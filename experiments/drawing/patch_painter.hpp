@@ -10,7 +10,7 @@
 #include "experiments/drawing/scene_painter.hpp"
 #include "experiments/record/photodiode_patch.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// The square of kPatchSide_m in the corner of a window of this size that fills the screen.
 PixelArea patch_area(ScreenCorner corner, const ScreenGeometry& screen, int width_px,
@@ -38,4 +38,4 @@ class PatchPainter {
   std::optional<PixelArea> area_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

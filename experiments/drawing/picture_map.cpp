@@ -6,7 +6,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/drawing/sphere_image.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 PictureMap::PictureMap(const Viewer& viewer, const PixelArea& area, int window_height_px)
     : viewer_(viewer),
@@ -47,4 +47,4 @@ float PictureMap::pixels_across(double angle_deg) const {
   return static_cast<float>(length_m * px_per_m_x_);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

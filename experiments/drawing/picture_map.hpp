@@ -7,7 +7,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/drawing/pixel_area.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Pixels from the window's upper left corner.
 struct WindowPoint {
@@ -37,4 +37,4 @@ class PictureMap {
   double px_per_m_y_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// A rectangle of the window in pixels, from its lower left corner.
 struct PixelArea {
@@ -12,4 +12,4 @@ struct PixelArea {
   int height{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 /// Places the eight pieces of the sphere and joins them.
@@ -130,4 +130,4 @@ RoundedBox posed(const RoundedBox& box, const Pose& pose) {
 
 RoundedBoxMesh rounded_box_mesh(int parts) { return Joiner(parts).take(); }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -16,7 +16,7 @@
 
 #include "engine/volumes/rounded_box.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// In the world, of a body at `pose`.
 RoundedBox posed(const RoundedBox& box, const Pose& pose);
@@ -35,4 +35,4 @@ struct RoundedBoxMesh {
 /// `parts` ≥ 1: into how many a quarter of a great circle is cut.
 RoundedBoxMesh rounded_box_mesh(int parts);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

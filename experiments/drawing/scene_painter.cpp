@@ -11,7 +11,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/drawing/sphere_shader.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr float kCrossGrey = 0.13F;
@@ -138,4 +138,4 @@ void ScenePainter::paint_fixation(const ScreenGeometry& screen, const PixelArea&
   fill({x - half, y - arm, 2 * half, 2 * arm}, kCrossGrey);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -24,7 +24,7 @@
 #include "experiments/drawing/volume_painter.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 class ScenePainter {
  public:
@@ -63,4 +63,4 @@ class ScenePainter {
   MultisampledTarget target_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

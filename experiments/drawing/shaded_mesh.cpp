@@ -8,7 +8,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 /// Sets of corners; corner 3t+k is the k-th of triangle t.
@@ -141,4 +141,4 @@ ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -12,7 +12,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// An edge is hard when the normals of its two triangles are farther apart, if nothing else is
 /// said.
@@ -32,4 +32,4 @@ struct ShadedMesh {
 /// vertices share an edge. A face's part in an averaged normal is the angle of its corner.
 ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg = kHardEdgeDeg);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 unsigned compiled(GLenum kind, std::initializer_list<const char*> parts) {
@@ -44,4 +44,4 @@ unsigned link_program(std::initializer_list<const char*> vertex,
   return program;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 /// The two tangents from the eye in the plane of one screen direction and the line of sight.
@@ -33,4 +33,4 @@ std::optional<ImageBounds> image_of_sphere(const Vector3& p_EC, double radius_m,
   return ImageBounds{left * distance_m, right * distance_m, bottom * distance_m, top * distance_m};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -6,7 +6,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// A point as the viewer sees it: right, up, and towards the viewer, from the eye (metres).
 Vector3 seen_from_eye(const Viewer& viewer, const Vector3& p_WP);
@@ -23,4 +23,4 @@ struct ImageBounds {
 /// eye) on a glass `distance_m` away; nothing when it reaches the eye's own plane.
 std::optional<ImageBounds> image_of_sphere(const Vector3& p_EC, double radius_m, double distance_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

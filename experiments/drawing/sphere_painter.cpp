@@ -11,7 +11,7 @@
 #include "experiments/drawing/sphere_image.hpp"
 #include "experiments/drawing/sphere_shader.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 /// What the vertex shader takes for each sphere.
@@ -112,4 +112,4 @@ void SpherePainter::paint(const std::vector<ColouredSphere>& spheres, const View
   glDisable(GL_SCISSOR_TEST);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

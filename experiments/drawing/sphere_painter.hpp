@@ -9,7 +9,7 @@
 #include "engine/volumes/sphere.hpp"
 #include "experiments/drawing/pixel_area.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 struct ColouredSphere {
   Sphere sphere;                  ///< in world
@@ -40,4 +40,4 @@ class SpherePainter {
   unsigned instances_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// One rectangle on the glass per sphere; lengths in metres, the eye at the origin.
 inline constexpr const char* kSphereVertexShader = R"(#version 330 core
@@ -77,4 +77,4 @@ void main() {
 }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

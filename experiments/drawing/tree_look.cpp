@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 using Colour = std::array<float, 3>;
@@ -111,4 +111,4 @@ std::vector<LegendLine> legend_of(const ShownTree& shown, int level) {
           {"memory", printed("%.1f kB", static_cast<double>(quality.bytes) / 1000.0)}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

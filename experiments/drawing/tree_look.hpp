@@ -9,7 +9,7 @@
 #include "engine/trees/level_quality.hpp"
 #include "experiments/drawing/volume_painter.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// A tree and the mesh it bounds, in one frame, in metres.
 struct ShownTree {
@@ -44,4 +44,4 @@ struct LegendLine {
 /// A level in numbers: those that are known.
 std::vector<LegendLine> legend_of(const ShownTree& shown, int level);
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 constexpr double kShownRadiusM = 0.05;  ///< suits the depth that all painters of this room share
@@ -128,4 +128,4 @@ void TreePainter::paint_here(const TreeLook& look, const Orbit& orbit, int width
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

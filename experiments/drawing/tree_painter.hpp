@@ -12,7 +12,7 @@
 #include "experiments/drawing/pixel_area.hpp"
 #include "experiments/drawing/tree_look.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// How the object is held before the eye.
 struct Orbit {
@@ -69,4 +69,4 @@ class TreePainter {
   Painted painted_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

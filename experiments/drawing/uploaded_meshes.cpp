@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 template <typename T>
@@ -72,4 +72,4 @@ const UploadedMesh& UploadedMeshes::of(const std::shared_ptr<const TriangleMesh>
   return place->uploaded;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

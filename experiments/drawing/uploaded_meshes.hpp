@@ -8,7 +8,7 @@
 
 #include "experiments/drawing/shaded_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Corners as triangles, in OpenGL's names.
 struct UploadedMesh {
@@ -40,4 +40,4 @@ class UploadedMeshes {
   std::unordered_map<const TriangleMesh*, std::unique_ptr<Buffers>> meshes_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -11,7 +11,7 @@
 #include "experiments/drawing/sphere_image.hpp"
 #include "experiments/drawing/volume_shader.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 namespace {
 
 /// What the vertex shader takes for each volume.
@@ -149,4 +149,4 @@ void VolumePainter::paint(const std::vector<ColouredVolume>& volumes, const View
   glDisable(GL_DEPTH_TEST);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -11,7 +11,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/drawing/rounded_box_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 struct ColouredVolume {
   RoundedBox shape;               ///< in world
@@ -47,4 +47,4 @@ class VolumePainter {
   std::array<Uploaded, kParts.size()> meshes_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

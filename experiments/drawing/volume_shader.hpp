@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline drawing {
 
 /// Follows kLightingShader; lengths in metres, the eye at the origin.
 inline constexpr const char* kRoundedBoxVertexShader = R"(
@@ -46,4 +46,4 @@ void main() {
 }
 )";
 
-}  // namespace impetus
+}  // namespace impetus::inline drawing

@@ -11,7 +11,7 @@
 #include "experiments/exports/row_query.hpp"
 #include "experiments/store/schema_words.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::json;
@@ -202,4 +202,4 @@ void anonymise(SQLite::Database& study, const std::string& build, const Protocol
   transaction.commit();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -16,7 +16,7 @@
 #include <functional>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// The hash of a protocol, from its own text and its scene's.
 using ProtocolHash = std::function<std::string(const std::string&, const std::string&)>;
@@ -26,4 +26,4 @@ using ProtocolHash = std::function<std::string(const std::string&, const std::st
 /// Throws StoreError or SQLite::Exception; then nothing has changed.
 void anonymise(SQLite::Database& study, const std::string& build, const ProtocolHash& hash);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

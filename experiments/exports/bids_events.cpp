@@ -9,7 +9,7 @@
 #include "experiments/tables/plain_text.hpp"
 #include "experiments/tables/tsv_line.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::ordered_json;
@@ -228,4 +228,4 @@ BidsTable bids_answers(SQLite::Database& database, const BidsSession& session) {
   return table;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -10,7 +10,7 @@
 #include "experiments/exports/bids_session.hpp"
 #include "experiments/exports/factor_labels.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// A table and the JSON beside it; no rows: there is nothing to write.
 struct BidsTable {
@@ -26,4 +26,4 @@ BidsTable bids_events(SQLite::Database& database, const BidsSession& session,
 /// `_beh.tsv`: what was answered outside trials, which has no onset. Throws StoreError.
 BidsTable bids_answers(SQLite::Database& database, const BidsSession& session);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -12,7 +12,7 @@
 #include "experiments/tables/plain_text.hpp"
 #include "experiments/tables/tsv_line.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::ordered_json;
@@ -146,4 +146,4 @@ ExportReport export_bids(StudyFile& study, const CodebookHead& head,
   return writer.report();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

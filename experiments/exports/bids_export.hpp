@@ -12,11 +12,11 @@
 
 #include "experiments/exports/csv_export.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Writes into `folder`, which exists and is empty. Throws StoreError when the study cannot be read
 /// or a file cannot be written.
 ExportReport export_bids(StudyFile& study, const CodebookHead& head,
                          const std::filesystem::path& folder);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

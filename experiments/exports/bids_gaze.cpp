@@ -5,7 +5,7 @@
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/tsv_line.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::ordered_json;
@@ -135,4 +135,4 @@ BidsTable bids_gaze(SQLite::Database& database, const BidsSession& session) {
   return table;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

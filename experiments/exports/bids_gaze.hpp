@@ -8,11 +8,11 @@
 
 #include "experiments/exports/bids_events.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// `_physio.tsv` before it is compressed: no heading, columns timestamp (seconds from the sitting's
 /// zero), x_coordinate, y_coordinate (pixels right of and below the screen's top left corner), then
 /// trial, attempt and loss. Throws StoreError.
 BidsTable bids_gaze(SQLite::Database& database, const BidsSession& session);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

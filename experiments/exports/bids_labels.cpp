@@ -5,7 +5,7 @@
 
 #include "experiments/exports/row_query.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 constexpr std::size_t kLongestLabel = 64;
@@ -53,4 +53,4 @@ BidsNames bids_names(SQLite::Database& database) {
           labels_of(database, "SELECT id, name FROM protocol ORDER BY id")};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Gives each name a label of its own: the name without all but ASCII letters and digits. Where
 /// that is nothing, or was given already, capitals apart, a number follows.
@@ -31,4 +31,4 @@ struct BidsNames {
 /// Throws StoreError.
 BidsNames bids_names(SQLite::Database& database);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

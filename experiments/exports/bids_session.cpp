@@ -6,7 +6,7 @@
 #include "experiments/exports/row_query.hpp"
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::ordered_json;
@@ -83,4 +83,4 @@ std::vector<BidsSession> bids_sessions(SQLite::Database& database, const BidsNam
 
 std::string bids_scene_file(const std::string& task) { return task + "_scene.json"; }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -11,7 +11,7 @@
 
 #include "experiments/exports/bids_labels.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 struct BidsSession {
   std::int64_t id{0};
@@ -38,4 +38,4 @@ std::vector<BidsSession> bids_sessions(SQLite::Database& database, const BidsNam
 /// The scene's file within stimuli/.
 std::string bids_scene_file(const std::string& task);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

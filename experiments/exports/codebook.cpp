@@ -8,7 +8,7 @@
 #include "experiments/store/schema_words.hpp"
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::ordered_json;
@@ -165,4 +165,4 @@ std::string codebook_page(const CodebookHead& head, const std::vector<CodebookFi
   return page;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -8,7 +8,7 @@
 
 #include "experiments/exports/row_query.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 struct CodebookColumn {
   std::string name;
@@ -41,4 +41,4 @@ const std::vector<std::string>& reading_rules();
 std::string codebook_json(const CodebookHead& head, const std::vector<CodebookFile>& files);
 std::string codebook_page(const CodebookHead& head, const std::vector<CodebookFile>& files);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -11,7 +11,7 @@
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 /// Writes the rows of queries, and counts.
@@ -109,4 +109,4 @@ ExportReport export_csv(StudyFile& study, const CodebookHead& head,
   return writer.report();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

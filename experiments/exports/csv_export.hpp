@@ -14,7 +14,7 @@
 #include "experiments/exports/codebook.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// What was written, and what its reader should know.
 struct ExportReport {
@@ -29,4 +29,4 @@ struct ExportReport {
 ExportReport export_csv(StudyFile& study, const CodebookHead& head,
                         const std::filesystem::path& folder);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

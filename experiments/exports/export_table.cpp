@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/exports/export_table.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 const std::string kWho =
@@ -199,4 +199,4 @@ std::string export_query(const ExportTable& table, const std::vector<std::string
          table.joins + " ORDER BY " + table.order;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 struct ExportTable {
   std::string file;     ///< without ".csv"
@@ -34,4 +34,4 @@ const std::map<std::string, std::string>& computed_meanings();
 /// each becomes a column "factor_NAME". Only trials have factors.
 std::string export_query(const ExportTable& table, const std::vector<std::string>& factors);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

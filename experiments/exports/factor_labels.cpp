@@ -5,7 +5,7 @@
 
 #include "experiments/exports/row_query.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 using nlohmann::json;
@@ -50,4 +50,4 @@ FactorLabels factor_labels(SQLite::Database& database) {
   return labels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

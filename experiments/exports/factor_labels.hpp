@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Label by name; "" where no protocol has one.
 using FactorLabels = std::map<std::string, std::string>;
@@ -15,4 +15,4 @@ using FactorLabels = std::map<std::string, std::string>;
 /// Of all trials of the study. Throws StoreError.
 FactorLabels factor_labels(SQLite::Database& database);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

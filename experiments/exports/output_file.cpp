@@ -3,7 +3,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 OutputFile::OutputFile(const std::filesystem::path& path)
     : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
@@ -32,4 +32,4 @@ void write_output_file(const std::filesystem::path& path, std::string_view text)
   file.close();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

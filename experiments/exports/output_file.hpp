@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 class OutputFile {
  public:
@@ -28,4 +28,4 @@ class OutputFile {
 /// A whole file at once.
 void write_output_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -5,7 +5,7 @@
 #include "experiments/exports/row_query.hpp"
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 std::string protocol_stem(std::int64_t id, const std::string& name, const std::string& hash) {
   return "protocols/" + std::to_string(id) + "-" + file_name_text(name) + "-" +
@@ -26,4 +26,4 @@ std::int64_t write_protocol_files(SQLite::Database& database, const std::filesys
   return files;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

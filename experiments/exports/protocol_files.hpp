@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// "protocols/NAME-HASH": what the files of a protocol are called in an export, before their
 /// endings. Letters and digits alone, whatever name and hash hold; `id` keeps such names apart.
@@ -18,4 +18,4 @@ std::string protocol_stem(std::int64_t id, const std::string& name, const std::s
 /// Throws StoreError.
 std::int64_t write_protocol_files(SQLite::Database& database, const std::filesystem::path& folder);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -4,7 +4,7 @@
 #include "experiments/exports/embedded_r_scripts.hpp"
 #include "experiments/exports/output_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
                                       const std::set<std::string>& names) {
@@ -20,4 +20,4 @@ std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
   return folder / "analysis";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Writes the scripts of these names ("report.R") and the functions that all of them share (R/) to
 /// `folder`/analysis; returns that. Throws StoreError when one cannot be written.
 std::filesystem::path write_r_scripts(const std::filesystem::path& folder,
                                       const std::set<std::string>& names);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

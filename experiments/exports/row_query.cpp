@@ -3,7 +3,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 std::string text_or_none(const char* text) { return text == nullptr ? "" : text; }
@@ -67,4 +67,4 @@ void RowQuery::fail() const {
   throw StoreError("the study could not be read (" + std::string(sqlite3_errmsg(database_)) + ")");
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// The table's column that a query's column is, unchanged.
 struct ColumnOrigin {
@@ -52,4 +52,4 @@ class RowQuery {
   std::unique_ptr<sqlite3_stmt, Finalise> statement_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -10,7 +10,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ void write_study_copy(StudyFile& study, const fs::path& target) {
   beside.put_in_place();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -6,7 +6,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Refuses a target that exists; with `replace` it may be another study. Throws InputError.
 void require_free_file(const StudyFile& study, const std::filesystem::path& target, bool replace);
@@ -15,4 +15,4 @@ void require_free_file(const StudyFile& study, const std::filesystem::path& targ
 /// changed.
 void write_study_copy(StudyFile& study, const std::filesystem::path& target);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 struct Suffix {
@@ -38,4 +38,4 @@ std::string unit_of(std::string_view column) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// "ms" of "delay_ms", "deg/s" of "speed_deg_s"; "" when the name states none.
 std::string unit_of(std::string_view column);
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

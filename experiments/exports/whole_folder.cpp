@@ -8,7 +8,7 @@
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline exports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ void WholeFolder::put_in_place() {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

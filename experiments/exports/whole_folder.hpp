@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace impetus {
+namespace impetus::inline exports {
 
 /// Asked about a target that is a folder of files: throws InputError when that is to stay.
 using FolderCheck = std::function<void(const std::filesystem::path&)>;
@@ -35,4 +35,4 @@ class WholeFolder {
   std::filesystem::path partial_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline exports

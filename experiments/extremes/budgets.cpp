@@ -6,7 +6,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 /// What steps under a budget did that they must not.
@@ -115,4 +115,4 @@ std::vector<ExtremeCase> budget_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

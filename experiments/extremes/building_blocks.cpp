@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -100,4 +100,4 @@ double energy_gain_by_touching(const Course& course) {
   return deflected && course.finite() ? energy_gain(course) : kNever;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -8,7 +8,7 @@
 #include "experiments/extremes/course.hpp"
 #include "experiments/extremes/extreme_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 /// The step of the cases that are about something else.
 inline constexpr double kStep_s = 1.0 / 240.0;
@@ -53,4 +53,4 @@ double distance_gone_m(const Course& course);
 /// energy_gain(), but infinite unless bodies touched and all numbers were finite.
 double energy_gain_by_touching(const Course& course);
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

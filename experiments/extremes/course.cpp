@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 bool is_finite(const MotionSeen& motion) {
@@ -103,4 +103,4 @@ Course run_scene(const ExtremeScene& scene, const Progress& progress) {
   return course;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

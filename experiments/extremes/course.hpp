@@ -10,7 +10,7 @@
 
 #include "experiments/extremes/extreme_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 class Course {
  public:
@@ -83,4 +83,4 @@ class Course {
 /// The scene's whole course in this engine. `progress` may be empty.
 Course run_scene(const ExtremeScene& scene, const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -5,7 +5,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/extremes/building_blocks.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 Vector3 random_in_cube(RandomStream& random, double half_m) {
@@ -44,4 +44,4 @@ ExtremeScene crowd_scene(int count, double filled, double restitution, std::int6
   return scene;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

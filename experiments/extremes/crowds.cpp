@@ -8,7 +8,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 std::vector<ExtremeScene> crowds(Length length) {
@@ -52,4 +52,4 @@ std::vector<ExtremeCase> crowd_cases() {
            crowds}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

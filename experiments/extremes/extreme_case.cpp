@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 /// Whether x is worse than y; no number is the worst.
@@ -48,4 +48,4 @@ std::vector<ExtremeResult> run_case(const ExtremeCase& extreme, Length length,
   return results;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

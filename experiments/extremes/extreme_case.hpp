@@ -12,7 +12,7 @@
 #include "experiments/extremes/course.hpp"
 #include "experiments/extremes/extreme_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 /// How long a case may take: all quick ones together half a minute, the usual ones two minutes;
 /// long ones as long as they need.
@@ -44,4 +44,4 @@ struct ExtremeResult {
 std::vector<ExtremeResult> run_case(const ExtremeCase& extreme, Length length,
                                     const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 const std::vector<ExtremeCase>& extreme_cases() {
   static const std::vector<ExtremeCase> all = [] {
@@ -22,4 +22,4 @@ const std::vector<ExtremeCase>& extreme_cases() {
   return all;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

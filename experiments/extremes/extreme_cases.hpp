@@ -6,7 +6,7 @@
 
 #include "experiments/extremes/extreme_case.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 /// In the order in which they are reported: families together.
 const std::vector<ExtremeCase>& extreme_cases();
@@ -25,4 +25,4 @@ std::vector<ExtremeCase> not_finite_cases();
 std::vector<ExtremeCase> small_number_cases();
 std::vector<ExtremeCase> long_run_cases();
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -9,7 +9,7 @@
 #include "engine/shapes/solids/box_mesh.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 using SharedTree = std::shared_ptr<const VolumeTree>;
@@ -84,4 +84,4 @@ MotionSeen motion_of(const BodyModel& model, const BodyState& state) {
   return {state.pose, velocity(model, state), angular_velocity(model, state)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -12,7 +12,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "engine/world/world.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 
 struct SolidBall {
   double radius_m{0.1};
@@ -58,4 +58,4 @@ World world_of(const ExtremeScene& scene);
 
 MotionSeen motion_of(const BodyModel& model, const BodyState& state);
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -5,7 +5,7 @@
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 void move_away(ExtremeScene& scene, double distance_m) {
@@ -97,4 +97,4 @@ std::vector<ExtremeCase> far_place_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -8,7 +8,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 std::vector<ExtremeScene> tumbling(Rotation rotation, std::int64_t steps) {
@@ -84,4 +84,4 @@ std::vector<ExtremeCase> long_run_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

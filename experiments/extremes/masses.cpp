@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 std::vector<ExtremeScene> all_ratios(Length /*length*/) {
@@ -136,4 +136,4 @@ std::vector<ExtremeCase> mass_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

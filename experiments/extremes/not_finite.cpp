@@ -9,7 +9,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -189,4 +189,4 @@ std::vector<ExtremeCase> not_finite_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

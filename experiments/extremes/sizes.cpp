@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kSizes_m[] = {1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6};
@@ -102,4 +102,4 @@ std::vector<ExtremeCase> size_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

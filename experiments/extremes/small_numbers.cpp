@@ -8,7 +8,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kDenormal = 3e-310;
@@ -87,4 +87,4 @@ std::vector<ExtremeCase> small_number_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kBallRadius_m = 0.1;
@@ -58,4 +58,4 @@ std::vector<ExtremeCase> speed_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -3,7 +3,7 @@
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 /// A block that turns about nearly its middle axis, as unsteady as it gets.
@@ -67,4 +67,4 @@ std::vector<ExtremeCase> spin_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

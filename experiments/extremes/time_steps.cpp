@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kSteps_s[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1};
@@ -87,4 +87,4 @@ std::vector<ExtremeCase> time_step_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -7,7 +7,7 @@
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -145,4 +145,4 @@ std::vector<ExtremeCase> touch_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -7,7 +7,7 @@
 #include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
-namespace impetus {
+namespace impetus::inline extremes {
 namespace {
 
 constexpr double kBullet_m = 1e-3;
@@ -82,4 +82,4 @@ std::vector<ExtremeCase> tunnelling_cases() {
   };
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline extremes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/gaze/gaze_follower.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 void GazeFollower::begin(std::int64_t extra_latency_ns) {
   extra_latency_ns_ = extra_latency_ns;
@@ -30,4 +30,4 @@ GazeInput GazeFollower::look() {
   return {correction_.corrected(used_.at), used_.taken_ns, now_ns - used_.taken_ns, {}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -10,7 +10,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 class GazeFollower {
  public:
@@ -39,4 +39,4 @@ class GazeFollower {
   std::vector<GazeSample> samples_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline gaze {
 namespace {
 
 /// Whether the sample after the one used was lost by the time of the step.
@@ -50,4 +50,4 @@ std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
   return nearest_rank(std::move(latencies_ms), 0.95);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -20,7 +20,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 inline constexpr double kWarnedGazeLatency_ms = 70.0;
 inline constexpr double kMarkedGazeLatency_ms = 80.0;
@@ -37,4 +37,4 @@ std::optional<double> gaze_latency_p95_ms(const std::vector<StepRecord>& steps,
                                           const std::vector<FrameRecord>& frames,
                                           const std::vector<GazeSample>& samples);
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

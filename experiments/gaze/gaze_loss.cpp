@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 std::optional<double> gaze_lost_share(const std::vector<GazeSample>& samples, std::int64_t from_ns,
                                       std::int64_t until_ns) {
@@ -42,4 +42,4 @@ std::int64_t most_repeats(const Script& script) {
   return repeats ? script.gaze->loss->most_repeats : 0;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -13,7 +13,7 @@
 #include "experiments/record/record.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 /// What `AttemptRecord::interrupted_by` says of a trial that is shown again for it.
 inline constexpr const char* kGazeLostNote = "gaze lost";
@@ -32,4 +32,4 @@ bool gaze_was_lost(const Script& script, std::optional<double> lost_share);
 /// How often a trial may be shown again for it.
 std::int64_t most_repeats(const Script& script);
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

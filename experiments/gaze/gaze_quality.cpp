@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline gaze {
 namespace {
 
 /// A mean or a root of a mean square, as it grows.
@@ -125,4 +125,4 @@ std::optional<double> sampling_hz_of(const std::vector<GazeSample>& samples) {
   return static_cast<double>(samples.size() - 1) * 1e9 / lasted_ns;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -12,7 +12,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 /// A point of the screen and the samples taken while it was looked at, in order of time.
 struct PointSamples {
@@ -32,4 +32,4 @@ CalibrationRecord measured(const Viewer& viewer, const std::vector<PointSamples>
 /// Samples per second between the first and the last; none of fewer than two.
 std::optional<double> sampling_hz_of(const std::vector<GazeSample>& samples);
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 std::vector<TimedGaze> timed_gaze(const std::vector<GazeSample>& samples,
                                   const GazeCorrection& correction, std::int64_t interval,
@@ -62,4 +62,4 @@ const char* word_of(GazeLoss loss) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

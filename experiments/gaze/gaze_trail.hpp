@@ -12,7 +12,7 @@
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 inline constexpr double kTrail_s = 0.3;
 
@@ -53,4 +53,4 @@ std::vector<LostStretch> lost_stretches(const std::vector<TimedGaze>& gaze);
 /// "blink", "gaze off screen", "gaze lost"; "" when nothing is.
 const char* word_of(GazeLoss loss);
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/gaze/recorded_gaze.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 void RecordedGaze::shown(const Picture& picture, const Flip& flip) {
   if (!onset_ns_ && !picture.bodies.empty()) {
@@ -23,4 +23,4 @@ std::vector<GazeSample> RecordedGaze::take_samples() {
   return due;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -11,7 +11,7 @@
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 class RecordedGaze final : public Gaze {
  public:
@@ -35,4 +35,4 @@ class RecordedGaze final : public Gaze {
   std::size_t next_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

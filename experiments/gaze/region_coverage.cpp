@@ -4,7 +4,7 @@
 #include "experiments/gaze/region_source.hpp"
 #include "experiments/record/enclosure_image.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 std::optional<double> mean_covered_share(const StagedScene& scene,
                                          const std::vector<StepRecord>& steps) {
@@ -33,4 +33,4 @@ std::optional<double> mean_covered_share(const StagedScene& scene,
   return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

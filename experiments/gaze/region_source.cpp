@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/gaze/region_source.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 RegionSource::RegionSource(const StagedScene& scene, std::uint64_t seed)
     : rule_(scene.region),
@@ -39,4 +39,4 @@ std::optional<GazeRegion> RegionSource::at(std::int64_t step, const Fixation& fi
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

@@ -17,7 +17,7 @@
 #include "experiments/record/enclosure_image.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline gaze {
 
 /// The radius of a region that holds all the view.
 inline constexpr double kWholeView_deg = 180.0;
@@ -45,4 +45,4 @@ class RegionSource {
   ScreenPoint place_{};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline gaze

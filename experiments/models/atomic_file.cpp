@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, int error) {
@@ -87,4 +87,4 @@ void require_writable(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Throws std::runtime_error, in one sentence that names the file, when it cannot be written; then
 /// nothing has changed.
@@ -19,4 +19,4 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
 /// one that is closed, a folder in the file's place. Nothing changes.
 void require_writable(const std::filesystem::path& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

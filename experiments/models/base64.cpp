@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 constexpr std::string_view kLetters =
@@ -60,4 +60,4 @@ std::string bytes_from_base64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 Progress& present() {
@@ -19,4 +19,4 @@ BuildingWatch::~BuildingWatch() { present() = {}; }
 
 const Progress& BuildingWatch::heard() { return present(); }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

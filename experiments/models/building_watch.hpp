@@ -5,7 +5,7 @@
 
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// While it lives, `heard` is told of each tree that TreeCache builds and whose progress nobody
 /// else asked for, its share from 0 to 1. One at a time.
@@ -20,4 +20,4 @@ class BuildingWatch {
   static const Progress& heard();
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 void limit(int what, rlim_t most) {
@@ -117,4 +117,4 @@ std::optional<std::string> done_by_child(const std::function<std::string()>& wor
   return bytes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

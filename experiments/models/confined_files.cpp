@@ -4,7 +4,7 @@
 #include "experiments/models/file_place.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// glTF names files by URI.
@@ -26,4 +26,4 @@ bool ConfinedFiles::may_open(const std::filesystem::path& name) const {
   return (name == file_ || is_really_within(name, folder)) && reading_problem(name).empty();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

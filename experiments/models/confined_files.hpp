@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-namespace impetus {
+namespace impetus::inline models {
 
 class ConfinedFiles : public Assimp::DefaultIOSystem {
  public:
@@ -24,4 +24,4 @@ class ConfinedFiles : public Assimp::DefaultIOSystem {
   std::filesystem::path file_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// What a mesh file claims of itself is false: the words are what().
 class FalseClaim : public std::runtime_error {
@@ -11,4 +11,4 @@ class FalseClaim : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-namespace impetus {
+namespace impetus::inline models {
 
 namespace fs = std::filesystem;
 
@@ -62,4 +62,4 @@ std::string problem_of_place(const std::string& file, const fs::path& folder,
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

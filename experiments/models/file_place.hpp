@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// By its name alone; nothing is looked up. Both absolute.
 bool is_named_within(const std::filesystem::path& file, const std::filesystem::path& folder);
@@ -25,4 +25,4 @@ bool is_there(const std::filesystem::path& file);
 std::string problem_of_place(const std::string& file, const std::filesystem::path& folder,
                              const std::string& whose = "scene");
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -13,7 +13,7 @@
 #include "experiments/models/little_endian.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 using nlohmann::json;
@@ -253,4 +253,4 @@ std::string gltf_problem(std::string_view bytes, const fs::path& folder) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

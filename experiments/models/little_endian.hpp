@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// The unsigned whole number with the bits of a number of type T.
 template <typename T>
@@ -59,4 +59,4 @@ class ByteReader {
   std::string_view rest_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 constexpr std::uint64_t kBytesOfVertex = 3 * sizeof(double);
@@ -82,4 +82,4 @@ std::string content_hash(const TriangleMesh& mesh) {
   return content_hash(bytes);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

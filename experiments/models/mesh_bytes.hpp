@@ -12,7 +12,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "experiments/models/little_endian.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 struct MeshCounts {
   std::uint64_t vertices{0};
@@ -31,4 +31,4 @@ std::string content_hash(std::string_view bytes);
 /// Of the counts and the bytes of append_mesh().
 std::string content_hash(const TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

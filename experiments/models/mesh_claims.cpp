@@ -12,7 +12,7 @@
 #include "experiments/models/readable_file.hpp"
 #include "experiments/models/text_words.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// assimp reads an OFF file into lines of this many letters, and beyond the end of a longer one.
@@ -80,4 +80,4 @@ void refuse_false_claims(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,9 +10,9 @@
 
 #include <filesystem>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Throws std::runtime_error, in one sentence that names the file. Precondition: it can be read.
 void refuse_false_claims(const std::filesystem::path& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

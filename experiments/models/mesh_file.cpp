@@ -11,7 +11,7 @@
 #include "experiments/models/mesh_parsing.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// What the largest sensible file of this size could take.
@@ -73,4 +73,4 @@ TriangleMesh load_mesh(const std::filesystem::path& file) {
   return take_mesh(reader, {vertices, reader.take<std::uint64_t>()});
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

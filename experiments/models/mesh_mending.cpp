@@ -7,7 +7,7 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/mesh_writer.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 void refuse_before_work(const std::filesystem::path& out) {
@@ -81,4 +81,4 @@ Mending mend(const std::filesystem::path& file, const std::filesystem::path& out
   return mending;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

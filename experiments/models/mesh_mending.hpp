@@ -9,7 +9,7 @@
 
 #include "engine/shapes/mending/mesh_repair.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Each change on a line of its own with its count, "changed  nothing" when there was none.
 std::string describe_changes(const MeshRepair& repair);
@@ -24,4 +24,4 @@ struct Mending {
 /// exists, has an unknown extension or cannot be written.
 Mending mend(const std::filesystem::path& file, const std::filesystem::path& out);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

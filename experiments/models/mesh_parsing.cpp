@@ -23,7 +23,7 @@
 #include "experiments/models/mesh_claims.hpp"
 #include "experiments/models/text_words.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 [[noreturn]] void refuse_mesh(const std::filesystem::path& file, const std::string& problem) {
@@ -214,4 +214,4 @@ TriangleMesh parse_mesh(const std::filesystem::path& file) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

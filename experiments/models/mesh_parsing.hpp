@@ -6,9 +6,9 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// What load_mesh() does beyond keeping itself safe. Precondition: `file` is a file.
 TriangleMesh parse_mesh(const std::filesystem::path& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

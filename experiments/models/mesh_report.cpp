@@ -10,7 +10,7 @@
 #include "engine/shapes/mending/component_orientation.hpp"
 #include "engine/shapes/useless_triangles.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// "a", "a and b", "a, b and c".
@@ -175,4 +175,4 @@ std::string refusal(const MeshReport& report) {
   return "cannot be simulated: it has " + (found.none() ? "no triangles" : found.text());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,7 +10,7 @@
 #include "engine/shapes/self_intersections.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Density of the solid in a report: water.
 inline constexpr double kReportDensity_kg_m3 = 1000.0;
@@ -52,4 +52,4 @@ std::string describe_mesh(const TriangleMesh& mesh);
 /// Why the mesh cannot be a body, with the counts and no full stop; empty when it can.
 std::string refusal(const MeshReport& report);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

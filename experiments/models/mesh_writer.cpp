@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 void write_place(std::ostream& out, const Vector3& place) {
@@ -98,4 +98,4 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

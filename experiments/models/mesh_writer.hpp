@@ -6,7 +6,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Whether the file's extension names a format that can be written: .obj, .ply or .stl.
 bool can_write_mesh(const std::filesystem::path& file);
@@ -16,4 +16,4 @@ bool can_write_mesh(const std::filesystem::path& file);
 /// three, when it exists (nothing is ever overwritten) or when it cannot be written.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

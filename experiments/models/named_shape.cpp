@@ -12,7 +12,7 @@
 #include "engine/shapes/solids/swept_mesh.hpp"
 #include "engine/shapes/solids/torus_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 constexpr int kLeastResolution = 4;
@@ -90,4 +90,4 @@ TriangleMesh shape_named(const std::string& name, std::optional<int> resolution)
   return shape->make(chosen);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -8,7 +8,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// sphere, box, l-block, plate, torus, knot, creature, line-swept, rectangle-swept.
 const std::vector<std::string>& shape_names();
@@ -23,4 +23,4 @@ bool takes_resolution(const std::string& shape);
 /// ..., got ...) for another name or resolution, or one for a shape that takes none.
 TriangleMesh shape_named(const std::string& shape, std::optional<int> resolution = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,7 +10,7 @@
 #include "experiments/models/false_claim.hpp"
 #include "experiments/models/text_words.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// A file of splats has some sixty.
@@ -199,4 +199,4 @@ std::string ply_problem(std::string_view bytes) {
   return "";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

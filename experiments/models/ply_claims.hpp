@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// What cannot be so, or never ends, in words; "" when nothing. Precondition: begins with "ply".
 std::string ply_problem(std::string_view bytes);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

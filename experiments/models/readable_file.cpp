@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,4 +83,4 @@ std::string file_bytes(const fs::path& file, std::uintmax_t most_bytes) {
   return bytes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Enough for the largest meshes and trees.
 inline constexpr std::uintmax_t kMostBytes = 1'000'000'000;
@@ -22,4 +22,4 @@ std::string reading_problem(const std::filesystem::path& file,
 /// The whole file. Throws std::runtime_error with the words of reading_problem() alone.
 std::string file_bytes(const std::filesystem::path& file, std::uintmax_t most_bytes = kMostBytes);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline models {
 
 /// Without the line's end.
 inline std::string_view take_line(std::string_view& text) {
@@ -41,4 +41,4 @@ inline std::optional<std::uint64_t> whole_number(std::string_view word) {
                                                  : number;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

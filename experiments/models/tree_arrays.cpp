@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 constexpr double kUnitTolerance = 1e-6;
@@ -228,4 +228,4 @@ VolumeTree take_tree(ByteReader& bytes, const TreeHeader& header) {
   return {std::move(volumes), std::move(links), std::move(surfaces), header.level_starts};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

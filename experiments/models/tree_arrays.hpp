@@ -14,7 +14,7 @@
 #include "experiments/models/little_endian.hpp"
 #include "experiments/models/tree_header.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 void append_tree(std::string& bytes, const VolumeTree& tree);
 
@@ -22,4 +22,4 @@ void append_tree(std::string& bytes, const VolumeTree& tree);
 /// (expected ..., got ...) when they are no tree.
 VolumeTree take_tree(ByteReader& bytes, const TreeHeader& header);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,7 +10,7 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/tree_file.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 /// An environment variable; "" when it is not set.
@@ -98,4 +98,4 @@ VolumeTree TreeCache::tree(const TriangleMesh& solid, const TreeSettings& settin
   return std::move(stored.tree);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

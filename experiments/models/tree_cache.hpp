@@ -16,7 +16,7 @@
 
 #include "engine/trees/builders/build_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 class TreeCache {
  public:
@@ -45,4 +45,4 @@ class TreeCache {
   std::optional<std::filesystem::path> folder_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,7 +10,7 @@
 #include "experiments/models/tree_arrays.hpp"
 #include "experiments/models/tree_header.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 constexpr std::string_view kMagic = "impetree";
@@ -114,4 +114,4 @@ StoredTree load_tree(const std::filesystem::path& file) {
   return stored_tree_from(bytes, file.string());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -18,7 +18,7 @@
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/level_quality.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 inline constexpr std::uint32_t kTreeFileFormat = 1;
 
@@ -49,4 +49,4 @@ void save_tree(const StoredTree& stored, const std::filesystem::path& file, bool
 /// Throws std::runtime_error, in one sentence that names the file.
 StoredTree load_tree(const std::filesystem::path& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline models {
 namespace {
 
 using nlohmann::json;
@@ -213,4 +213,4 @@ TreeHeader tree_header_from(std::string_view given) {
   return header;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -10,7 +10,7 @@
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/tree_file.hpp"
 
-namespace impetus {
+namespace impetus::inline models {
 
 struct TreeHeader {
   std::string name;
@@ -32,4 +32,4 @@ std::string text_of(const TreeHeader& header);
 /// Throws std::runtime_error, "header/key: expected ..., got ...", for a header that is not one.
 TreeHeader tree_header_from(std::string_view text);
 
-}  // namespace impetus
+}  // namespace impetus::inline models

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline observers {
 
 CausalityObserver::CausalityObserver(const CausalityParameters& parameters, std::uint64_t seed,
                                      const std::string& pseudonym, VirtualClock& clock)
@@ -25,4 +25,4 @@ double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*
   return seen_at(delay_ms);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -9,7 +9,7 @@
 
 #include "experiments/observers/rating_observer.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct CausalityParameters : RatingParameters {
   double threshold_mean_ms{0.0};  ///< μ over participants
@@ -35,4 +35,4 @@ class CausalityObserver final : public RatingObserver {
   double width_ms_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace impetus {
+namespace impetus::inline observers {
 
 double draw_normal(RandomStream& stream) {
   // Box and Muller 1958.
@@ -29,4 +29,4 @@ double draw_waiting(RandomStream& stream, double rate) {
 
 double normal_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

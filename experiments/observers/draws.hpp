@@ -6,7 +6,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 /// Mean 0, standard deviation 1.
 double draw_normal(RandomStream& stream);
@@ -23,4 +23,4 @@ double draw_waiting(RandomStream& stream, double rate);
 /// Φ, the standard normal distribution function.
 double normal_cdf(double z);
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

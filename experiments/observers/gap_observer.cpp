@@ -7,7 +7,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/run/collision_truth.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 GapObserver::GapObserver(const GapParameters& parameters, std::uint64_t seed,
                          const std::string& pseudonym, VirtualClock& clock,
@@ -57,4 +57,4 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
   return clearest;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

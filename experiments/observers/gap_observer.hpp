@@ -14,7 +14,7 @@
 #include "experiments/observers/gap_visibility.hpp"
 #include "experiments/observers/rating_observer.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct GapParameters : RatingParameters {
   double threshold_arcmin{10.0};  ///< g₅₀ at the centre, at rest
@@ -49,4 +49,4 @@ class GapObserver : public RatingObserver {
   double threshold_log10_{0.0};  ///< t
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline observers {
 
 double visible_frequency_at(double speed_deg_s) {
   if (speed_deg_s <= 0.825) {
@@ -17,4 +17,4 @@ double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, doub
          (60.0 / visible_frequency_at(speed_deg_s));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

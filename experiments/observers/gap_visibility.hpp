@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline observers {
 
 /// The highest spatial frequency visible at a speed (cycles per degree; Reddy 1997).
 double visible_frequency_at(double speed_deg_s);
@@ -14,4 +14,4 @@ double visible_frequency_at(double speed_deg_s);
 /// gaze and at rest. It doubles at 2.3° (Geisler and Perry 1998).
 double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, double speed_deg_s);
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -9,7 +9,7 @@
 #include "experiments/observers/gap_visibility.hpp"
 #include "experiments/run/collision_truth.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 namespace {
 
 /// Gaps that are so much smaller than what can be seen make no difference.
@@ -167,4 +167,4 @@ double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) 
   return 1.0 - std::exp(-events_per_s / parameters_.events_per_s);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

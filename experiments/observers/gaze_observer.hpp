@@ -22,7 +22,7 @@
 #include "experiments/observers/rating_observer.hpp"
 #include "experiments/observers/simulated_eye.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct GazeObserverParameters : RatingParameters, EyeParameters {
   double threshold_arcmin{10.0};  ///< g₅₀ at the gaze, at rest, of two bodies
@@ -69,4 +69,4 @@ class GazeObserver final : public RatingObserver {
   std::vector<ClickRecord> clicks_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

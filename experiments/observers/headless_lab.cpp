@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/observers/headless_lab.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 Flip HeadlessDisplay::show(const Picture& picture) {
   static_cast<void>(picture);
@@ -10,4 +10,4 @@ Flip HeadlessDisplay::show(const Picture& picture) {
   return grid_.flipped(submitted_ns, clock_->now_ns());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -6,7 +6,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 class VirtualClock final : public Clock {
  public:
@@ -35,4 +35,4 @@ class HeadlessDisplay final : public Display {
   FrameGrid grid_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/observers/loss_process.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 LossProcess::LossProcess(RandomStream stream, double per_s, double mean_ms, std::int64_t start_ns)
     : stream_(stream), per_s_(per_s), mean_ms_(mean_ms), to_ns_(static_cast<double>(start_ns)) {
@@ -21,4 +21,4 @@ bool LossProcess::lost_at(std::int64_t instant_ns) {
   return from_ns_ <= instant;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

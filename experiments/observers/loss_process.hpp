@@ -10,7 +10,7 @@
 
 #include "experiments/observers/draws.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 class LossProcess {
  public:
@@ -31,4 +31,4 @@ class LossProcess {
   double to_ns_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

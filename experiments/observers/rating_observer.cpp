@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline observers {
 namespace {
 
 double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
@@ -103,4 +103,4 @@ Answer RatingObserver::ask(const Page& page) {
   return answer;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -34,7 +34,7 @@
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct RatingParameters {
   double baseline{0.0};      ///< logits
@@ -100,4 +100,4 @@ class RatingObserver : public Input {
   std::vector<double> seen_{0.0};  ///< in each interval of the trial
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 namespace {
 
 /// How fast a body turns at the end of what was shown.
@@ -45,4 +45,4 @@ double ResponseObserver::seen(const AttemptRecord& shown, const StagedScene& sce
                  met->report.approach_m_s / m_per_deg);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

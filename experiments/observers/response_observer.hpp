@@ -14,7 +14,7 @@
 
 #include "experiments/observers/gap_observer.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct ResponseParameters : GapParameters {
   double spin_weight{0.0};         ///< w_spin, of a spin that is missing altogether
@@ -38,4 +38,4 @@ class ResponseObserver final : public GapObserver {
   ResponseParameters parameters_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

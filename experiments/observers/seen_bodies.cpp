@@ -8,7 +8,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 namespace {
 
 /// Over which velocity is seen: three frames at 60 Hz, and no rate at which it lies on a frame.
@@ -133,4 +133,4 @@ ScreenGeometry SeenBodies::screen_at(std::int64_t instant_ns) const {
   return seen != pictures_.rend() ? seen->viewer.screen : kNoScreen;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

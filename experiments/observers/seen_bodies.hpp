@@ -19,7 +19,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 /// What is looked at: a body of the picture, the middle of two, or the centre when there is none.
 struct EyeTarget {
@@ -77,4 +77,4 @@ class SeenBodies {
   std::deque<Seen> pictures_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

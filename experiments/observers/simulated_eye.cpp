@@ -5,7 +5,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 namespace {
 
 /// What stands still for the eye: slower is fixated, not followed.
@@ -167,4 +167,4 @@ void SimulatedEye::start_look() {
   until_ns_ = now_ns_ + nanoseconds(look_ms_);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

@@ -25,7 +25,7 @@
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline observers {
 
 struct EyeParameters {
   double sampling_hz{250.0};  ///< 60 to 1000
@@ -103,4 +103,4 @@ class SimulatedEye final : public Gaze {
   Eigen::Vector2d to_deg_{Eigen::Vector2d::Zero()};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline observers

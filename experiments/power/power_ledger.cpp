@@ -12,7 +12,7 @@
 #include "experiments/power/process_mark.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline power {
 namespace {
 
 constexpr int kApplicationId = 0x494d5057;  // "IMPW"
@@ -214,4 +214,4 @@ std::int64_t PowerLedger::missing(const PowerRequest& request) {
   return count;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline power

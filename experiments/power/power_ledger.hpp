@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline power {
 
 /// What a ledger answers. Everything that changes a study's tests is in it.
 struct PowerQuestion {
@@ -68,4 +68,4 @@ class PowerLedger {
   std::string process_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline power

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace impetus {
+namespace impetus::inline power {
 namespace {
 
 /// Of the machine, since it was last switched on.
@@ -54,4 +54,4 @@ bool still_runs(const std::string& mark) {
          !start_of(process).empty() && mark == mark_of(process);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline power

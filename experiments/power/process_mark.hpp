@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline power {
 
 /// This process on this machine since it was started: "boot id:process id:start".
 std::string mark_of_this_process();
@@ -12,4 +12,4 @@ std::string mark_of_this_process();
 /// Whether the process of `mark` still runs. False for words that are no mark.
 bool still_runs(const std::string& mark);
 
-}  // namespace impetus
+}  // namespace impetus::inline power

@@ -6,7 +6,7 @@
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -23,7 +23,7 @@ class Engine {
       scene_[json::json_pointer(pointer)] = value;
     }
   }
-  [[nodiscard]] int deepest_level() const { return deepest_level_of(scene_["engine"]); }
+  [[nodiscard]] int deepest_level() const { return scenes::deepest_level_of(scene_["engine"]); }
 
  private:
   json scene_;
@@ -84,4 +84,4 @@ int deepest_level_of(const Protocol& protocol) {
   return deepest;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,10 +4,10 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// The deepest level that any condition of the design, practice or catch trial, standard interval
 /// or demonstration can reach.
 int deepest_level_of(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

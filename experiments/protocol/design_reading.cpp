@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 using nlohmann::json;
 
@@ -156,4 +156,4 @@ Condition condition_from_json(const json& object, const Design& design) {
   return condition;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

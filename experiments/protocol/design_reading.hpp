@@ -8,7 +8,7 @@
 #include "experiments/design/design.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// The design without its practice. `object` is the protocol's "design", checked.
 Design design_from(const nlohmann::json& object);
@@ -31,4 +31,4 @@ nlohmann::json to_json(const LevelValue& value);
 nlohmann::json to_json(const Condition& condition);
 Condition condition_from_json(const nlohmann::json& object, const Design& design);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

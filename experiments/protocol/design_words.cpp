@@ -6,7 +6,7 @@
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/blocks.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 std::string count_of(std::int64_t count, const std::string& one, const std::string& many) {
@@ -122,4 +122,4 @@ std::vector<std::string> design_lines(const Design& design,
   return lines;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -8,7 +8,7 @@
 
 #include "experiments/design/design.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// "0, 100, 300"
 std::string level_list(const Factor& factor);
@@ -24,4 +24,4 @@ inline std::string plain_text(std::string_view text) { return std::string(text);
 std::vector<std::string> design_lines(const Design& design,
                                       std::string (*text_of)(std::string_view) = plain_text);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -14,7 +14,7 @@
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/unattended.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -83,4 +83,4 @@ std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& 
                                      : " the best found parts them " + parted(pilot.share)));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -13,10 +13,10 @@
 #include "experiments/protocol/solve_task.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Throws InputError when no threshold comes within the tolerance of the share.
 std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& shapes,
                                            const Progress& progress);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

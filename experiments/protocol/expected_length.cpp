@@ -7,7 +7,7 @@
 #include "experiments/scenes/scene_timing.hpp"
 #include "experiments/session/intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 double duration_under(const Protocol& protocol, const Condition& condition) {
@@ -42,4 +42,4 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
   return seconds / 60.0;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

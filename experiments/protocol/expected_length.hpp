@@ -5,7 +5,7 @@
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// A participant's own pace, for the estimate alone.
 inline constexpr double kAssumedAnswer_s = 1.5;
@@ -21,4 +21,4 @@ StimulusLength stimulus_length(const Protocol& protocol);
 /// Minutes for reading, one round of practice and all main trials of `plan`.
 double expected_minutes(const Protocol& protocol, const Plan& plan);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 std::optional<ObserverFile> without_effect(const ObserverFile& observer,
                                            const std::string& response) {
@@ -19,4 +19,4 @@ std::optional<ObserverFile> without_effect(const ObserverFile& observer,
   return ObserverFile{std::move(document), std::move(parameters)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

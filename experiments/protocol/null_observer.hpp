@@ -8,7 +8,7 @@
 
 #include "experiments/protocol/observer_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// For "rating": `effect` is 0, so what was seen changes no rating on average, and participants
 /// differ in it as before (`effect_sd`). For "clicks": nothing is seen (`miss_rate` 1), and clicks
@@ -16,4 +16,4 @@ namespace impetus {
 std::optional<ObserverFile> without_effect(const ObserverFile& observer,
                                            const std::string& response);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -5,7 +5,7 @@
 
 #include "experiments/models/file_place.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 std::filesystem::path find_observer(const std::string& name,
@@ -72,4 +72,4 @@ std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uin
   return std::visit(Making{seed, pseudonym, clock, flip_clock}, file.parameters);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -8,7 +8,7 @@
 
 #include "experiments/protocol/observer_parameters.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 struct ObserverFile {
   JsonDocument document;
@@ -31,4 +31,4 @@ std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uin
                                               const std::string& pseudonym, VirtualClock& clock,
                                               const Clock& flip_clock);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -7,7 +7,7 @@
 
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -274,4 +274,4 @@ ObserverParameters read_parameters(const JsonDocument& document) {
   return kind->read(document);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

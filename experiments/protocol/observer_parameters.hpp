@@ -14,7 +14,7 @@
 #include "experiments/observers/response_observer.hpp"
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 using ObserverParameters = std::variant<CausalityParameters, GapParameters, GazeObserverParameters,
                                         GapThresholdParameters, ResponseParameters>;
@@ -23,4 +23,4 @@ using ObserverParameters = std::variant<CausalityParameters, GapParameters, Gaze
 /// is missing, out of its range or without its unit and source.
 ObserverParameters read_parameters(const JsonDocument& document);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

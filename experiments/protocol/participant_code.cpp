@@ -3,7 +3,7 @@
 
 #include "experiments/tables/utf8.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code <= 0x9F); }
@@ -33,4 +33,4 @@ bool is_participant_code(std::string_view code) {
   return true;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

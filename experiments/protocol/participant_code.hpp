@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 inline constexpr std::size_t kLongestParticipantCode = 64;  ///< bytes
 
@@ -13,4 +13,4 @@ inline constexpr std::size_t kLongestParticipantCode = 64;  ///< bytes
 /// '\' and a space at either end. All else is text and stays text, quotes and markup too.
 bool is_participant_code(std::string_view code);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -20,7 +20,7 @@
 #include "experiments/settings/named_file.hpp"
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ Protocol load_protocol(const std::filesystem::path& path) {
   return make_protocol(std::move(document), read_scene(scene, files));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

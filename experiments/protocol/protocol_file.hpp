@@ -11,7 +11,7 @@
 #include "experiments/record/script.hpp"
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 struct Protocol {
   std::string name;
@@ -38,4 +38,4 @@ nlohmann::json scene_under(const Protocol& protocol, const Condition& condition)
 /// The scene with the values that the demonstration sets. `id` is one of the protocol's.
 nlohmann::json demonstration_scene(const Protocol& protocol, const std::string& id);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -12,7 +12,7 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -270,4 +270,4 @@ std::string protocol_page(const Protocol& protocol) {
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

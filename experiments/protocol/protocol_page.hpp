@@ -7,10 +7,10 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// What is varied, how trials are ordered, what happens in one, every word that is shown, what is
 /// recorded, and how to run it. The same file gives the same page.
 std::string protocol_page(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -5,7 +5,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
   return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
                      start_of(trial), trial.seed, deepest_level_);
@@ -38,4 +38,4 @@ void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

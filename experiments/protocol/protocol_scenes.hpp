@@ -10,7 +10,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 class ProtocolScenes final : public Scenes {
  public:
@@ -42,4 +42,4 @@ class ProtocolScenes final : public Scenes {
   int deepest_level_;                     ///< no tree is built beyond it
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

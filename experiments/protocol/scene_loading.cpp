@@ -7,7 +7,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 namespace {
 
@@ -98,4 +98,4 @@ JsonDocument load_scene(const std::filesystem::path& path) {
   return scene;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

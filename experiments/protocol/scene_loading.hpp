@@ -10,7 +10,7 @@
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// The scene in the file, valid by its schema and its own rules. Throws InputError with one
 /// sentence, "file:/pointer: expected ..., got ...".
@@ -32,4 +32,4 @@ std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& sce
 /// Throws InputError unless the scene is valid by its schema and its own rules.
 void require_scene(const JsonDocument& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -10,7 +10,7 @@
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -106,4 +106,4 @@ ScreenGeometry assumed_screen(int width_px, int height_px) {
   return {width_m, kHeight_m, width_px, height_px, 0.57};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -7,7 +7,7 @@
 
 #include "experiments/record/lab_screen.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// $XDG_CONFIG_HOME/impetus/screen.json, or ~/.config/impetus/screen.json.
 std::filesystem::path default_screen_file();
@@ -26,4 +26,4 @@ void save_screen(const LabScreen& screen, const std::filesystem::path& path);
 /// entered, and, 1280 × 1024 pixels on 37.6 cm × 30.1 cm, what a simulated participant looks at.
 ScreenGeometry assumed_screen(int width_px = 1280, int height_px = 1024);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

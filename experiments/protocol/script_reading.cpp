@@ -3,7 +3,7 @@
 
 #include "experiments/protocol/design_reading.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -160,4 +160,4 @@ Script script_from(const json& document) {
   return script;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -6,9 +6,9 @@
 
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// `document` is the whole protocol; where nobody takes part, only the title is read.
 Script script_from(const nlohmann::json& document);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

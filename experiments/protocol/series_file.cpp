@@ -7,7 +7,7 @@
 #include "experiments/settings/named_file.hpp"
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 using nlohmann::json;
 
@@ -45,4 +45,4 @@ Series load_series(const std::filesystem::path& path) {
   return series;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 struct Series {
   std::string name;  ///< "": a single protocol
@@ -18,4 +18,4 @@ struct Series {
 /// with one sentence, "file:/pointer: expected ..., got ...".
 Series load_series(const std::filesystem::path& path);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -7,7 +7,7 @@
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -218,4 +218,4 @@ json changed_scene(const json& scene, const std::vector<SettingChange>& changes)
   return changed;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

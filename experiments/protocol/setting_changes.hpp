@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Changes a scene's "engine"; `value` may be of any type.
 using PutSetting = void (*)(nlohmann::json& engine, const nlohmann::json& value);
@@ -43,4 +43,4 @@ SettingChange setting_change(const std::string& given);
 nlohmann::json changed_scene(const nlohmann::json& scene,
                              const std::vector<SettingChange>& changes);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -8,7 +8,7 @@
 #include "experiments/design/design.hpp"
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 struct SolveTask {
   const JsonDocument* document;  ///< the protocol's, for refusals
@@ -18,4 +18,4 @@ struct SolveTask {
   nlohmann::json scene;  ///< under the condition
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

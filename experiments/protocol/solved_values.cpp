@@ -6,7 +6,7 @@
 #include "experiments/protocol/equal_lists.hpp"
 #include "experiments/protocol/spin_limits.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -96,4 +96,4 @@ std::vector<SolvedValue> solved_values_from(const std::string& text) {
   return values;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -16,7 +16,7 @@
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Of the trials that have these levels.
 struct SolvedFor {
@@ -39,4 +39,4 @@ void put_into_scene(const std::vector<SolvedValue>& values, nlohmann::json& scen
 std::string to_text(const std::vector<SolvedValue>& values);
 std::vector<SolvedValue> solved_values_from(const std::string& text);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -15,7 +15,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& 
   return values;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -13,7 +13,7 @@
 #include "experiments/protocol/solve_task.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Throws InputError when fewer starts than asked for lead to a collision, of twice as many.
 std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& shapes,
@@ -23,4 +23,4 @@ std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& 
 /// 1996, type 7). `values` has at least one.
 double percentile(std::vector<double> values, double percent);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

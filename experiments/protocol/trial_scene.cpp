@@ -3,7 +3,7 @@
 
 #include "experiments/protocol/solved_values.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 nlohmann::json scene_of(const Protocol& protocol, const PlannedTrial& trial) {
   nlohmann::json scene = scene_under(protocol, trial.condition);
@@ -16,4 +16,4 @@ std::string start_of(const PlannedTrial& trial) {
   return (practice ? "practice/" : "main/") + std::to_string(trial.repetition);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -7,7 +7,7 @@
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// With the trial's levels and what was solved for it put in.
 nlohmann::json scene_of(const Protocol& protocol, const PlannedTrial& trial);
@@ -15,4 +15,4 @@ nlohmann::json scene_of(const Protocol& protocol, const PlannedTrial& trial);
 /// What a random start goes by: never the participant or the order of trials.
 std::string start_of(const PlannedTrial& trial);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace click_response {
 
 bool is_asked(const Script& script) { return script.clicks.has_value(); }
@@ -36,4 +36,4 @@ ResponseKind click_kind() {
           feedback};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

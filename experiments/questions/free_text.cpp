@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace free_text_response {
 
 constexpr const char* kName = "free_text";
@@ -44,4 +44,4 @@ ResponseKind free_text_kind() {
           nullptr};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

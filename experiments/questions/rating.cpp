@@ -4,7 +4,7 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/session_pages.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace rating_response {
 
 constexpr const char* kName = "rating";
@@ -83,4 +83,4 @@ ResponseKind rating_kind() {
           feedback};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

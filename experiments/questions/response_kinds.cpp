@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline questions {
 
 using DeclaredKind = ResponseKind();
 DeclaredKind click_kind, rating_kind, yes_no_kind, two_interval_kind, free_text_kind;
@@ -80,4 +80,4 @@ std::optional<bool> counted_answer(const AttemptRecord& attempt) {
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

@@ -15,7 +15,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 
 struct DeclaredValue {
   std::string name;
@@ -80,4 +80,4 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
 /// "The time was up", and how much there is: what is said after practice.
 Text time_was_up(double timeout_ms);
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

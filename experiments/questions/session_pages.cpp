@@ -5,7 +5,7 @@
 
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace {
 
 std::string quoted(const std::string& words) { return "“" + words + "”"; }
@@ -195,4 +195,4 @@ Page thanks_page(const Text& text, bool part_follows, const SessionProgress& pro
   return page;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

@@ -11,7 +11,7 @@
 #include "experiments/record/record.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 
 inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
@@ -61,4 +61,4 @@ Page quit_page(const SessionProgress& progress);
 /// The last page: leaving it closes the session, or goes on to the next part of a series.
 Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress);
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace two_interval_response {
 
 constexpr const char* kName = "two_interval";
@@ -74,4 +74,4 @@ ResponseKind two_interval_kind() {
           feedback};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

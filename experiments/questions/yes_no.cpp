@@ -8,7 +8,7 @@
 
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline questions {
 namespace yes_no_response {
 
 constexpr const char* kName = "yes_no";
@@ -94,4 +94,4 @@ ResponseKind yes_no_kind() {
           feedback};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline questions

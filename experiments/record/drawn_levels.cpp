@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/record/drawn_levels.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 const std::shared_ptr<const TriangleMesh>& mesh_as_seen(
     const std::shared_ptr<const TriangleMesh>& mesh, const DrawnLevels* coarser,
@@ -18,4 +18,4 @@ const std::shared_ptr<const TriangleMesh>& mesh_as_seen(
   return *chosen;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

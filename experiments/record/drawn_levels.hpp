@@ -15,7 +15,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// A picture of more bodies is a crowd's.
 inline constexpr std::size_t kFewBodies = 20;
@@ -41,4 +41,4 @@ using DrawnLevels = std::vector<DrawnLevel>;
     const std::shared_ptr<const TriangleMesh>& mesh, const DrawnLevels* coarser,
     double px_per_metre);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

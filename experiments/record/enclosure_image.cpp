@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline record {
 namespace {
 
 /// Twice the area of the triangle; positive when it turns left.
@@ -109,4 +109,4 @@ double EnclosureImage::covered_share(const GazeRegion& region) const {
   return static_cast<double>(covered) / image;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -9,7 +9,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 class EnclosureImage {
  public:
@@ -34,4 +34,4 @@ class EnclosureImage {
   ScreenPoint greatest_{};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

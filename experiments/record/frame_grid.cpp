@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline record {
 
 std::int64_t FrameGrid::due_ns(std::int64_t slot) const {
   return anchor_ns_ + std::llround(static_cast<double>(slot) * period_ns_);
@@ -18,4 +18,4 @@ Flip FrameGrid::flipped(std::int64_t submitted_ns, std::int64_t flipped_ns) {
   return flip;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

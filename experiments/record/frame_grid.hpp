@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// What one flip measured.
 struct Flip {
@@ -52,4 +52,4 @@ class FrameGrid {
   std::int64_t slot_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

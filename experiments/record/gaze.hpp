@@ -27,7 +27,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/record/frame_grid.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 struct Picture;
 
@@ -62,4 +62,4 @@ class Gaze {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/record/gaze_correction.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 namespace {
 
 ScreenPoint operator+(const ScreenPoint& a, const ScreenPoint& b) {
@@ -66,4 +66,4 @@ std::optional<GazeCorrection> fit_gaze_correction(const std::vector<FixatedPoint
   return fit;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -15,7 +15,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// The default changes nothing. Offsets in metres.
 struct GazeCorrection {
@@ -49,4 +49,4 @@ inline constexpr std::size_t kLeastFixatedPoints = 4;
 /// with fewer than kLeastFixatedPoints, or when the gaze stayed on a line or in one place.
 std::optional<GazeCorrection> fit_gaze_correction(const std::vector<FixatedPoint>& points);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

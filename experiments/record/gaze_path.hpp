@@ -9,7 +9,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 struct GazePath {
   double viewing_distance_m{0.0};   ///< of the recording's screen
@@ -40,4 +40,4 @@ struct GazePath {
 /// By the id of the trial in the study.
 using GazePaths = std::map<std::int64_t, GazePath>;
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline record {
 namespace {
 
 /// What a ruler on the glass can be trusted with.
@@ -51,4 +51,4 @@ PicturePixels largest_picture(const ScreenGeometry& screen, double wide_px, doub
   return {static_cast<int>(scale * screen.width_px), static_cast<int>(scale * screen.height_px)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

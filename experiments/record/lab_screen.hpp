@@ -7,7 +7,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// What was measured, and what was said about it.
 struct LabScreen {
@@ -37,4 +37,4 @@ struct PicturePixels {
 /// down as the whole screen: so it looks in a part of a window as it does over all of it.
 PicturePixels largest_picture(const ScreenGeometry& screen, double wide_px, double high_px);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

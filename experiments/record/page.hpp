@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// How far the session has come; always visible.
 struct SessionProgress {
@@ -72,4 +72,4 @@ struct Page {
   PointMap point_map{};    ///< under the paragraphs; none without points
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline record {
 namespace {
 
 using DataBits = std::array<std::uint8_t, static_cast<std::size_t>(kPatchPeriod)>;
@@ -48,4 +48,4 @@ std::optional<ScreenCorner> corner_named(std::string name) {
   return static_cast<ScreenCorner>(found - kCornerNames.begin());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

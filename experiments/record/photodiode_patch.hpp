@@ -21,7 +21,7 @@
 #include <optional>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// The opening of a usual photodiode, and a margin. Screens have at least 10 cm a side, so it stays
 /// away from their middle.
@@ -50,4 +50,4 @@ const char* name_of(ScreenCorner corner);
 /// The corner of this name, hyphens being as good as blanks; none: there is none.
 std::optional<ScreenCorner> corner_named(std::string name);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

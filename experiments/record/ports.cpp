@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress) {
@@ -17,4 +17,4 @@ Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, dou
   return picture;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

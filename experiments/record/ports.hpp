@@ -26,7 +26,7 @@
 #include "experiments/record/record.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 class Clock {
  public:
@@ -153,4 +153,4 @@ class Recorder {
   virtual void await_saved() = 0;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -14,7 +14,7 @@
 #include "experiments/record/gaze_correction.hpp"
 #include "experiments/record/wall_names.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// What a step was told of the participant's gaze.
 struct GazeInput {
@@ -178,13 +178,6 @@ struct CalibrationRecord {
   std::optional<GazeCorrection> correction{};
 };
 
-/// An adaptive trial's level, chosen just before the trial is shown, and what it was chosen by.
-struct ChosenLevel {
-  std::int64_t slot{0};
-  Condition condition;             ///< whole, with the level
-  std::vector<FactorLevel> state;  ///< of the track before the trial, by name
-};
-
 /// An answer outside trials. `kind`: "consent", "demographic" or "question".
 struct QuestionRecord {
   std::string kind;
@@ -199,4 +192,4 @@ struct NoteRecord {
   std::string text;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

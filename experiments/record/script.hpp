@@ -10,7 +10,7 @@
 #include "experiments/design/design.hpp"
 #include "experiments/record/page.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 struct Text {
   std::string title;
@@ -156,4 +156,4 @@ struct Script {
   ResumeRule resume{};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

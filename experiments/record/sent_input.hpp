@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline record {
 
 enum class InputDevice { kKey, kMouse };
 
@@ -32,4 +32,4 @@ struct InputTrace {
   std::vector<ArrivedInput> arrived;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline record {
 
 struct LetterRange {
   std::uint16_t first{0};
@@ -31,4 +31,4 @@ inline bool is_shown_letter(std::uint32_t code_point) {
   });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -14,7 +14,7 @@
 #include "experiments/record/gaze_path.hpp"
 #include "experiments/record/turning_viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
 /// none; colour sRGB, 0–1.
@@ -77,4 +77,4 @@ struct StagedScene {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -6,7 +6,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// CLOCK_MONOTONIC in nanoseconds.
 class SteadyClock final : public Clock {
@@ -18,4 +18,4 @@ class SteadyClock final : public Clock {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -3,7 +3,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s) {
   if (turn.rate_deg_s == 0.0) {
@@ -15,4 +15,4 @@ Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s)
   return viewer;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -9,7 +9,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 struct ViewerTurn {
   double azimuth_deg{0.0};  ///< at time zero
@@ -20,4 +20,4 @@ struct ViewerTurn {
 /// machine: a step's viewer follows from its number.
 Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

@@ -5,7 +5,7 @@
 
 #include "engine/scheduling/priority.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 namespace {
 
 using Sides = std::array<const char*, kWallCount>;
@@ -35,4 +35,4 @@ std::optional<std::int32_t> wall_named(const std::string& name) {
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline record

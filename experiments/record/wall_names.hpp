@@ -8,7 +8,7 @@
 
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline record {
 
 /// What a wall's name begins with; no body's name does.
 inline constexpr const char* kWallPrefix = "wall ";
@@ -25,4 +25,4 @@ std::string wall_name(std::int32_t wall, WallNaming naming = WallNaming::kAxes);
 /// The wall called `name`, if it is one's.
 std::optional<std::int32_t> wall_named(const std::string& name);
 
-}  // namespace impetus
+}  // namespace impetus::inline record

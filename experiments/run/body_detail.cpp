@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline run {
 
 LatestDetail::LatestDetail(std::size_t bodies, double step_hz)
     : steps_in_view_(std::llround(kDetailInView_s * step_hz)), bodies_(bodies) {}
@@ -42,4 +42,4 @@ std::vector<BodyDetail> LatestDetail::at(std::int64_t step) const {
   return details;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

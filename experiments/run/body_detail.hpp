@@ -9,7 +9,7 @@
 
 #include "engine/world/step.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// How long a collision, which may last a step, is told.
 inline constexpr double kDetailInView_s = 0.25;
@@ -45,4 +45,4 @@ class LatestDetail {
   std::vector<Collided> bodies_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline run

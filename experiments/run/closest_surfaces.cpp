@@ -7,7 +7,7 @@
 #include "engine/shapes/ball_distance.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 /// Two balls need no mesh: the closest points lie on the line of their centres.
@@ -39,4 +39,4 @@ ClosestPoints closest_surfaces(const DrawnBody& a, const Pose& pose_a, const Dra
   return distance_of_balls(a, pose_a, b, pose_b);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

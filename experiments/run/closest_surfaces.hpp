@@ -5,10 +5,10 @@
 #include "engine/shapes/triangle_distance.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// Of the bodies' own meshes and balls, in world; 0 apart when the surfaces cross.
 ClosestPoints closest_surfaces(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
                                const Pose& pose_b);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -10,7 +10,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/run/closest_surfaces.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 constexpr int kSampleRays = 64;
@@ -241,4 +241,4 @@ CollisionTruth measure_truth(const StagedScene& scene, const World& world, BodyP
   return measure_truth(scene.looks[a], pose_a, scene.looks[b], world.states()[b].pose, viewer);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -10,7 +10,7 @@
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 inline constexpr double kArcminPerDegree = 60.0;
 
@@ -48,4 +48,4 @@ CollisionTruth measure_wall_truth(const DrawnBody& look, const Pose& pose, const
 double wall_gap_arcmin(const DrawnBody& look, const Pose& pose, const Enclosure& walls, int wall,
                        const Viewer& viewer);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 /// Units of work between two looks at the clock: a microsecond or so of work. Where time is short
@@ -62,4 +62,4 @@ double DeadlineWork::fitting_units(std::int64_t now_ns, std::int64_t done, std::
          static_cast<double>(reserved);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

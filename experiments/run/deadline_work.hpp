@@ -17,7 +17,7 @@
 #include "engine/scheduling/work_meter.hpp"
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// Of what follows detection: 2 to 6 ns as measured, the more the more contacts depend on each
 /// other.
@@ -51,4 +51,4 @@ class DeadlineWork final : public WorkMeter {
   double ns_per_unit_{0.0};  ///< of what follows detection; 0 until enough units are done to tell
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -12,7 +12,7 @@
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 /// One list that stops at `level`, and reaches it whatever the budget.
@@ -291,4 +291,4 @@ CollisionByLevel collision_by_level(const StagedScene& scene) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

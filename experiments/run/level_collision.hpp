@@ -17,7 +17,7 @@
 #include "engine/volumes/rounded_box.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// The bodies of the collision at one moment; one body when it is with a wall.
 struct CollisionMoment {
@@ -51,4 +51,4 @@ int finest_level_of(const World& world);
 /// Throws InputError, in one sentence, when nothing collides within the scene's duration.
 CollisionByLevel collision_by_level(const StagedScene& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

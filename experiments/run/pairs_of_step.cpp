@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 std::vector<MovedBound> moved_bounds(const World& world, const std::vector<BodyState>& before) {
@@ -50,4 +50,4 @@ std::vector<ScheduledPair> pairs_of_step(const World& world, const std::vector<B
   return scheduled(pairs, world.settings().schedule, input.viewer, input.fixation, input.region);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

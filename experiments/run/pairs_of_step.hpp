@@ -11,11 +11,11 @@
 
 #include "engine/world/world.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// `before` are the states that the last step of `world` started from, `input` what it was given.
 /// The pairs come by list and by falling priority within each.
 std::vector<ScheduledPair> pairs_of_step(const World& world, const std::vector<BodyState>& before,
                                          const StepInput& input);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

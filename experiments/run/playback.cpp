@@ -9,7 +9,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 /// Throws unless a scene with a budget by the clock has one.
@@ -155,4 +155,4 @@ std::vector<Pose> Playback::poses_at(double time_s) {
   return poses;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -14,7 +14,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/run/deadline_work.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 class Playback {
  public:
@@ -60,4 +60,4 @@ class Playback {
 StepRecord record_of(std::int64_t step, const GazeInput& gaze, const StepReport& report,
                      bool keeps_digests = true);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

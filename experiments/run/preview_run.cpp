@@ -7,7 +7,7 @@
 
 #include "engine/dynamics/motion.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 constexpr double kContactInView_s = 0.25;
@@ -274,4 +274,4 @@ std::size_t PreviewRun::work_span() const {
   return static_cast<std::size_t>(std::lround(kWorkInView_s * scene_.step_hz));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

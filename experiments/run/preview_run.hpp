@@ -20,7 +20,7 @@
 #include "experiments/run/pairs_of_step.hpp"
 #include "experiments/run/preview_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// One step in the strip chart, in node-pair tests.
 struct WorkOfStep {
@@ -145,4 +145,4 @@ class PreviewRun {
   std::deque<WorkOfStep> work_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline run

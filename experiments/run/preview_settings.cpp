@@ -11,7 +11,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/run/level_collision.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 constexpr const char* kRegion = "region";
@@ -214,4 +214,4 @@ std::string problem_of(const PreviewSettings& settings) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

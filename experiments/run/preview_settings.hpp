@@ -14,7 +14,7 @@
 
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 inline constexpr int kMostPreviewLists = 4;
 
@@ -81,4 +81,4 @@ Schedule schedule_of(const PreviewSettings& settings);
 /// One sentence when no world would take the schedule; otherwise empty.
 std::string problem_of(const PreviewSettings& settings);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline run {
 
 std::optional<Divergence> divergence_of(const StepRecord& recorded, const StateHash& actual,
                                         const World& world,
@@ -62,4 +62,4 @@ ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
   return running.result();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

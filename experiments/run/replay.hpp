@@ -10,7 +10,7 @@
 #include "experiments/record/record.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// Where a replay first left the recording.
 struct Divergence {
@@ -76,4 +76,4 @@ using StepWatcher =
 ReplayResult replay(StagedScene scene, const std::vector<StepRecord>& recorded,
                     const StepWatcher& watcher = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -5,7 +5,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 /// The angle between two orientations.
@@ -25,4 +25,4 @@ bool seen_apart(const Pose& x, const Pose& y, bool turns_show, const Viewer& vie
   return !same_place || !same_turn;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

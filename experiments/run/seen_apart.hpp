@@ -5,7 +5,7 @@
 #include "engine/numerics/vector.hpp"
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 /// As far apart as this, a body is seen to be elsewhere, or turned. Spheres are not seen to turn.
 struct PartingThresholds {
@@ -18,4 +18,4 @@ struct PartingThresholds {
 [[nodiscard]] bool seen_apart(const Pose& x, const Pose& y, bool turns_show, const Viewer& viewer,
                               const PartingThresholds& thresholds = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline run

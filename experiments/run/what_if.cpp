@@ -12,7 +12,7 @@
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/seen_apart.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 namespace {
 
 bool same_rule(const RegionRule& one, const RegionRule& other) {
@@ -205,4 +205,4 @@ WhatIf what_if(StagedScene then, StagedScene now, const std::vector<StepRecord>&
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline run

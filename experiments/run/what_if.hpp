@@ -24,7 +24,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/run/replay.hpp"
 
-namespace impetus {
+namespace impetus::inline run {
 
 inline constexpr double kMatchWithin_s = 0.05;
 
@@ -81,4 +81,4 @@ std::vector<CollisionMatch> matched(const std::vector<SeenCollision>& then,
                                     const std::vector<SeenCollision>& now,
                                     std::int64_t within_steps);
 
-}  // namespace impetus
+}  // namespace impetus::inline run

@@ -9,7 +9,7 @@
 #include "engine/shapes/mesh_reduction.hpp"
 #include "engine/shapes/surface_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 constexpr std::size_t kFewestTriangles = 40;
@@ -80,4 +80,4 @@ DrawnLevels coarser_meshes(const TriangleMesh& mesh, const Progress& progress) {
   return levels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -5,10 +5,10 @@
 #include "engine/trees/tree_settings.hpp"
 #include "experiments/record/drawn_levels.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Meshes of half the triangles each, as far as `mesh` keeps its shape with so few; the same on
 /// every machine. Precondition: find_defects(mesh).none().
 [[nodiscard]] DrawnLevels coarser_meshes(const TriangleMesh& mesh, const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

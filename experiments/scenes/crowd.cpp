@@ -5,7 +5,7 @@
 
 #include "experiments/scenes/random_places.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 /// A place where a ball is within the walls and apart from the bodies that have theirs.
@@ -54,4 +54,4 @@ std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>&
   return states;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

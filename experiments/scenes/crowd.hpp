@@ -11,7 +11,7 @@
 #include "engine/dynamics/body.hpp"
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 struct CrowdStart {
   std::uint64_t seed{1};
@@ -26,4 +26,4 @@ std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>&
                                                    const Enclosure& enclosure,
                                                    const CrowdStart& start);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

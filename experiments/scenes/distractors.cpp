@@ -11,7 +11,7 @@
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -239,4 +239,4 @@ std::vector<SceneProblem> distractor_problems(const json& scene) {
   return {};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -16,7 +16,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Adds the scene's distractors to the two bodies that meet, in turn like the first and the second.
 void add_distractors(const nlohmann::json& scene, SceneBodies& bodies);
@@ -32,4 +32,4 @@ std::optional<std::vector<BodyState>> distractor_states(const nlohmann::json& sc
 /// What is wrong with distractors beyond the schema; all else about the meeting is right.
 std::vector<SceneProblem> distractor_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 
 #include "engine/volumes/pair_procedures.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 /// A node turned about the centre of mass, and the sphere round it.
@@ -124,4 +124,4 @@ bool can_meet(const VolumeTree& a, const Quaternion& orientation_a, const Volume
       .has_value();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 double draw_symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
 
@@ -55,4 +55,4 @@ Vector3 draw_place(const Room& room, RandomStream& stream) {
   return room.centre + room.half_extents_m.cwiseProduct(share);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -6,7 +6,7 @@
 #include "engine/numerics/vector.hpp"
 #include "engine/volumes/enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Uniform from -1 to 1.
 double draw_symmetric(RandomStream& stream);
@@ -29,4 +29,4 @@ Room room_within(const Enclosure& enclosure, double radius_m);
 /// Uniform over the room's box.
 Vector3 draw_place(const Room& room, RandomStream& stream);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -10,7 +10,7 @@
 #include "experiments/scenes/scene_settings.hpp"
 #include "experiments/scenes/scene_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -92,4 +92,4 @@ Vector3 vector_of(const json& body, const char* key, double unit) {
   return unit * Vector3(numbers[0], numbers[1], numbers[2]);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

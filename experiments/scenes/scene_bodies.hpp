@@ -9,7 +9,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Bodies by index, each with the shape it has; the shapes are the library's. `shape_names` are
 /// what the shapes are called: by their kind or file, a figure's by its part.
@@ -46,4 +46,4 @@ Quaternion orientation_of(const nlohmann::json& body);
 /// A vector in degrees as metres (or, where `unit` is radians per degree, as radians).
 Vector3 vector_of(const nlohmann::json& body, const char* key, double unit);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -19,7 +19,7 @@
 #include "experiments/scenes/scene_tree.hpp"
 #include "experiments/scenes/shape_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -192,4 +192,4 @@ std::vector<SceneProblem> scene_problems(const json& scene) {
   return problems;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// A broken rule with its JSON Pointer.
 struct SceneProblem {
@@ -17,4 +17,4 @@ struct SceneProblem {
 /// Precondition: `scene` is valid by scene_schema().
 std::vector<SceneProblem> scene_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -5,7 +5,7 @@
 
 #include "engine/numerics/cube_root.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -75,4 +75,4 @@ void add_enclosure_problems(const json& scene, std::vector<SceneProblem>& proble
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

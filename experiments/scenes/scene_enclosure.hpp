@@ -10,7 +10,7 @@
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// None when the scene has none. A cube grows with the count of a crowd where the scene says so.
 /// Precondition: add_enclosure_problems() adds none.
@@ -24,4 +24,4 @@ ScreenGeometry screen_for_checks();
 /// Adds what is wrong with the keys of the enclosure's kind.
 void add_enclosure_problems(const nlohmann::json& scene, std::vector<SceneProblem>& problems);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -25,7 +25,7 @@
 #include "experiments/scenes/scene_spin.hpp"
 #include "experiments/scenes/scene_timing.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -231,4 +231,4 @@ StartingOverlaps starting_overlaps_of(const json& scene) {
   return found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -16,7 +16,7 @@
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// The scene's JSON Schema (stimuli/scene.schema.json), as built into the program.
 const nlohmann::json& scene_schema();
@@ -61,4 +61,4 @@ struct StartingOverlaps {
 /// leave out. Precondition: as for build_scene().
 StartingOverlaps starting_overlaps_of(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

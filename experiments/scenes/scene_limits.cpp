@@ -15,7 +15,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -186,4 +186,4 @@ std::vector<SceneProblem> limit_problems(const json& scene) {
   return problems;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -9,10 +9,10 @@
 
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Each with its limit and what was there, in metres, kilograms and seconds. Precondition: the
 /// scene is valid by the schema, and its shapes are solids.
 std::vector<SceneProblem> limit_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

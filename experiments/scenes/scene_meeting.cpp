@@ -11,7 +11,7 @@
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -169,4 +169,4 @@ std::vector<SceneProblem> meeting_problems(const json& scene) {
   return {};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

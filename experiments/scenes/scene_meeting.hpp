@@ -13,7 +13,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Gives the two bodies the shells that leave the scene's gap between what is drawn, as `viewer`
 /// sees it; nothing where it asks for none. Precondition: meeting_problems() is empty.
@@ -26,4 +26,4 @@ std::vector<BodyState> meeting_states(const nlohmann::json& scene, const Viewer&
 /// What is wrong with offset and gap beyond the schema; all else about the meeting is right.
 std::vector<SceneProblem> meeting_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -12,7 +12,7 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/scenes/figures/figure_files.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ TriangleMesh mesh_content(const json& meshes, const std::string& file) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -17,7 +17,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Whether a shape is a mesh from a file.
 bool is_mesh(const nlohmann::json& shape);
@@ -42,4 +42,4 @@ std::string hold_mesh(nlohmann::json& scene, const std::string& file,
 /// (expected ..., got ...) when the content is not what it says.
 TriangleMesh mesh_content(const nlohmann::json& meshes, const std::string& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

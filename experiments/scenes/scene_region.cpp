@@ -6,7 +6,7 @@
 
 #include "experiments/scenes/scene_schedule.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -80,4 +80,4 @@ void add_region_problems(const json& engine, std::vector<SceneProblem>& problems
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// The scheduler whose lists follow a region.
 inline constexpr const char* kRegionScheduler = "region";
@@ -19,4 +19,4 @@ RegionRule region_of(const nlohmann::json& engine, double metres_per_degree);
 /// Adds what is wrong with region and its scheduler together.
 void add_region_problems(const nlohmann::json& engine, std::vector<SceneProblem>& problems);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -10,7 +10,7 @@
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/schedule_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -156,4 +156,4 @@ std::vector<SceneProblem> schedule_problems(const json& engine) {
   return problems;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

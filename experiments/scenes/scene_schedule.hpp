@@ -10,7 +10,7 @@
 #include "engine/scheduling/priority_lists.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// What decides a pair's list in `engine`: a metric's name, "region", or "" without a schedule.
 std::string scheduler_of(const nlohmann::json& engine);
@@ -41,4 +41,4 @@ bool is_whole(double steps);
 /// What is wrong with level and schedule beyond the schema.
 std::vector<SceneProblem> schedule_problems(const nlohmann::json& engine);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

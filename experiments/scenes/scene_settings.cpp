@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -153,4 +153,4 @@ std::vector<SceneProblem> engine_problems(const json& scene) {
   return problems;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

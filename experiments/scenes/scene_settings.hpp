@@ -9,7 +9,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// What `scene` says of the world's settings, as the engine has them where it says nothing; holds,
 /// enclosure and schedule apart. Precondition: engine_problems() is empty.
@@ -24,4 +24,4 @@ WorkBudget budget_of(const nlohmann::json& engine);
 /// What is wrong with materials and budget beyond the schema.
 std::vector<SceneProblem> engine_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -5,7 +5,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -71,4 +71,4 @@ std::vector<SceneProblem> spin_problems(const json& scene) {
   return problems;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

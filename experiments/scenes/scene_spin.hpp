@@ -10,7 +10,7 @@
 #include "engine/dynamics/imposed_spin.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// What /imposed/random_spin imposes in the trial of this seed: each component uniform between its
 /// limits, from a stream of its own; none where it is left out or off.
@@ -19,4 +19,4 @@ std::optional<ImposedSpinRule> imposed_spin_of(const nlohmann::json& scene, std:
 /// What is wrong with it beyond the schema.
 std::vector<SceneProblem> spin_problems(const nlohmann::json& scene);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_timing.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 using nlohmann::json;
 
@@ -17,4 +17,4 @@ double scene_duration_s(const json& scene, double hold_s) {
   return meeting["lead_s"].get<double>() + hold_s + meeting["follow_s"].get<double>();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 using nlohmann::json;
 
@@ -36,4 +36,4 @@ void add_tree_problems(const json& engine, std::vector<SceneProblem>& problems) 
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -7,7 +7,7 @@
 #include "experiments/scenes/scene_region.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -126,4 +126,4 @@ void add_schedule_key_problems(const json& engine, Problems& problems) {
   add_persistence_problems(engine, problems);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Of `level` and of the lists' levels: they exist, and in order.
 void add_level_problems(const nlohmann::json& engine, std::vector<SceneProblem>& problems);
@@ -17,4 +17,4 @@ void add_level_problems(const nlohmann::json& engine, std::vector<SceneProblem>&
 /// that takes them, whole steps of persistence. Precondition: `engine` has a schedule.
 void add_schedule_key_problems(const nlohmann::json& engine, std::vector<SceneProblem>& problems);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -9,7 +9,7 @@
 #include "engine/shapes/solids/knot_mesh.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -129,4 +129,4 @@ void add_shape_problems(const json& shape, const json& meshes, const std::string
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -4,7 +4,7 @@
 
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Adds what is wrong with the shape at `place`, at most one problem: each kind needs its own
 /// measures and takes no other's; `resolution` is for kinds whose fineness is a choice; a mesh is
@@ -12,4 +12,4 @@ namespace impetus {
 void add_shape_problems(const nlohmann::json& shape, const nlohmann::json& meshes,
                         const std::string& place, std::vector<SceneProblem>& problems);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -16,7 +16,7 @@
 #include "experiments/scenes/scene_meshes.hpp"
 #include "experiments/scenes/swept_shape.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -151,4 +151,4 @@ std::shared_ptr<const DrawnLevels> ShapeLibrary::coarser(
   return known;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -16,7 +16,7 @@
 #include "experiments/models/tree_cache.hpp"
 #include "experiments/record/drawn_levels.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// A shape in the frame of its centre of mass.
 struct BodyShape {
@@ -68,4 +68,4 @@ class ShapeLibrary {
   std::map<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const DrawnLevels>> coarser_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -5,7 +5,7 @@
 
 #include "engine/shapes/solids/swept_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -43,4 +43,4 @@ SweptShape swept_shape(const json& shape, double metres_per_degree) {
           levels};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

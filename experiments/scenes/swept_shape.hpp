@@ -7,7 +7,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/builders/swept_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Whether the shape is of kind line-swept or rectangle-swept.
 bool is_swept(const nlohmann::json& shape);
@@ -22,4 +22,4 @@ struct SweptShape {
 /// Precondition: is_swept(shape), and add_shape_problems() adds none.
 SweptShape swept_shape(const nlohmann::json& shape, double metres_per_degree);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 
 #include "experiments/questions/session_pages.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 std::string degrees_text(const std::optional<double>& value_deg) {
@@ -133,4 +133,4 @@ Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgres
       progress);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

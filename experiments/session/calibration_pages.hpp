@@ -5,7 +5,7 @@
 #include "experiments/record/page.hpp"
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 inline constexpr std::size_t kStopChoice = 1;  ///< of calibration_not_passed()
 
@@ -34,4 +34,4 @@ inline constexpr const char* kPointAtTheMiddle =
     "When you go on, a point appears in the middle of the screen. Please keep the mouse pointer on "
     "it until it is gone.";
 
-}  // namespace impetus
+}  // namespace impetus::inline session

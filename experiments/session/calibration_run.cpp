@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 constexpr double kSettlingShare = 0.5;
@@ -110,4 +110,4 @@ PointRun corrected(PointRun run, const GazeCorrection& correction) {
   return run;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -13,7 +13,7 @@
 #include "experiments/gaze/gaze_quality.hpp"
 #include "experiments/session/trial.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 struct PointRun {
   std::vector<PointSamples> points;   ///< in the order shown; raw samples, of the halves that count
@@ -32,4 +32,4 @@ std::vector<ScreenPoint> nine_points(const ScreenGeometry& screen, double share)
 /// The run with every sample corrected.
 PointRun corrected(PointRun run, const GazeCorrection& correction);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

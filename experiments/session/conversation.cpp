@@ -3,7 +3,7 @@
 
 #include "experiments/questions/session_pages.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 std::optional<Answer> Conversation::ask(const Page& page) {
   while (true) {
@@ -53,4 +53,4 @@ bool Conversation::end(SessionEnding ending) {
   return false;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -7,7 +7,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/session/session_standing.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 enum class SessionEnding { kFinished, kQuit, kDeclined, kDisplayClosed };
 
@@ -38,4 +38,4 @@ class Conversation {
   SessionEnding ending_{SessionEnding::kQuit};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -6,7 +6,7 @@
 #include "experiments/design/whole_frames.hpp"
 #include "experiments/run/playback.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 Interruption show_demonstration(const std::string& id, const Script& script,
                                 const SessionProgress& progress, const Ports& ports) {
@@ -28,4 +28,4 @@ Interruption show_demonstration(const std::string& id, const Script& script,
   return Interruption::kNone;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

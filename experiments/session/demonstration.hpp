@@ -7,11 +7,11 @@
 #include "experiments/record/script.hpp"
 #include "experiments/session/trial.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// Plays a demonstration once, after an interval; nothing of it is recorded. Returns what
 /// interrupted it.
 Interruption show_demonstration(const std::string& id, const Script& script,
                                 const SessionProgress& progress, const Ports& ports);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -5,7 +5,7 @@
 #include "experiments/questions/session_pages.hpp"
 #include "experiments/session/calibration_pages.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 constexpr double kCalibratedShare = 0.8;  ///< of the screen's width and height
@@ -146,4 +146,4 @@ CalibrationRecord GazeCalibration::record_of(const PointRun& run, CalibrationKin
   return record;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -15,7 +15,7 @@
 #include "experiments/session/calibration_run.hpp"
 #include "experiments/session/conversation.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 class GazeCalibration {
  public:
@@ -54,4 +54,4 @@ class GazeCalibration {
   const SessionStanding& standing_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -3,7 +3,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 Condition standard_of(const Condition& condition, const TwoIntervalQuestion& question) {
   Condition standard = condition;
@@ -35,4 +35,4 @@ std::vector<PlannedTrial> stimuli_of(const Script& script, const PlannedTrial& t
                                            : std::vector<PlannedTrial>{standard, trial};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -14,7 +14,7 @@
 #include "experiments/design/plan.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// The condition with the standard's levels in place of its own.
 Condition standard_of(const Condition& condition, const TwoIntervalQuestion& question);
@@ -26,4 +26,4 @@ std::int64_t test_interval(const Script& script, const PlannedTrial& trial);
 /// What the trial shows, in order: itself, and the standard where the script asks for two.
 std::vector<PlannedTrial> stimuli_of(const Script& script, const PlannedTrial& trial);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -5,7 +5,7 @@
 
 #include "experiments/questions/response_kinds.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 /// What was done in the trials of one level of the rule's factor.
@@ -78,4 +78,4 @@ bool is_trained(const TrainingRule& rule, const std::vector<PracticeResult>& res
          right_of_last(rule.of, results) >= rule.right;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -11,7 +11,7 @@
 #include "experiments/record/record.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// What a participant did in one practice trial.
 struct PracticeResult {
@@ -34,4 +34,4 @@ std::int64_t right_of_last(std::int64_t of, const std::vector<PracticeResult>& r
 /// Whether training is over after these trials.
 bool is_trained(const TrainingRule& rule, const std::vector<PracticeResult>& results);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

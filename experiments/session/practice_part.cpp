@@ -7,7 +7,7 @@
 #include "experiments/session/demonstration.hpp"
 #include "experiments/session/practice.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 bool PracticePart::run() {
   const bool goes_on =
@@ -108,4 +108,4 @@ bool PracticePart::ask_whether_to_go_on() {
   return answer.has_value();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -7,7 +7,7 @@
 
 #include "experiments/session/trial_sequence.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 class PracticePart {
  public:
@@ -30,4 +30,4 @@ class PracticePart {
   TrialSequence& trials_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

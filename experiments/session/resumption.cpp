@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/resumption.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 /// The block of the first main trial that waits, where some of the main trials are done.
@@ -42,4 +42,4 @@ Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& hist
   return resumption;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

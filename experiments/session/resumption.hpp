@@ -13,7 +13,7 @@
 #include "experiments/record/script.hpp"
 #include "experiments/session/session_standing.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 struct Resumption {
   std::optional<std::int64_t> first_slot{};  ///< the first trial that waits; none: all are done
@@ -24,4 +24,4 @@ struct Resumption {
 /// in it. Practice is never set aside.
 Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& history);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

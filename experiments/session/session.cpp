@@ -7,7 +7,7 @@
 #include "experiments/session/practice_part.hpp"
 #include "experiments/session/trial_sequence.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 constexpr const char* kConsentId = "consent";
@@ -132,4 +132,4 @@ SessionResult run_session(const Script& script, const Plan& plan, const SessionH
   return Session(script, plan, history, ports, design).run();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

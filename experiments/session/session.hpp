@@ -9,7 +9,7 @@
 #include "experiments/session/trial.hpp"
 #include "experiments/session/trial_sequence.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 struct SessionResult {
   SessionEnding ending{SessionEnding::kQuit};
@@ -27,4 +27,4 @@ struct SessionResult {
 SessionResult run_session(const Script& script, const Plan& plan, const SessionHistory& history,
                           const Ports& ports, const Design& design = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline session {
 
 void SessionStanding::complete(const PlannedTrial& trial, const PracticeResult& result) {
   newly_completed_.insert(trial.slot);
@@ -92,4 +92,4 @@ bool SessionStanding::is_completed(std::int64_t slot) const {
   return history_.completed_slots.contains(slot) || newly_completed_.contains(slot);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -13,7 +13,7 @@
 #include "experiments/record/page.hpp"
 #include "experiments/session/practice.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// What earlier sessions of this enrolment already have; empty for a first session.
 struct SessionHistory {
@@ -75,4 +75,4 @@ class SessionStanding {
   std::int64_t round_{1};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -11,7 +11,7 @@
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// All must outlive the parts.
 struct Sitting {
@@ -27,4 +27,4 @@ struct Sitting {
   [[nodiscard]] SessionProgress progress() const { return standing.progress(); }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

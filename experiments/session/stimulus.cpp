@@ -9,7 +9,7 @@
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/gaze/region_coverage.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 template <typename T>
@@ -189,4 +189,4 @@ void Stimulus::append_to(AttemptRecord& record) {
   append(record.gaze, record_.gaze);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

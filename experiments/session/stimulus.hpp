@@ -11,7 +11,7 @@
 #include "experiments/run/playback.hpp"
 #include "experiments/session/trial.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 class Stimulus {
  public:
@@ -68,4 +68,4 @@ class Stimulus {
   Interruption interruption_{Interruption::kNone};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline session

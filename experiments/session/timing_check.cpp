@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 constexpr std::int64_t kFewestValid = 50;
@@ -78,4 +78,4 @@ SyncTest run_sync_test(const FlipRun& flips, double nominal_hz) {
   return test;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline session {
 
 struct SyncTest {
   std::int64_t tries{0};
@@ -32,4 +32,4 @@ using FlipRun = std::function<std::vector<std::int64_t>(int count)>;
 /// Up to three tries of 120 flips; the first that passes, or the last.
 SyncTest run_sync_test(const FlipRun& flips, double nominal_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

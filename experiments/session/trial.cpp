@@ -13,7 +13,7 @@
 #include "experiments/session/intervals.hpp"
 #include "experiments/session/stimulus.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 namespace {
 
 const char* name_of(Interruption interruption) {
@@ -163,4 +163,4 @@ AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const 
   return Attempt(trial, number, script, progress, ports, may_be_repeated).run();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

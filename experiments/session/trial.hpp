@@ -6,7 +6,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/record/script.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// The interfaces a session runs on; all must outlive it.
 struct Ports {
@@ -36,4 +36,4 @@ AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const 
                           const SessionProgress& progress, const Ports& ports,
                           bool may_be_repeated = false);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -11,7 +11,7 @@
 #include "experiments/questions/session_pages.hpp"
 #include "experiments/session/calibration_pages.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   const PhaseTrials trials = sitting_.standing.trials_of(phase, round);
@@ -156,4 +156,4 @@ AdaptiveLevels levels_after(const SessionHistory& history, const Plan& plan, con
   return levels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

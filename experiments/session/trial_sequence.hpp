@@ -15,7 +15,7 @@
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/session/sitting.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 /// Of the trials of this session.
 struct GazeTroubles {
@@ -64,4 +64,4 @@ class TrialSequence {
 /// The tracks as the answers of earlier sessions left them.
 AdaptiveLevels levels_after(const SessionHistory& history, const Plan& plan, const Design& design);
 
-}  // namespace impetus
+}  // namespace impetus::inline session

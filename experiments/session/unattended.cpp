@@ -6,7 +6,7 @@
 
 #include "experiments/run/playback.hpp"
 
-namespace impetus {
+namespace impetus::inline session {
 
 void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress) {
   constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
@@ -66,4 +66,4 @@ void run_unattended(const Plan& plan, const SessionHistory& history, const Scene
   recorder.await_saved();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -9,11 +9,10 @@
 #include <functional>
 
 #include "experiments/record/ports.hpp"
+#include "experiments/run/playback.hpp"
 #include "experiments/session/session_standing.hpp"
 
-namespace impetus {
-
-class Playback;
+namespace impetus::inline session {
 
 /// Plays until `end_s`. `progress` hears of the share that is done, however many steps it takes.
 void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress);
@@ -29,4 +28,4 @@ void run_unattended(const Plan& plan, const SessionHistory& history, const Scene
                     const ScreenGeometry& screen, Recorder& recorder,
                     const std::function<void(double share)>& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline session

@@ -5,11 +5,11 @@
 
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline settings {
 
 /// The message names file, place, what was expected and what was there.
 class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

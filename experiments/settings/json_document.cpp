@@ -9,7 +9,7 @@
 
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus {
+namespace impetus::inline settings {
 namespace {
 
 using nlohmann::json;
@@ -233,4 +233,4 @@ void refuse(const JsonDocument& document, const std::string& pointer, const std:
   throw InputError(document.name + ":" + (pointer.empty() ? "/" : pointer) + ": " + message);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

@@ -8,7 +8,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline settings {
 
 struct JsonDocument {
   std::string name;  ///< as messages call it: the path that was given
@@ -29,4 +29,4 @@ inline std::string item(const std::string& list, std::size_t index) {
 [[noreturn]] void refuse(const JsonDocument& document, const std::string& pointer,
                          const std::string& message);
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

@@ -4,7 +4,7 @@
 #include "experiments/models/file_place.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus {
+namespace impetus::inline settings {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ fs::path named_file(const JsonDocument& document, const fs::path& path, const st
   return file;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

@@ -11,7 +11,7 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline settings {
 
 /// The path of the file that `document`, read from `path`, names at `pointer`; `what` it is
 /// expected to be stands in messages ("a file"). Throws InputError when the name is absolute, leads
@@ -19,4 +19,4 @@ namespace impetus {
 std::filesystem::path named_file(const JsonDocument& document, const std::filesystem::path& path,
                                  const std::string& pointer, const std::string& what);
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

@@ -12,7 +12,7 @@
 #include <valijson/validator.hpp>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline settings {
 namespace {
 
 using nlohmann::json;
@@ -293,4 +293,4 @@ void require_schema(const JsonDocument& document, const json& schema) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

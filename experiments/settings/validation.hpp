@@ -8,7 +8,7 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline settings {
 
 /// The first place at which a value breaks its schema.
 struct SchemaProblem {
@@ -23,4 +23,4 @@ std::optional<SchemaProblem> find_schema_problem(const nlohmann::json& schema,
 /// Throws InputError, which names the document and the place, when it breaks the schema.
 void require_schema(const JsonDocument& document, const nlohmann::json& schema);
 
-}  // namespace impetus
+}  // namespace impetus::inline settings

@@ -10,7 +10,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// The answer of an attempt that counts: its first that is positive or negative.
@@ -105,4 +105,4 @@ std::vector<StoredAdaptiveTrial> load_adaptive_trials(StudyFile& study) {
   return trials;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "experiments/design/plan.hpp"
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 class StudyFile;
 
@@ -46,4 +47,4 @@ struct StoredAdaptiveTrial {
 /// All of a study, enrolment by enrolment, in the order in which their levels were chosen.
 std::vector<StoredAdaptiveTrial> load_adaptive_trials(StudyFile& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -13,7 +13,7 @@
 #include "experiments/store/response_rows.hpp"
 #include "experiments/store/step_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 void bind_imposed_spin(SQLite::Statement& statement, int first,
@@ -175,4 +175,4 @@ void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
   insert_answers(database, id, attempt);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

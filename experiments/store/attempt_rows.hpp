@@ -10,7 +10,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 struct AttemptOwner {
   std::int64_t trial_id{0};
@@ -26,4 +26,4 @@ std::int64_t late_frames(const AttemptRecord& attempt);
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

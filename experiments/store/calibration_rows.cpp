@@ -5,7 +5,7 @@
 
 #include "experiments/store/optional_values.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 const char* name_of(CalibrationKind kind) {
@@ -86,4 +86,4 @@ void insert_calibration(SQLite::Database& database, std::int64_t session_id,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

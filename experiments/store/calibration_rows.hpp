@@ -8,10 +8,10 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Throws SQLite::Exception.
 void insert_calibration(SQLite::Database& database, std::int64_t session_id,
                         const CalibrationRecord& record);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

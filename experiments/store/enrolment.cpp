@@ -11,7 +11,7 @@
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/yoke_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 constexpr const char* phase_name(TrialPhase phase) {
@@ -271,4 +271,4 @@ std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& p
   return hashes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

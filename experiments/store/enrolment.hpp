@@ -12,7 +12,7 @@
 #include "experiments/session/session.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 struct ProtocolTexts {
   std::string name;
@@ -69,4 +69,4 @@ std::map<std::string, std::string> told_demographics(StudyFile& study,
 /// Hashes of other versions of the protocol that the study holds.
 std::vector<std::string> other_versions(StudyFile& study, const ProtocolTexts& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -6,7 +6,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 std::int64_t participant_id(StudyFile& study, const std::string& pseudonym) {
@@ -71,4 +71,4 @@ void exclude(StudyFile& study, const Exclusion& exclusion) {
   transaction.commit();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -8,7 +8,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 struct Exclusion {
   std::string participant;
@@ -21,4 +21,4 @@ struct Exclusion {
 /// participant or trial of theirs, when it is excluded already, or not, for taking back.
 void exclude(StudyFile& study, const Exclusion& exclusion);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -14,7 +14,7 @@
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// As SQL names things: a study from elsewhere may have views of any name.
@@ -100,4 +100,4 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   transaction.commit();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

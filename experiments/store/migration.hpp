@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline store {
 
 inline constexpr std::int64_t kSchemaVersion = 5;
 inline constexpr std::int64_t kOldestSchemaVersion = 1;
@@ -18,4 +18,4 @@ void create_tables_and_views(SQLite::Database& database);
 /// not at all. Throws SQLite::Exception. Precondition: no transaction is open.
 void migrate(SQLite::Database& database, std::int64_t version);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 std::string text_of(const AttemptRecord& attempt, const StepRecord& step,
@@ -38,4 +38,4 @@ void insert_not_finite_notes(SQLite::Database& database, std::int64_t session_id
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

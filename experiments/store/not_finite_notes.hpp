@@ -8,7 +8,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Whether a body was taken out in any step of the attempt.
 bool has_not_finite(const AttemptRecord& attempt);
@@ -18,4 +18,4 @@ bool has_not_finite(const AttemptRecord& attempt);
 void insert_not_finite_notes(SQLite::Database& database, std::int64_t session_id,
                              const AttemptRecord& attempt);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace impetus {
+namespace impetus::inline store {
 
 inline void bind_or_null(SQLite::Statement& statement, int index,
                          const std::optional<double>& value) {
@@ -22,4 +22,4 @@ inline void bind_or_null(SQLite::Statement& statement, int index,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline store {
 
 bool is_present(const std::filesystem::path& path, int descriptor) {
   struct stat named {};
@@ -28,4 +28,4 @@ std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::
   return rescued;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

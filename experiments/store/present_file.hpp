@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Whether `path` still names the file that is open as `descriptor`.
 bool is_present(const std::filesystem::path& path, int descriptor);
@@ -16,4 +16,4 @@ bool is_present(const std::filesystem::path& path, int descriptor);
 /// file, "study.rescued-2.sqlite", ...; returns that path. Throws SQLite::Exception.
 std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::path& path);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

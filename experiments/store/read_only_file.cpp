@@ -12,7 +12,7 @@
 
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// What the path is in a URI of SQLite, which takes '?', '#' and '%' for its own.
@@ -88,4 +88,4 @@ ReadingLock::~ReadingLock() {
 ReadingLock::ReadingLock(ReadingLock&& other) noexcept
     : file_(std::exchange(other.file_, -1)), held_(std::exchange(other.held_, false)) {}
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Throws InputError where the study, its log or its journal is something else than a file: a named
 /// pipe would be waited for. What is not there is no matter.
@@ -42,4 +42,4 @@ class ReadingLock {
   bool held_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -10,7 +10,7 @@
 
 #include "experiments/store/optional_values.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 void bind_number(SQLite::Statement& statement, int index, double number) {
@@ -103,4 +103,4 @@ void insert_answers(SQLite::Database& database, std::int64_t attempt_id,
   insert_responses(database, attempt_id, attempt.responses);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

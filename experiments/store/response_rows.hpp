@@ -10,7 +10,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Inserts clicks, ratings and responses, each numbered from 1 in its order. Throws
 /// SQLite::Exception.
@@ -21,4 +21,4 @@ void insert_answers(SQLite::Database& database, std::int64_t attempt_id,
 /// SQLite::Exception.
 std::string json_object_of(SQLite::Database& database, const std::vector<FactorLevel>& values);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -4,7 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
 
-namespace impetus {
+namespace impetus::inline store {
 
 std::optional<double> seconds_since_recorded(SQLite::Database& database,
                                              std::int64_t enrolment_id) {
@@ -35,4 +35,4 @@ void set_aside(SQLite::Database& database, std::int64_t enrolment_id, std::int64
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Seconds by the wall clock since anything of the enrolment was last recorded: a trial, a note, a
 /// session's start or end. Negative when that clock was set back since; none: there was no session.
@@ -20,4 +20,4 @@ std::optional<double> seconds_since_recorded(SQLite::Database& database, std::in
 void set_aside(SQLite::Database& database, std::int64_t enrolment_id, std::int64_t session_id,
                const std::set<std::int64_t>& slots);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -7,7 +7,7 @@
 
 #include "experiments/store/embedded_schema.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 constexpr std::size_t kIndentOfColumns = 2;
@@ -121,4 +121,4 @@ const SchemaWords& schema_words() {
   return kWords;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline store {
 
 struct ColumnWords {
   std::string type;       ///< INTEGER, REAL, TEXT or BLOB
@@ -29,4 +29,4 @@ const SchemaWords& schema_words();
 /// Of any schema that is written like the study's: a column or several to a line.
 SchemaWords read_schema_words(std::string_view sql);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -4,7 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
 
-namespace impetus {
+namespace impetus::inline store {
 
 std::optional<ScreenGeometry> last_screen(SQLite::Database& database, std::int64_t enrolment_id) {
   std::optional<ScreenGeometry> last;
@@ -42,4 +42,4 @@ std::vector<SessionScreen> session_screens(SQLite::Database& database) {
   return sessions;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -11,7 +11,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Kinds of notes of a session: that it resumed on another screen than the one before, and that its
 /// pixels really are not square. Both were said by whoever started it.
@@ -36,4 +36,4 @@ struct SessionScreen {
 /// By enrolment, and in the order of time. Throws SQLite::Exception.
 std::vector<SessionScreen> session_screens(SQLite::Database& database);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

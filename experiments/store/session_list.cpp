@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// What is told of every session, and nothing to worry about.
@@ -161,4 +161,4 @@ SessionList load_session_list(StudyFile& study, bool in_use) {
   return list;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -9,7 +9,7 @@
 
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Notes of one kind that a sitting left.
 struct NoteSummary {
@@ -76,4 +76,4 @@ struct SessionList {
 /// ending may still run. Throws SQLite::Exception.
 SessionList load_session_list(StudyFile& study, bool in_use);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -6,7 +6,7 @@
 #include <bit>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// 16 bits per body and field, little endian on every machine.
@@ -128,4 +128,4 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
   return steps;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

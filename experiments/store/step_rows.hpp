@@ -9,7 +9,7 @@
 
 #include "experiments/record/record.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Throws SQLite::Exception.
 void insert_steps(SQLite::Database& database, std::int64_t attempt_id,
@@ -20,4 +20,4 @@ void insert_steps(SQLite::Database& database, std::int64_t attempt_id,
 std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t attempt_id,
                                    std::int64_t interval = 1);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

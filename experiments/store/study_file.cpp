@@ -19,7 +19,7 @@
 #include "experiments/store/present_file.hpp"
 #include "experiments/store/read_only_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// How long another program, such as a viewer of databases or a backup, may hold the file while a
@@ -229,4 +229,4 @@ StudyFile::~StudyFile() {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

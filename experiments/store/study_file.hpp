@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// The disk or the database failed while something was to be kept. What was acknowledged before
 /// is safe.
@@ -59,4 +59,4 @@ class StudyFile {
   std::unique_ptr<std::mutex> transactions_{std::make_unique<std::mutex>()};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline store

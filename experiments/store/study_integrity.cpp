@@ -6,7 +6,7 @@
 
 #include "experiments/store/read_only_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 void add_damaged_pages_and_values(SQLite::Database& database, std::vector<std::string>& damage) {
@@ -54,4 +54,4 @@ std::vector<std::string> damage_in(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// What SQLite finds damaged: pages, indexes, values that a table does not allow, rows that refer
 /// to none. Each in one sentence; nothing when the file is whole.
@@ -18,4 +18,4 @@ std::vector<std::string> damage_in(SQLite::Database& database);
 /// as a study says so.
 std::vector<std::string> damage_in(const std::filesystem::path& path);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline store {
 
 std::vector<StoredAttempt> load_attempts(StudyFile& study) {
   SQLite::Statement query(
@@ -165,4 +165,4 @@ std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_i
   return frames;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -13,7 +13,7 @@
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 struct StoredAttempt {
   std::int64_t id{0};
@@ -76,4 +76,4 @@ struct LateFrame {
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
                                         std::int64_t interval = 1);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -11,7 +11,7 @@
 
 #include "experiments/store/migration.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// Of one table, view or index: what it consists of.
@@ -215,4 +215,4 @@ std::vector<Reference> references_of(SQLite::Database& database, const std::stri
   return references;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// What differs, each in one sentence; nothing when all is as it should be. Throws
 /// SQLite::Exception.
@@ -36,4 +36,4 @@ std::vector<std::string> column_names(SQLite::Database& database, const std::str
 /// The columns of a table that refer to other rows' ids. Throws SQLite::Exception.
 std::vector<Reference> references_of(SQLite::Database& database, const std::string& table);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -13,7 +13,7 @@
 #include "experiments/store/not_finite_notes.hpp"
 #include "experiments/store/resumption_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 void bind_resumed(SQLite::Statement& insert, int first,
@@ -206,4 +206,4 @@ void StudyWriter::perform(const Task& task) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

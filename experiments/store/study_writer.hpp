@@ -21,7 +21,7 @@
 #include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// How a session goes on with what an earlier one left.
 struct ResumedSession {
@@ -119,4 +119,4 @@ class StudyWriter final : public Recorder {
   std::thread thread_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -10,7 +10,7 @@
 
 #include "experiments/record/wall_names.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 std::optional<std::int32_t> body_of(const std::string& name,
@@ -61,4 +61,4 @@ void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collis
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

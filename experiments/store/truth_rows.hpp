@@ -9,7 +9,7 @@
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// A recorded collision; bodies by their index in the scene, b a wall where it is one.
 struct StoredCollision {
@@ -32,4 +32,4 @@ std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t atte
 /// Stores them in one transaction, in place of what was measured before. Throws StoreError.
 void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

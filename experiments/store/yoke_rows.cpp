@@ -4,7 +4,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/VariadicBind.h>
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 constexpr const char* kFinished =
@@ -116,4 +116,4 @@ Yokes load_yokes(SQLite::Database& database, std::int64_t enrolment_id) {
   return yokes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

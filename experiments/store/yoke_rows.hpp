@@ -12,7 +12,7 @@
 #include "experiments/record/gaze_path.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// A finished enrolment, whose trials may be followed.
 struct YokePartner {
@@ -60,4 +60,4 @@ using Yokes = std::map<std::int64_t, std::int64_t>;
 void store_yokes(SQLite::Database& database, std::int64_t enrolment_id, const Yokes& yokes);
 Yokes load_yokes(SQLite::Database& database, std::int64_t enrolment_id);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

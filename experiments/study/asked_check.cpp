@@ -14,7 +14,7 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/session/intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 /// A completed attempt and the answers that stand beside it.
@@ -217,4 +217,4 @@ Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf) {
   return failures;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -7,7 +7,7 @@
 #include "experiments/study/protocol_shelf.hpp"
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// Answers that are missing, doubled, on another scale or never asked for. Attempts whose protocol
 /// cannot be read are passed over. Throws SQLite::Exception.
@@ -16,4 +16,4 @@ Failures wrong_answers(StudyFile& study, const ProtocolShelf& shelf);
 /// Intervals whose last step is not the last that their last frame needs. Throws SQLite::Exception.
 Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

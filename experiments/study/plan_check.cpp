@@ -14,7 +14,7 @@
 #include "experiments/store/enrolment.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 using nlohmann::json;
@@ -121,4 +121,4 @@ Failures changed_plans(StudyFile& study, const ProtocolShelf& shelf) {
   return failures;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -10,7 +10,7 @@
 
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 std::vector<std::int64_t> protocol_ids(StudyFile& study) {
@@ -51,4 +51,4 @@ const Protocol* ProtocolShelf::find(std::int64_t id) const {
   return found == protocols_.end() ? nullptr : &found->second;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

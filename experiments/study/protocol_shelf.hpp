@@ -9,7 +9,7 @@
 #include "experiments/store/study_file.hpp"
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 class ProtocolShelf {
  public:
@@ -29,4 +29,4 @@ class ProtocolShelf {
   Failures failures_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline study

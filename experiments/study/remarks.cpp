@@ -3,7 +3,7 @@
 
 #include <SQLiteCpp/Statement.h>
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 /// Each yields one sentence, or no row where there is nothing to say.
@@ -96,4 +96,4 @@ std::vector<std::string> remarks_on(SQLite::Database& study) {
   return remarks;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

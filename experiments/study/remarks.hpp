@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// One sentence each: simulated participants, what is not finished, overridden sync tests, late
 /// frames, exclusions, words that participants wrote, ... Throws SQLite::Exception.
 std::vector<std::string> remarks_on(SQLite::Database& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -7,7 +7,7 @@
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/store/screen_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 /// "P01, causality, session 2: ".
@@ -68,4 +68,4 @@ std::vector<std::string> screen_remarks(SQLite::Database& study) {
   return remarks;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -10,7 +10,7 @@
 
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// Sessions whose pixels were not square, and resumed ones before another screen than the session
 /// before, where nobody said so. Throws SQLite::Exception.
@@ -19,4 +19,4 @@ Failures unsaid_screens(SQLite::Database& study);
 /// The same that was said; and who sat before several screens. Throws SQLite::Exception.
 std::vector<std::string> screen_remarks(SQLite::Database& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -10,7 +10,7 @@
 
 #include "experiments/tables/text_table.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 using nlohmann::json;
@@ -223,4 +223,4 @@ std::string session_json(const std::string& name, const SessionList& list) {
   return whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

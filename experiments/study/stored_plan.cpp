@@ -3,7 +3,7 @@
 
 #include "experiments/protocol/solved_values.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 std::vector<StoredTrial> stored(const Plan& plan) {
   std::vector<StoredTrial> trials;
@@ -33,4 +33,4 @@ ProtocolTexts texts_of(const Protocol& protocol) {
   return {protocol.name, protocol.hash, protocol.document.text, protocol.scene.text};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

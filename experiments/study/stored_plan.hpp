@@ -8,7 +8,7 @@
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/store/enrolment.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// Conditions and solved values become JSON; ids are still to come.
 std::vector<StoredTrial> stored(const Plan& plan);
@@ -17,4 +17,4 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design);
 /// The protocol and its scene as they were read.
 ProtocolTexts texts_of(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

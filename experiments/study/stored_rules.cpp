@@ -8,7 +8,7 @@
 
 #include "engine/world/world.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 /// Each with `place`, as sentences name it: "P01, causality, slot 5, attempt 1".
@@ -184,4 +184,4 @@ Failures broken_recordings(SQLite::Database& study) { return broken(study, kReco
 
 Failures broken_provenance(SQLite::Database& study) { return broken(study, kProvenanceRules); }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

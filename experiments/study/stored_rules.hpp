@@ -8,7 +8,7 @@
 
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// Plans are whole, and trials were completed in their order, none passed over. Throws
 /// SQLite::Exception, as all here.
@@ -20,4 +20,4 @@ Failures broken_recordings(SQLite::Database& study);
 /// Every session says what recorded it, on what, before which screen, and who took part.
 Failures broken_provenance(SQLite::Database& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -19,7 +19,7 @@
 #include "experiments/study/screen_check.hpp"
 #include "experiments/study/stored_rules.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 std::int64_t count(SQLite::Database& database, const std::string& what) {
@@ -148,4 +148,4 @@ Verification verify_study(const std::filesystem::path& path, const FurtherCheck&
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

@@ -15,7 +15,7 @@
 #include "experiments/store/study_file.hpp"
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// A further check, made once the others can be: a replay.
 using FurtherCheck = std::function<VerificationCheck(StudyFile&)>;
@@ -24,4 +24,4 @@ using FurtherCheck = std::function<VerificationCheck(StudyFile&)>;
 /// study of a schema that is known.
 Verification verify_study(const std::filesystem::path& path, const FurtherCheck& further = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline study

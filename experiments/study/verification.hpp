@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// One sentence for each thing that is wrong; none when all is right.
 using Failures = std::vector<std::string>;
@@ -32,4 +32,4 @@ struct Verification {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline study

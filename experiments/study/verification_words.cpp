@@ -6,7 +6,7 @@
 
 #include "experiments/tables/text_table.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 namespace {
 
 using nlohmann::json;
@@ -91,4 +91,4 @@ std::string verification_json(const std::string& name, const Verification& verif
   return whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline study

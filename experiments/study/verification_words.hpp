@@ -6,7 +6,7 @@
 
 #include "experiments/study/verification.hpp"
 
-namespace impetus {
+namespace impetus::inline study {
 
 /// A line for each check, each failure and each remark; the last line alone says whether the study
 /// `name` can be published, and if not, the first reason.
@@ -15,4 +15,4 @@ std::string verification_words(const std::string& name, const Verification& veri
 /// The same as one JSON object.
 std::string verification_json(const std::string& name, const Verification& verification);
 
-}  // namespace impetus
+}  // namespace impetus::inline study

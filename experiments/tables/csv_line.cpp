@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline tables {
 namespace {
 
 constexpr const char* kHexadecimals = "0123456789abcdef";
@@ -67,4 +67,4 @@ std::string bytes_text(std::string_view bytes) {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline tables {
 
 /// The cells as one line, its end included; quotes where a text needs them.
 std::string csv_line(const std::vector<std::string>& cells);
@@ -28,4 +28,4 @@ std::string bits_text(std::int64_t value);
 /// The letter x and two hexadecimal digits for each byte.
 std::string bytes_text(std::string_view bytes);
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline tables {
 
 std::string gzip(std::string_view bytes) {
   constexpr int kGzipWindow = 15 + 16;  // 16: a gzip header, which zlib leaves without a time
@@ -37,4 +37,4 @@ std::string gzip(std::string_view bytes) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

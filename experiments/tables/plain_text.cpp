@@ -5,7 +5,7 @@
 
 #include "experiments/tables/utf8.hpp"
 
-namespace impetus {
+namespace impetus::inline tables {
 namespace {
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
@@ -83,4 +83,4 @@ std::string file_name_text(std::string_view text, std::size_t longest) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

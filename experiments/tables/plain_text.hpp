@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline tables {
 
 /// The text as UTF-8: each byte that is none, and each NUL, becomes U+FFFD.
 std::string as_utf8(std::string_view text);
@@ -23,4 +23,4 @@ std::string markdown_code(std::string_view text);
 /// For a file's name: ASCII letters and digits stay, all else becomes '-'; at most `longest` bytes.
 std::string file_name_text(std::string_view text, std::size_t longest = 64);
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline tables {
 namespace {
 
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
@@ -62,4 +62,4 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline tables {
 
 /// What stands in a study is anybody's text: on a terminal its control characters are shown as
 /// \x1b and do nothing, so that one value stays in its place in one line.
@@ -16,4 +16,4 @@ std::string printable(const std::string& text);
 /// is not filled up.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

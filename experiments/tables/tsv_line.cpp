@@ -3,7 +3,7 @@
 
 #include "experiments/tables/plain_text.hpp"
 
-namespace impetus {
+namespace impetus::inline tables {
 
 std::string tsv_line(const std::vector<std::string>& cells) {
   std::string line;
@@ -23,4 +23,4 @@ std::string tsv_text(std::string_view text) {
   return cell;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace impetus {
+namespace impetus::inline tables {
 namespace {
 
 /// A form of UTF-8: its first byte, and the least code point that may take it.
@@ -47,4 +47,4 @@ std::optional<CodePoint> first_code_point(std::string_view text) {
   return CodePoint{code, following + 1};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline tables {
 
 struct CodePoint {
   std::uint32_t value{0};
@@ -17,4 +17,4 @@ struct CodePoint {
 /// are no UTF-8: cut short, overlong, half of a pair, or beyond U+10FFFF.
 std::optional<CodePoint> first_code_point(std::string_view text);
 
-}  // namespace impetus
+}  // namespace impetus::inline tables

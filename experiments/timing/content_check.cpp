@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline timing {
 
 ContentCheck check_content(const std::vector<PatchSighting>& frames) {
   ContentCheck check;
@@ -22,4 +22,4 @@ ContentCheck check_content(const std::vector<PatchSighting>& frames) {
   return check;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// What one frame's patch was to show, and what the window system held after its flip.
 struct PatchSighting {
@@ -26,4 +26,4 @@ struct ContentCheck {
 /// The frames in the order they were shown.
 ContentCheck check_content(const std::vector<PatchSighting>& frames);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

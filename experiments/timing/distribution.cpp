@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 double nearest_rank(const std::vector<double>& sorted, double share) {
@@ -49,4 +49,4 @@ double share_above(const std::vector<double>& values, double limit) {
   return static_cast<double>(above) / static_cast<double>(values.size());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

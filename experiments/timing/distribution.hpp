@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// In the unit of the values; all zero without any.
 struct Distribution {
@@ -24,4 +24,4 @@ Distribution distribution_of(std::vector<double> values);
 /// The share of the values that are above the limit; 0 without values.
 double share_above(const std::vector<double>& values, double limit);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

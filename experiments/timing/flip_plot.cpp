@@ -6,7 +6,7 @@
 
 #include "experiments/timing/timing_verdicts.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 constexpr double kWidth = 640.0;
@@ -52,4 +52,4 @@ std::string flip_plot(const FlipSeries& run, double nominal_hz) {
   return svg + "</svg>";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

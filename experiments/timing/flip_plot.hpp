@@ -6,9 +6,9 @@
 
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// An SVG element whose height is three nominal periods; longer intervals lie on its upper edge.
 std::string flip_plot(const FlipSeries& run, double nominal_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

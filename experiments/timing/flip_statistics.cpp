@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 /// A stamp and the slot that it belongs to, both from the first flip on.
@@ -76,4 +76,4 @@ FlipStatistics flip_statistics(const std::vector<Flip>& flips, double nominal_hz
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

@@ -16,7 +16,7 @@
 #include "experiments/record/frame_grid.hpp"
 #include "experiments/timing/distribution.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 struct FlipStatistics {
   std::int64_t flips{0};
@@ -46,4 +46,4 @@ std::vector<double> intervals_ms(const std::vector<Flip>& flips);
 /// three. Precondition: nominal_hz > 0.
 FlipStatistics flip_statistics(const std::vector<Flip>& flips, double nominal_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

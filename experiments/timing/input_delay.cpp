@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 template <typename Event>
@@ -44,4 +44,4 @@ InputDelay input_delay(const InputTrace& trace, InputDevice device, InputRoute r
   return delay;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

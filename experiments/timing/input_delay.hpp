@@ -8,7 +8,7 @@
 #include "experiments/record/sent_input.hpp"
 #include "experiments/timing/distribution.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 struct InputDelay {
   InputDevice device{InputDevice::kKey};
@@ -27,4 +27,4 @@ struct InputDelay {
 /// nothing was sent for are somebody's own and do not count.
 InputDelay input_delay(const InputTrace& trace, InputDevice device, InputRoute route);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

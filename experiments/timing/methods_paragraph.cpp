@@ -5,7 +5,7 @@
 
 #include "experiments/timing/timing_verdicts.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 std::string display_sentences(const TimingReport& report) {
@@ -124,4 +124,4 @@ std::vector<std::string> what_is_not_known(const TimingReport& report) {
   return sentences;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

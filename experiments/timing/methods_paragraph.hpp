@@ -7,7 +7,7 @@
 
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// One paragraph, bad results included. The report has at least the blank run.
 std::string methods_paragraph(const TimingReport& report);
@@ -15,4 +15,4 @@ std::string methods_paragraph(const TimingReport& report);
 /// A sentence for everything that software cannot know of itself.
 std::vector<std::string> what_is_not_known(const TimingReport& report);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

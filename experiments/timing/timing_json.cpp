@@ -4,7 +4,7 @@
 #include "experiments/timing/methods_paragraph.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -131,4 +131,4 @@ nlohmann::ordered_json timing_json(const TimingReport& report) {
           {"not_known", what_is_not_known(report)}};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

@@ -6,9 +6,9 @@
 
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// What could not be measured is null.
 nlohmann::ordered_json timing_json(const TimingReport& report);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

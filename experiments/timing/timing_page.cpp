@@ -7,7 +7,7 @@
 #include "experiments/timing/methods_paragraph.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 constexpr const char* kStyle = R"css(
@@ -179,4 +179,4 @@ std::string timing_page(const TimingReport& report) {
          input_table(report.inputs) + "</body></html>\n";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

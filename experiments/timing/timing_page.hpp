@@ -6,11 +6,11 @@
 
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// Text as it has to stand in HTML, quotes included.
 std::string html_text(const std::string& text);
 
 std::string timing_page(const TimingReport& report);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

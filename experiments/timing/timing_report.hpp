@@ -10,7 +10,7 @@
 #include "experiments/timing/flip_statistics.hpp"
 #include "experiments/timing/input_delay.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// One run of flips on an absolute grid.
 struct FlipSeries {
@@ -57,4 +57,4 @@ struct TimingReport {
 inline constexpr double kPromptGaze_ms = 40.0;  ///< shares of the gaze's latencies are told above
 inline constexpr double kLateGaze_ms = 80.0;    ///< this one and this one
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

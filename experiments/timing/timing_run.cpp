@@ -11,7 +11,7 @@
 #include "experiments/session/trial.hpp"
 #include "experiments/timing/timing_scenes.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 constexpr int kParts = 6;
@@ -194,4 +194,4 @@ std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, con
   return TimingRun(lab, scenes, task, tell).run();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

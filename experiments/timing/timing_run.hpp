@@ -15,7 +15,7 @@
 #include "experiments/record/sent_input.hpp"
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 class TimingLab {
  public:
@@ -51,4 +51,4 @@ using TellPart = std::function<void(const SessionProgress& progress)>;
 std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, const TimingTask& task,
                                        const TellPart& tell);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

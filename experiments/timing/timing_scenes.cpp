@@ -8,7 +8,7 @@
 #include "experiments/timing/embedded_creatures.hpp"
 #include "experiments/timing/embedded_l_blocks.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 constexpr int kMostBlocks = 100;
@@ -39,4 +39,4 @@ StagedScene TimingScenes::stage_demonstration(const std::string& id,
   throw std::logic_error("a timing report has no demonstration " + id);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

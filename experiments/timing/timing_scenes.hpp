@@ -9,7 +9,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// The trial that shows so many bodies.
 PlannedTrial timing_trial(int bodies);
@@ -32,4 +32,4 @@ class TimingScenes final : public Scenes {
   ShapeLibrary* shapes_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

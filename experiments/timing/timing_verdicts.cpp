@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace impetus {
+namespace impetus::inline timing {
 namespace {
 
 /// Up to `good` is good, up to `care` needs care. In the unit of what is measured.
@@ -183,4 +183,4 @@ std::string described(const InputDelay& input) {
          (input.route == InputRoute::kQueue ? "the program's queue" : "the window system");
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

@@ -7,7 +7,7 @@
 
 #include "experiments/timing/timing_report.hpp"
 
-namespace impetus {
+namespace impetus::inline timing {
 
 /// From best to worst; what is not known is no better or worse than the rest.
 enum class TimingGrade { kGood, kWithCare, kNotForTiming, kNotKnown };
@@ -37,4 +37,4 @@ std::string pictured(int bodies);
 /// "key presses put into the window system".
 std::string described(const InputDelay& input);
 
-}  // namespace impetus
+}  // namespace impetus::inline timing

@@ -5,7 +5,7 @@
 
 #include "experiments/trade/impacts/trade_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 using nlohmann::json;
 
@@ -44,4 +44,4 @@ json scene_with(json scene, const TradeOption& option, int depth) {
   return scene;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

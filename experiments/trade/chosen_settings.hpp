@@ -6,7 +6,7 @@
 
 #include "experiments/trade/trade_option.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// The scene's "engine" with trees of the option's kind to `depth`, as they were measured, its
 /// level as the deepest that is used, and its reduction. A schedule stays, its lists no deeper than
@@ -17,4 +17,4 @@ nlohmann::json engine_with(const nlohmann::json& scene, const TradeOption& optio
 /// The scene in which every collision is handled as the option says: without schedule and budget.
 nlohmann::json scene_with(nlohmann::json scene, const TradeOption& option, int depth);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 constexpr double kTail = 0.025;
@@ -81,4 +81,4 @@ Estimate share_of(std::int64_t k, std::int64_t n) {
   return found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

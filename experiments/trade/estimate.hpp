@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// A number measured `n` times with the ends of its 95 % interval; NaN where there is none.
 struct Estimate {
@@ -32,4 +32,4 @@ Estimate mean_of(const std::vector<double>& values);
 /// `k` of `n`, with 0 ≤ k ≤ n; NaN of none.
 Estimate share_of(std::int64_t k, std::int64_t n);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

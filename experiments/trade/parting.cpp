@@ -7,7 +7,7 @@
 #include "experiments/gaze/region_source.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 using Poses = std::vector<Pose>;
@@ -122,4 +122,4 @@ std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& r
   return all;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

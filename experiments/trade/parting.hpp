@@ -23,7 +23,7 @@
 #include "experiments/run/seen_apart.hpp"
 #include "experiments/trade/crowds/tried_order.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// One way to simulate a trial.
 struct PartingSetting {
@@ -62,4 +62,4 @@ using StartOf = std::function<StagedScene(const std::string& kind, std::int64_t 
 std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& request,
                                    const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -7,7 +7,7 @@
 
 #include "experiments/trade/ratio_of_sums.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// What lies beyond the trial's end is not known.
@@ -74,4 +74,4 @@ std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
   return rows;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -14,10 +14,10 @@
 #include "experiments/trade/parting.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// `subject` is the scene's name.
 std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
                                    const std::string& subject);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

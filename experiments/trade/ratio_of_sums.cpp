@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// The 97.5 % quantile of Student's distribution, to half a per cent from three degrees of freedom
@@ -56,4 +56,4 @@ Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double
   return ratio;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -10,10 +10,10 @@
 
 #include "experiments/trade/estimate.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Σ over / Σ under, with its 95 % interval when there are at least four. NaN where the lower sum
 /// is zero. Precondition: as many of each.
 Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double>& under);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -6,7 +6,7 @@
 
 #include "engine/numerics/at.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 constexpr std::int64_t kMostSteps = 2'400;
@@ -78,4 +78,4 @@ SceneDemand demand_of(const StagedScene& scene, const Progress& progress) {
   return demand;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

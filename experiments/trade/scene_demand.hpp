@@ -14,7 +14,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/trade/impacts/impact_pair.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Two bodies that met.
 struct BodyMeeting {
@@ -34,4 +34,4 @@ struct SceneDemand {
 /// Simulates the scene to its end, at most 2,400 steps of it, without its budget and schedule.
 SceneDemand demand_of(const StagedScene& scene, const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -5,7 +5,7 @@
 
 #include "experiments/trade/estimate.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 TradeRow row_of(const std::string& title, const char* measure, const char* statistic,
@@ -44,4 +44,4 @@ std::vector<TradeRow> scene_rows(const SceneDemand& demand, const std::string& t
           row_of(title, "meetings", "total", count_of(meetings, demand.steps))};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

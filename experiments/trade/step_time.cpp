@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline trade {
 
 std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, double most_s) {
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz));
@@ -56,4 +56,4 @@ std::vector<TradeRow> run_rows(const std::string& title, const TradeOption& opti
   return rows;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

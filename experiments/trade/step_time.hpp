@@ -10,7 +10,7 @@
 #include "experiments/trade/trade_option.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Milliseconds of each step in which bodies touch, all phases included, without budget: of the
 /// whole scene, or of what can be run in `most_s` seconds. Empty when nothing touches.
@@ -20,4 +20,4 @@ std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, 
 std::vector<TradeRow> run_rows(const std::string& title, const TradeOption& option,
                                const std::vector<double>& times_ms);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -6,7 +6,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// CLOCK_THREAD_CPUTIME_ID in nanoseconds. Looking at it takes some tenths of a microsecond.
 class ThreadClock final : public Clock {
@@ -18,4 +18,4 @@ class ThreadClock final : public Clock {
   }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

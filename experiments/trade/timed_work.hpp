@@ -8,7 +8,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Microseconds that `work` takes when it has just been done: the median of three batches, each as
 /// often as fits into 20 µs, at most 64 times: enough for a clock that itself takes .3 µs.
@@ -32,4 +32,4 @@ double timed_us(const Clock& clock, const Work& work) {
   return found[1];
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

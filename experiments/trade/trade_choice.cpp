@@ -9,7 +9,7 @@
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/trade/trade_words.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 TradeChoice choice_of(const TradeOption& option, double budget_ms, double pairs,
@@ -131,4 +131,4 @@ std::string choices_csv(const std::vector<TradeChoice>& choices) {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -13,7 +13,7 @@
 #include "experiments/trade/trade_option.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 struct TradeChoice {
   double budget_ms{0.0};
@@ -43,4 +43,4 @@ std::string choices_page(const std::vector<TradeChoice>& choices, const std::str
 /// The same numbers as CSV.
 std::string choices_csv(const std::vector<TradeChoice>& choices);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

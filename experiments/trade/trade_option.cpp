@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// A time in steps of a quarter: what differs by less is chance, and the order measured decides.
@@ -73,4 +73,4 @@ std::vector<TradeOption> frontier_of(std::vector<TradeOption> options) {
   return frontier;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -16,7 +16,7 @@
 #include "experiments/trade/estimate.hpp"
 #include "experiments/trade/impacts/impact_measures.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 inline constexpr double kLeastNormal_deg = 0.1;
 inline constexpr double kLeastGap_arcmin = 0.1;
@@ -48,4 +48,4 @@ std::vector<TradeOption> ranked(const std::vector<TradeOption>& options, double 
 /// Those that no other beats in both time and error, the quickest first.
 std::vector<TradeOption> frontier_of(std::vector<TradeOption> options);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -5,7 +5,7 @@
 
 #include "experiments/tables/csv_line.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 std::string line_of(const TradeRow& row) {
@@ -28,4 +28,4 @@ std::string csv_of(const std::vector<TradeRow>& rows) {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

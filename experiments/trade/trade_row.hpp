@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// One statistic of one measure under one setting. Texts that do not apply are empty, numbers that
 /// do not apply are absent.
@@ -41,4 +41,4 @@ struct TradeRow {
 /// whatever the user's language.
 std::string csv_of(const std::vector<TradeRow>& rows);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -3,8 +3,8 @@
 
 #include "experiments/trade/embedded_trade_script.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 std::string_view trade_script() { return kTradeScriptText; }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

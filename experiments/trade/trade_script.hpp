@@ -4,9 +4,9 @@
 
 #include <string_view>
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// An R script: Rscript trade.R trade.csv writes trade.svg and trade.pdf beside the table.
 std::string_view trade_script();
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

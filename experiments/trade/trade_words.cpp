@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <map>
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 std::string kind_words(TreeKind kind) {
@@ -73,4 +73,4 @@ std::string error_words(const TradeOption& option) {
          two_digits(std::max(kLeastGap_arcmin, option.gap_arcmin.value)) + " minutes of arc";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

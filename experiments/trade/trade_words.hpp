@@ -6,7 +6,7 @@
 
 #include "experiments/trade/trade_option.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// "oriented boxes to level 3 with grouped averages"
 std::string words_for(const TradeOption& option);
@@ -20,4 +20,4 @@ std::string two_digits(double value);
 /// The same, or "< 0.1" of what is less than `least`.
 std::string two_digits_from(double least, double value);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

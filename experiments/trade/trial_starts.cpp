@@ -8,7 +8,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 using nlohmann::json;
@@ -113,4 +113,4 @@ void TrialStarts::jitter(World& world, std::int64_t number) const {
   world = World(world.models(), std::move(states), world.settings());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -16,7 +16,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 class TrialStarts {
  public:
@@ -38,4 +38,4 @@ class TrialStarts {
   std::uint64_t seed_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

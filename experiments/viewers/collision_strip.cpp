@@ -16,7 +16,7 @@
 #include "experiments/window/gl_window.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr std::array<float, 3> kShellColour{0.10F, 0.36F, 0.20F};
@@ -207,4 +207,4 @@ Pixels strip_of(const CollisionByLevel& collision, const StagedScene& scene,
   return StripDrawing(collision, scene, size).draw();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -12,11 +12,11 @@
 #include "experiments/run/level_collision.hpp"
 #include "experiments/window/readable_target.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Each picture has this size; the whole is three wide and as high as there are levels. Throws
 /// std::runtime_error with one sentence when no OpenGL 3.3 can be had.
 Pixels strip_of(const CollisionByLevel& collision, const StagedScene& scene,
                 const PictureSize& size);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -7,7 +7,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 ImU32 opaque(const BodyColour& colour) {
@@ -89,4 +89,4 @@ void draw_colour_line(const Gui& gui, const PixelArea& area,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

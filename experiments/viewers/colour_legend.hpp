@@ -6,7 +6,7 @@
 #include "experiments/drawing/pixel_area.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Draws into the current ImGui window, in the lower left corner of the area; nothing where there
 /// is nothing to tell. `note` is a last line without a colour; "": none.
@@ -17,4 +17,4 @@ void draw_colour_legend(const Gui& gui, const PixelArea& area,
 void draw_colour_line(const Gui& gui, const PixelArea& area,
                       const std::vector<ColourMeaning>& meanings);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

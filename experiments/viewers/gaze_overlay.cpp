@@ -10,7 +10,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/gaze/region_source.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr ImU32 kGazeColour = IM_COL32(20, 70, 30, 255);
@@ -106,4 +106,4 @@ void draw_trail(const PictureMap& map, const Viewer& own, const GazeTrail& trail
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -12,7 +12,7 @@
 #include "experiments/drawing/picture_map.hpp"
 #include "experiments/gaze/gaze_trail.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// All draw into the current ImGui window, within the picture. `own` is the viewer whose gaze it
 /// is: it lies on that viewer's glass, wherever the picture is seen from.
@@ -25,4 +25,4 @@ void draw_region(const PictureMap& map, const Viewer& own, const GazeRegion& reg
 /// the newest is.
 void draw_trail(const PictureMap& map, const Viewer& own, const GazeTrail& trail);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/panel_controls.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr const char* kDragHint = " Drag to change, double-click to type.";
@@ -44,4 +44,4 @@ void panel_box(const char* name, bool& value, const char* tooltip) {
   panel_tooltip(tooltip);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -10,7 +10,7 @@
 
 #include "experiments/viewers/panel_style.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// A part of the panel that folds away; true while it is open.
 bool panel_section(const char* name, bool open_at_first);
@@ -58,4 +58,4 @@ bool chosen_of(const char* label, Value& value,
   return changed;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

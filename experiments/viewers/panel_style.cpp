@@ -5,7 +5,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 struct ColourOf {
@@ -78,4 +78,4 @@ void panel_heading(const char* name) {
   ImGui::TextDisabled("%s", name);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

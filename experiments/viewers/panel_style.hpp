@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// In force from its construction to its end.
 class PanelStyle {
@@ -23,4 +23,4 @@ void panel_tooltip(const std::string& text);
 /// A line that sets a part of the panel off, with its name.
 void panel_heading(const char* name);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

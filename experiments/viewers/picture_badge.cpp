@@ -3,7 +3,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 void draw_badge(const Gui& gui, const PixelArea& area, const std::string& words) {
   if (words.empty()) {
@@ -22,4 +22,4 @@ void draw_badge(const Gui& gui, const PixelArea& area, const std::string& words)
                palette::kText, words.c_str());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

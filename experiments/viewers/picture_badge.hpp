@@ -7,9 +7,9 @@
 #include "experiments/drawing/pixel_area.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Draws into the current ImGui window; nothing for "".
 void draw_badge(const Gui& gui, const PixelArea& area, const std::string& words);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -9,7 +9,7 @@
 #include "experiments/drawing/overlay_marks.hpp"
 #include "experiments/viewers/gaze_overlay.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 ImU32 colour(const std::array<float, 3>& rgb, double opacity) {
@@ -116,4 +116,4 @@ void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -15,7 +15,7 @@
 #include "experiments/drawing/picture_map.hpp"
 #include "experiments/run/preview_run.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// What is shown, as the panel's boxes say.
 struct PreviewOverlays {
@@ -39,4 +39,4 @@ struct PreviewOverlays {
 void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const PictureMap& map,
                    const std::vector<PosedBody>& bodies);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

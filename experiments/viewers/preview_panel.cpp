@@ -12,7 +12,7 @@
 #include "experiments/viewers/response_controls.hpp"
 #include "experiments/viewers/scheduler_controls.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 struct Speed {
@@ -204,4 +204,4 @@ void draw_preview_panel(const Gui& gui, PreviewRun& run, PreviewOverlays& overla
   ImGui::EndChild();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -8,7 +8,7 @@
 #include "experiments/viewers/preview_overlays.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct PanelFrame {
   float left_px{0.0F};        ///< from here to the window's right edge
@@ -22,4 +22,4 @@ struct PanelFrame {
 void draw_preview_panel(const Gui& gui, PreviewRun& run, PreviewOverlays& overlays,
                         const PanelFrame& frame);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

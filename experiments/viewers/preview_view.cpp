@@ -19,7 +19,7 @@
 #include "experiments/window/display_loss.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr double kRateAveraged_s = 0.5;
@@ -195,4 +195,4 @@ PreviewFrames view_preview(Window& window, StagedScene scene, const Clock& clock
   return frames;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

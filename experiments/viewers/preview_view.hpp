@@ -8,7 +8,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct PreviewFrames {
   std::int64_t shown{0};
@@ -19,4 +19,4 @@ struct PreviewFrames {
 /// is the window's.
 PreviewFrames view_preview(Window& window, StagedScene scene, const Clock& clock);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -6,7 +6,7 @@
 
 #include "experiments/viewers/panel_controls.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 /// All as scene files name them.
@@ -107,4 +107,4 @@ bool draw_budget_controls(PreviewSettings& settings) {
   return changed;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

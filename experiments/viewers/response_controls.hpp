@@ -4,10 +4,10 @@
 
 #include "experiments/run/preview_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Each draws into the panel; true when something changed.
 bool draw_contact_controls(PreviewSettings& settings);
 bool draw_budget_controls(PreviewSettings& settings);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

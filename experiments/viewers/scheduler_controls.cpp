@@ -10,7 +10,7 @@
 #include "experiments/viewers/panel_controls.hpp"
 #include "experiments/viewers/preview_overlays.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 /// All as scene files name them.
@@ -200,4 +200,4 @@ bool draw_scheduler_controls(PreviewSettings& settings, double step_hz) {
   return SchedulerControls(settings, step_hz).draw();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -4,9 +4,9 @@
 
 #include "experiments/run/preview_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Draws them into the panel; true when something changed.
 bool draw_scheduler_controls(PreviewSettings& settings, double step_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

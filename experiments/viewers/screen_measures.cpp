@@ -5,7 +5,7 @@
 
 #include "experiments/record/lab_screen.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 bool is_plausible(const std::optional<double>& entered_cm, const PlausibleMeasure& measure) {
@@ -63,4 +63,4 @@ ScreenGeometry geometry_of(const EnteredMeasures& entered, int width_px, int hei
   return {*entered[0] / 100.0, *entered[1] / 100.0, width_px, height_px, *entered[2] / 100.0};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

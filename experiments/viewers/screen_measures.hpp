@@ -8,7 +8,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Width, height, viewing distance.
 inline constexpr std::size_t kMeasures = 3;
@@ -48,4 +48,4 @@ std::optional<PixelsPerMetre> pixels_per_metre(const EnteredMeasures& entered, i
 /// `entered` must be plausible.
 ScreenGeometry geometry_of(const EnteredMeasures& entered, int width_px, int height_px);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

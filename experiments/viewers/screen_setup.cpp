@@ -20,7 +20,7 @@
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/typed_number.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr std::size_t kReadingSize = 1;  // the drawings need the room
@@ -225,4 +225,4 @@ std::optional<LabScreen> ask_screen(Window& window, const LabScreen& initial) {
   return entered;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

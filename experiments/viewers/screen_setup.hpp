@@ -7,11 +7,11 @@
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Asks for width, height and viewing distance, starting from `initial` (metres; 0: empty), and
 /// where pixels come out not square, whether they really are so. Returns nothing when cancelled or
 /// when the display closes. Pixels are the window's.
 std::optional<LabScreen> ask_screen(Window& window, const LabScreen& initial);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

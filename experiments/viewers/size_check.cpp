@@ -6,7 +6,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 // ISO/IEC 7810 ID-1
@@ -62,4 +62,4 @@ void draw_card_and_ruler(const Gui& gui, ImVec2 from, ImVec2 to, const PixelsPer
   draw.PopClipRect();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -5,7 +5,7 @@
 #include "experiments/window/gl_window.hpp"
 #include "experiments/window/readable_target.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr float kWhite = 1.0F;
@@ -28,4 +28,4 @@ std::vector<Pixels> pictures_of(const ShownTree& shown, const std::vector<TreeLo
   return pictures;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -9,11 +9,11 @@
 #include "experiments/window/png_file.hpp"
 #include "experiments/window/readable_target.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// One picture for each look, on a white ground. Throws std::runtime_error with one sentence when
 /// no OpenGL 3.3 can be had.
 std::vector<Pixels> pictures_of(const ShownTree& shown, const std::vector<TreeLook>& looks,
                                 const PictureSize& size);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

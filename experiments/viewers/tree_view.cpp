@@ -13,7 +13,7 @@
 #include "experiments/window/display_loss.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 struct ColourChoice {
@@ -210,4 +210,4 @@ void view_tree(Window& window, const ShownTree& shown, const TreeLook& look) {
   while_display_lasts([&] { TreeScreen(window.canvas(), shown, look).run(); });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

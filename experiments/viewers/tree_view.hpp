@@ -5,9 +5,9 @@
 #include "experiments/drawing/tree_look.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Until Esc or the window's close; starts with `look`.
 void view_tree(Window& window, const ShownTree& shown, const TreeLook& look);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr std::array<float, 3> kVolumeColour{0.10F, 0.36F, 0.20F};
@@ -60,4 +60,4 @@ std::vector<ColouredVolume> VolumeLevels::of(
   return volumes;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

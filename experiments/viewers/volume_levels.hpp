@@ -10,7 +10,7 @@
 #include "experiments/drawing/volume_painter.hpp"
 #include "experiments/viewers/preview_overlays.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// The volumes that stand for the whole object at `level`, in the body's frame: the level's nodes,
 /// and nodes without children of the levels before.
@@ -40,4 +40,4 @@ class VolumeLevels {
   std::map<const VolumeTree*, Known> known_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

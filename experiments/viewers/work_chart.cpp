@@ -8,7 +8,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr ImU32 kSpent = palette::kAccent;
@@ -140,4 +140,4 @@ void draw_work_chart(const Gui& gui, const PreviewRun& run, ImVec2 from, ImVec2 
   chart.key();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

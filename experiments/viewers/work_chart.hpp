@@ -5,9 +5,9 @@
 #include "experiments/run/preview_run.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Draws it between the corners (pixels), title and key included.
 void draw_work_chart(const Gui& gui, const PreviewRun& run, ImVec2 from, ImVec2 to);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewing/finest_beside.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 bool FinestBeside::go_on() {
   constexpr std::int64_t kPartOfFrame_ns = 10'000'000;
@@ -25,4 +25,4 @@ bool FinestBeside::go_on() {
 
 double FinestBeside::share() const { return view_ ? 1.0 : running_ ? running_->share() : 0.0; }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -8,7 +8,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/viewing/replay_simulation.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 class FinestBeside {
  public:
@@ -32,4 +32,4 @@ class FinestBeside {
   std::optional<ReplayView> view_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

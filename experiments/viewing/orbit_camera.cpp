@@ -6,7 +6,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 namespace {
 
 constexpr double kMostUp_deg = 89.0;
@@ -58,4 +58,4 @@ Viewer OrbitCamera::seen_from(const Viewer& own) const {
   return viewer;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -8,7 +8,7 @@
 
 #include "engine/scheduling/viewer.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 class OrbitCamera {
  public:
@@ -35,4 +35,4 @@ class OrbitCamera {
   double magnification_{1.0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

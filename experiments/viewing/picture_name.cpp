@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewing/picture_name.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 std::string picture_name(const PictureOf& picture,
                          const std::function<bool(const std::string&)>& taken) {
@@ -16,4 +16,4 @@ std::string picture_name(const PictureOf& picture,
   return name;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

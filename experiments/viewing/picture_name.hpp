@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 struct PictureOf {
   std::string study;  ///< the file's name without its folder and ending
@@ -21,4 +21,4 @@ struct PictureOf {
 std::string picture_name(const PictureOf& picture,
                          const std::function<bool(const std::string&)>& taken);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

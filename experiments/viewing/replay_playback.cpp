@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline viewing {
 namespace {
 
 constexpr int kSlowest = -4;
@@ -60,4 +60,4 @@ std::string ReplayPlayback::speed_words() const {
   return speed_ < 0 ? "×1/" + std::to_string(1 << -speed_) : "×" + std::to_string(1 << speed_);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -7,7 +7,7 @@
 
 #include "experiments/viewing/replay_view.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 class ReplayPlayback {
  public:
@@ -46,4 +46,4 @@ class ReplayPlayback {
   int speed_{0};  ///< a power of two
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

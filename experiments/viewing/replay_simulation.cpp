@@ -6,7 +6,7 @@
 #include "experiments/run/level_collision.hpp"
 #include "experiments/run/preview_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 namespace {
 
 using Kind = TimelineMark::Kind;
@@ -119,4 +119,4 @@ ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded) {
   return simulation.take();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -13,7 +13,7 @@
 #include "experiments/run/replay.hpp"
 #include "experiments/viewing/replay_view.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 enum class SimulatedDetail { kAsRecorded, kFinest };
 
@@ -44,4 +44,4 @@ class ReplaySimulation {
 /// All of it at once, as recorded.
 ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -9,7 +9,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "experiments/run/seen_apart.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 void end_with_last_step(ReplayView& view) {
   const double shown_s = static_cast<double>(view.states.size() - 1) / view.step_hz;
   if (shown_s < view.duration_s) {
@@ -83,4 +83,4 @@ std::optional<std::int64_t> parting_step(const ReplayView& recorded, const Repla
   return std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -14,7 +14,7 @@
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/run/body_detail.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 /// Of a step: a time that was set by step k may come back so much off k.
 inline constexpr double kStepRounding = 1e-6;
@@ -93,4 +93,4 @@ std::vector<FadingContact> contacts_at(const ReplayView& view, std::int64_t step
 /// other, of the same trial; none when they stay together.
 std::optional<std::int64_t> parting_step(const ReplayView& recorded, const ReplayView& finest);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 bool is_target(TimelineMark::Kind kind, JumpTarget target) {
   using Kind = TimelineMark::Kind;
@@ -46,4 +46,4 @@ std::optional<double> jump_from(const std::vector<TimelineMark>& marks, JumpTarg
   return nearest_s;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -7,7 +7,7 @@
 
 #include "experiments/viewing/replay_view.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 /// What can be jumped to. Collisions are those of any level.
 enum class JumpTarget { kCollision, kClick, kLateFrame, kResponse };
@@ -25,4 +25,4 @@ enum class JumpTarget { kCollision, kClick, kLateFrame, kResponse };
                                               JumpTarget target, double time_s, int direction,
                                               double step_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

@@ -12,7 +12,7 @@
 #include "experiments/viewing/picture_name.hpp"
 #include "experiments/viewing/replay_view.hpp"
 
-namespace impetus {
+namespace impetus::inline viewing {
 
 /// One stimulus of one attempt, ready to be simulated again.
 struct ViewedStimulus {
@@ -43,4 +43,4 @@ class ViewedStimuli {
   [[nodiscard]] virtual ViewedStimulus load(std::size_t index, const Progress& progress) = 0;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewing

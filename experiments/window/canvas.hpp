@@ -10,7 +10,7 @@
 #include "experiments/window/gui.hpp"
 #include "experiments/window/mouse_input.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 struct Canvas {
   Canvas(const WindowOptions& options, const Clock& clock)
@@ -27,4 +27,4 @@ struct Canvas {
   PatchPainter patch;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -10,7 +10,7 @@
 #include <X11/Xlib.h>
 #endif
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 struct DisplayLost {};
@@ -90,4 +90,4 @@ void while_display_lasts(const std::function<void()>& doing) {
 
 bool display_lost() { return lost; }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

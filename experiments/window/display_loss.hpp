@@ -11,7 +11,7 @@
 
 #include <functional>
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// From now on the loss of this window's X connection is noticed. Other systems are left alone.
 void survive_display_loss(SDL_Window* window);
@@ -23,4 +23,4 @@ void while_display_lasts(const std::function<void()>& doing);
 /// Whether the connection is gone.
 [[nodiscard]] bool display_lost();
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -5,7 +5,7 @@
 
 #include "experiments/window/video_driver.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 DisplayMode display_mode() {
   constexpr double kAssumedHz = 60.0;
@@ -16,4 +16,4 @@ DisplayMode display_mode() {
   return {known ? mode.refresh_rate : kAssumedHz, mode.w, mode.h};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// How the display is driven.
 struct DisplayMode {
@@ -14,4 +14,4 @@ struct DisplayMode {
 /// Throws std::runtime_error with one sentence when there is no display.
 DisplayMode display_mode();
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -5,7 +5,7 @@
 
 #include "experiments/window/display_loss.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 void EventPump::pump() {
   if (display_lost()) {
@@ -40,4 +40,4 @@ bool EventPump::take_pause_request() { return std::exchange(pause_requested_, fa
 
 bool EventPump::closed() const { return closed_ || display_lost(); }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -16,7 +16,7 @@
 
 #include "experiments/record/ports.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 struct StampedEvent {
   SDL_Event event{};
@@ -61,4 +61,4 @@ class EventPump {
   bool closed_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

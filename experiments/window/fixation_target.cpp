@@ -6,7 +6,7 @@
 
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr double kDisc_deg = 0.6;  ///< across
@@ -32,4 +32,4 @@ void draw_fixation_target(const Gui& gui, const ScreenGeometry& screen, const Sc
   draw.AddCircleFilled(centre, dot, kDark);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

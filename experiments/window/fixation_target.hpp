@@ -7,9 +7,9 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Draws within the present frame, which fills the window that is `screen`.
 void draw_fixation_target(const Gui& gui, const ScreenGeometry& screen, const ScreenPoint& at);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr std::int64_t kBetweenPumpsNs = 500'000;
@@ -79,4 +79,4 @@ std::string FlipPacer::anchor() const {
   return swap_blocks_ ? "return of a swap that waits for the refresh" : "timer, no synchronisation";
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -17,7 +17,7 @@
 #include "experiments/window/event_pump.hpp"
 #include "experiments/window/gl_window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 class FlipPacer {
  public:
@@ -49,4 +49,4 @@ class FlipPacer {
   std::int64_t last_flip_ns_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

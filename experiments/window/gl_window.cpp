@@ -8,7 +8,7 @@
 #include "experiments/window/display_loss.hpp"
 #include "experiments/window/video_driver.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr double kAssumedRefreshHz = 60.0;
@@ -119,4 +119,4 @@ std::string GlWindow::described() const {
   return text;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -8,7 +8,7 @@
 
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 class GlWindow {
  public:
@@ -50,4 +50,4 @@ class GlWindow {
   std::string description_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -14,7 +14,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/record/shown_letters.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr const char* kPlainFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
@@ -204,4 +204,4 @@ void Gui::discard() {
   ImGui::EndFrame();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

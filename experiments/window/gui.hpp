@@ -13,7 +13,7 @@
 
 #include "experiments/window/gl_window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Text sizes: reading is tried at full size first, then closer, when a page is long.
 inline constexpr int kReadingSizes = 3;
@@ -64,4 +64,4 @@ class Gui {
   bool pointer_used_{false};  ///< moved or clicked since input was forgotten
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -5,7 +5,7 @@
 #include "experiments/window/display_loss.hpp"
 #include "experiments/window/input_sender.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 InputTrace try_input(Window& window, const Clock& clock, const std::function<bool()>& show) {
   InputTrace trace;
@@ -34,4 +34,4 @@ void centre_pointer(Window& window) {
   });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

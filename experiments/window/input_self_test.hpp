@@ -7,7 +7,7 @@
 #include "experiments/record/sent_input.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Calls `show`, which shows a picture in the window, until it returns false. Arrivals have the
 /// stamps and uncertainties that a session would keep. Somebody's own hand on the mouse disturbs
@@ -17,4 +17,4 @@ InputTrace try_input(Window& window, const Clock& clock, const std::function<boo
 /// Puts the pointer into the window's middle.
 void centre_pointer(Window& window);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -11,7 +11,7 @@
 #include <X11/keysym.h>
 #endif
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr std::chrono::microseconds kBetween{9'650};  // no simple part of any refresh
@@ -170,4 +170,4 @@ void InputSender::send_until_stopped() {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

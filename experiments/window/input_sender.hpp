@@ -19,7 +19,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/record/sent_input.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// What an event is of the sender's; none: nothing, or a release.
 std::optional<ArrivedInput> as_sent_input(const SDL_Event& event);
@@ -52,4 +52,4 @@ class InputSender {
   std::thread thread_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

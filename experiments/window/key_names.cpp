@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 bool is_digit(const SDL_Keysym& pressed, char digit) {
@@ -36,4 +36,4 @@ std::string printed_key(const std::string& name) {
   return printed;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

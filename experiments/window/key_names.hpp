@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Whether this key goes by that name. Digits count on the keypad too, and by their place on the
 /// keyboard, since some layouts want Shift for them.
@@ -15,4 +15,4 @@ namespace impetus {
 /// "Enter" for "enter", as it is printed on a button.
 [[nodiscard]] std::string printed_key(const std::string& name);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

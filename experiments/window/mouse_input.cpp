@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline window {
 
 void MouseInput::take(const std::vector<StampedEvent>& events) {
   for (const StampedEvent& stamped : events) {
@@ -40,4 +40,4 @@ ScreenPoint MouseInput::on_glass(int x_px, int y_px) const {
           (0.5 - (y_px + 0.5) / geometry_.height_px) * geometry_.height_m};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -11,7 +11,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/window/event_pump.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 class MouseInput final : public Gaze {
  public:
@@ -38,4 +38,4 @@ class MouseInput final : public Gaze {
   std::vector<ClickRecord> clicks_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr std::size_t kChannels = 3;
@@ -59,4 +59,4 @@ void write_png(const Pixels& pixels, const std::string& file) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Three bytes (red, green, blue; sRGB) a pixel, row by row from the top.
 struct Pixels {
@@ -25,4 +25,4 @@ Pixels below_each_other(const std::vector<Pixels>& pictures);
 /// it cannot be written.
 void write_png(const Pixels& pixels, const std::string& file);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -7,7 +7,7 @@
 #include "experiments/window/pages/page_layout.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kHeightShare = 0.26F;  // of the window's
@@ -54,4 +54,4 @@ void draw_point_map(const Gui& gui, const PointMap& map) {
             column.width, Align::kLeft);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

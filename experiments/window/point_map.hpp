@@ -5,9 +5,9 @@
 #include "experiments/record/page.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Draws from the cursor down, and moves it below; nothing without points.
 void draw_point_map(const Gui& gui, const PointMap& map);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

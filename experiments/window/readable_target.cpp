@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline window {
 
 WindowOptions unseen_window(const PictureSize& size) {
   WindowOptions options;
@@ -47,4 +47,4 @@ Pixels ReadableTarget::read() const {
   return pixels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

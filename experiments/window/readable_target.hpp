@@ -5,7 +5,7 @@
 #include "experiments/window/png_file.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 struct PictureSize {
   int width_px{1200};
@@ -39,4 +39,4 @@ class ReadableTarget {
   unsigned colour_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

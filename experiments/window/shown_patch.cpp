@@ -13,7 +13,7 @@
 #include <memory>
 #endif
 
-namespace impetus {
+namespace impetus::inline window {
 
 #ifdef IMPETUS_HAS_X11
 namespace {
@@ -115,4 +115,4 @@ std::string compositor_of(Window& /*window*/) { return "not known"; }
 
 #endif
 
-}  // namespace impetus
+}  // namespace impetus::inline window

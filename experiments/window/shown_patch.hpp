@@ -10,7 +10,7 @@
 
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Whether shown_patch() can tell anything.
 bool can_read_shown_patch(Window& window);
@@ -22,4 +22,4 @@ std::optional<std::int64_t> shown_patch(Window& window);
 /// Whether a compositor stands between the window and the screen: "none", "running", "not known".
 std::string compositor_of(Window& window);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline window {
 
 std::optional<double> typed_number(const std::string& text) {
   double value = 0.0;
@@ -14,4 +14,4 @@ std::optional<double> typed_number(const std::string& text) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace impetus {
+namespace impetus::inline window {
 
 void open_video() {
   const bool chosen = SDL_getenv("SDL_VIDEODRIVER") != nullptr;
@@ -36,4 +36,4 @@ void refuse_display(const std::string& why) {
   throw std::runtime_error("no display could be opened: " + why);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Opens it once more; every call needs its SDL_QuitSubSystem(SDL_INIT_VIDEO). Throws
 /// std::runtime_error with one sentence when there is no display.
@@ -16,4 +16,4 @@ void open_unseen_video();
 /// Throws the sentence that says so.
 [[noreturn]] void refuse_display(const std::string& why);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -7,7 +7,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 void show_wait(Canvas& canvas, const std::string& title, const std::string& doing, double share) {
   const Gui& gui = canvas.gui;
@@ -30,4 +30,4 @@ void show_wait(Canvas& canvas, const std::string& title, const std::string& doin
   static_cast<void>(canvas.pacer.flip());
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -6,9 +6,9 @@
 
 #include "experiments/window/canvas.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Draws and flips one frame. `share` from 0 to 1.
 void show_wait(Canvas& canvas, const std::string& title, const std::string& doing, double share);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -11,7 +11,7 @@
 #include "experiments/window/pages/page_turn.hpp"
 #include "experiments/window/pages/progress_bar.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 std::shared_ptr<const TriangleMesh> tiny_triangle() {
@@ -143,4 +143,4 @@ std::string Window::description() const {
   return canvas_->window.description() + "; flip stamp: " + canvas_->pacer.anchor();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

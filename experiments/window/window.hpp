@@ -17,7 +17,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/session/timing_check.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 struct Canvas;
 
@@ -83,4 +83,4 @@ class Window final : public Display, public Input {
   ScreenGeometry geometry_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

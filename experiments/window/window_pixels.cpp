@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline window {
 
 Pixels window_pixels(const PixelArea& area) {
   Pixels pixels{area.width, area.height, {}};
@@ -21,4 +21,4 @@ Pixels window_pixels(const PixelArea& area) {
   return pixels;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

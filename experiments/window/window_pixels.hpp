@@ -5,9 +5,9 @@
 #include "experiments/drawing/pixel_area.hpp"
 #include "experiments/window/png_file.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Of the area, row by row from the top. Needs a current OpenGL 3.3 context.
 Pixels window_pixels(const PixelArea& area);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

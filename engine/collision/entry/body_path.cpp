@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 bool moves_between(const BodyPath& path, double begin, double end) {
@@ -84,4 +84,4 @@ double way_from(double from, const Stretches& stretches, double reach_a_m, doubl
   return way_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -13,7 +13,7 @@
 
 #include "engine/numerics/vector.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 struct BodyPath {
   Pose start;
@@ -66,4 +66,4 @@ Stretches stretches_of(const BodyPath& a, const BodyPath& b);
 /// of the step on (metres).
 double way_from(double from, const Stretches& stretches, double reach_a_m, double reach_b_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 bool reach_holds(const Pose& pose, double reach_m) {
@@ -46,4 +46,4 @@ std::uint64_t NearSpheres::within(double time, double hair_m, const SphereBlock&
                            {block.b.x, block.b.y, block.b.z, reach_b.data()}, block.columns);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -14,7 +14,7 @@
 #include "engine/collision/entry/body_path.hpp"
 #include "engine/collision/sphere_block.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 class NearSpheres {
  public:
@@ -59,4 +59,4 @@ class NearSpheres {
   bool reaches_hold_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -7,7 +7,7 @@
 #include "engine/volumes/closest_points.hpp"
 #include "engine/volumes/core_contact.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 NodeGap gap_of_nodes(const Volume& a, const Volume& b) {
   const CoredVolume of_a = cored(a);
@@ -22,4 +22,4 @@ NodeGap gap_of_nodes(const Volume& a, const Volume& b) {
   return {-touching.depth_m, touching.normal};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

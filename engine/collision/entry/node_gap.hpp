@@ -4,7 +4,7 @@
 
 #include "engine/collision/placed_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 struct NodeGap {
   double gap_m{0.0};                 ///< less than zero: how deep they overlap
@@ -26,4 +26,4 @@ inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
 /// Of the nodes themselves.
 NodeGap gap_of_nodes(const Volume& a, const Volume& b);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

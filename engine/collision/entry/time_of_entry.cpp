@@ -9,7 +9,7 @@
 #include "engine/collision/entry/node_gap.hpp"
 #include "engine/collision/sphere_block.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 namespace {
 
 /// Of slow_way_m: how deep bodies overlap when they are stopped, and what they may still go.
@@ -383,4 +383,4 @@ bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
 
 Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -27,7 +27,7 @@
 #include "engine/collision/entry/body_path.hpp"
 #include "engine/collision/placed_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// Node pairs that are looked at for one pair of bodies, when nothing less is asked for; then they
 /// go on by what a slow pair may, and stop there.
@@ -62,4 +62,4 @@ struct Entry {
 /// way would carry them further by a quarter of it.
 Entry time_of_entry(const PairOnTheWay& pair);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline collision {
 
 int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level) {
   const int finest = std::max(a.level_count(), b.level_count()) - 1;
@@ -15,4 +15,4 @@ int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int gre
   return greatest_level;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -5,7 +5,7 @@
 #include "engine/scheduling/priority.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline collision {
 
 /// (Dingliana 2002, sec. 5.3.2)
 enum class Tunnelling {
@@ -26,4 +26,4 @@ struct StoppedAtEntry {
 /// the relative way, and once for the pair)
 int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level);
 
-}  // namespace impetus
+}  // namespace impetus::inline collision

@@ -8,7 +8,7 @@
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/point_in_solid.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 constexpr double kFlattest = 0x1p-22;
@@ -86,4 +86,4 @@ ComponentOrientation orientation_of(const TriangleMesh& mesh, const MeshComponen
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

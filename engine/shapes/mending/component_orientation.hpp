@@ -10,7 +10,7 @@
 
 #include "engine/shapes/mesh_components.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 struct ComponentOrientation {
   std::vector<bool> flat;    ///< encloses no more than the rounding of its coordinates
@@ -23,4 +23,4 @@ struct ComponentOrientation {
 /// find_defects(mesh).none().
 ComponentOrientation orientation_of(const TriangleMesh& mesh, const MeshComponents& components);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -10,7 +10,7 @@
 
 #include "engine/shapes/useless_triangles.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 using Loop = std::vector<std::uint32_t>;
@@ -163,4 +163,4 @@ HoleFilling fill_holes(TriangleMesh& mesh) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -11,7 +11,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// The most edges of a hole that is filled: beyond it, what was there is anybody's guess.
 inline constexpr std::int64_t kLargestHole = 64;
@@ -28,4 +28,4 @@ struct HoleFilling {
 /// misoriented.
 HoleFilling fill_holes(TriangleMesh& mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -11,7 +11,7 @@
 #include "engine/shapes/mending/component_orientation.hpp"
 #include "engine/shapes/useless_triangles.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -228,4 +228,4 @@ MeshRepair repair(TriangleMesh mesh) {
   return result;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

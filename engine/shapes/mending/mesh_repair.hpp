@@ -12,7 +12,7 @@
 #include "engine/shapes/mending/hole_filling.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Vertices nearer than this part of the bounding box's diagonal become one.
 inline constexpr double kWeldingDistance = 1e-6;
@@ -49,4 +49,4 @@ struct MeshRepair {
 /// obstacle find_defects() finds nothing in the result but, perhaps, flat components.
 MeshRepair repair(TriangleMesh mesh);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/solids/box_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 TriangleMesh box_mesh(const Vector3& sides_m) {
   TriangleMesh mesh;
@@ -14,4 +14,4 @@ TriangleMesh box_mesh(const Vector3& sides_m) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

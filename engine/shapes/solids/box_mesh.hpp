@@ -4,9 +4,9 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// 12 outward triangles about the origin; `sides_m` positive.
 TriangleMesh box_mesh(const Vector3& sides_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

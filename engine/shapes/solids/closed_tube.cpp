@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides) {
   const auto count = static_cast<std::uint32_t>(vertices.size());
@@ -22,4 +22,4 @@ TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

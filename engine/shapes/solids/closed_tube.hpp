@@ -9,10 +9,10 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// 2 · rings · sides outward triangles over `vertices`, `sides` of them for each ring in turn.
 /// Preconditions: sides ≥ 3, at least three rings, no ring left over.
 TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -8,7 +8,7 @@
 
 #include "engine/shapes/solids/level_set_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// A straight piece of the animal, thick about one end and thin about the other, in lengths of it.
@@ -98,4 +98,4 @@ TriangleMesh creature_mesh(double length_m, int cells) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -11,11 +11,11 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// A closed outward mesh that is `length_m` long along x, about the middle of the trunk. Its
 /// triangles lie on a grid of `cells` along that length and number about 11 · cells². Precondition:
 /// `cells` a multiple of 4 from 8 to 48; fewer than 16 may join the feet or part a horn.
 TriangleMesh creature_mesh(double length_m, int cells);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

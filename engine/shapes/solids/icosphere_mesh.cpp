@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// The twelve vertices are the corners of three golden rectangles.
@@ -70,4 +70,4 @@ TriangleMesh icosphere_mesh(double radius_m, int subdivisions) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

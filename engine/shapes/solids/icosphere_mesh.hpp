@@ -4,10 +4,10 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// 20 · 4^subdivisions outward triangles with their vertices on the sphere of `radius_m` about the
 /// origin; `subdivisions` from 0 to 7.
 TriangleMesh icosphere_mesh(double radius_m, int subdivisions);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -7,7 +7,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/shapes/solids/closed_tube.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// The small circle's share of the large one's radius: near the value that leaves most room.
@@ -53,4 +53,4 @@ TriangleMesh knot_mesh(double radius_m, double tube_m, int segments, int sides) 
   return closed_tube(std::move(vertices), sides);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -12,7 +12,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// The greatest tube_m / radius_m. A round tube of 0.308 touches itself; the rest is for facets.
 inline constexpr double kThickestKnot = 0.25;
@@ -22,4 +22,4 @@ inline constexpr double kThickestKnot = 0.25;
 /// segments ≥ 32, sides ≥ 3.
 TriangleMesh knot_mesh(double radius_m, double tube_m, int segments, int sides);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/solids/l_block_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 TriangleMesh l_block_mesh(double arm_m, double thickness_m) {
   // The outline counter-clockwise as seen from +z; corner 3 is the inner one, and sees all others.
@@ -28,4 +28,4 @@ TriangleMesh l_block_mesh(double arm_m, double thickness_m) {
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

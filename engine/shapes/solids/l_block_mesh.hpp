@@ -13,10 +13,10 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// 20 outward triangles and no face inside; the outer corner at the origin, z from −½ to +½ of the
 /// thickness. Precondition: 0 < thickness_m < arm_m. about_centre_of_mass() gives a body's frame.
 TriangleMesh l_block_mesh(double arm_m, double thickness_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 /// The least distance of a vertex from a point of the grid, as a share of the edge it lies on.
@@ -157,4 +157,4 @@ TriangleMesh level_set_mesh(const std::function<double(const Vector3&)>& value,
   return Surface(value, grid).made();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

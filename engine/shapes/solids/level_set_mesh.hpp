@@ -17,7 +17,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Cubes of edge `cell_m` from the corner `least` on, `cells` along each axis.
 struct SampleGrid {
@@ -32,4 +32,4 @@ struct SampleGrid {
 TriangleMesh level_set_mesh(const std::function<double(const Vector3&)>& value,
                             const SampleGrid& grid);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

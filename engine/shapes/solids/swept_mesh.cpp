@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-namespace impetus {
+namespace impetus::inline shapes {
 namespace {
 
 using CubePoint = std::array<int, 3>;  ///< of the grid on the cube's sides, each from 0 to cells
@@ -122,4 +122,4 @@ TriangleMesh swept_mesh(double half_x_m, double half_y_m, double radius_m, int c
   return mesh;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -10,7 +10,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 /// Outward triangles about the origin within everything that is `radius_m` or less from the
 /// rectangle |x| ≤ half_x_m, |y| ≤ half_y_m, z = 0; a half of zero makes it a line, both a ball.
@@ -23,4 +23,4 @@ TriangleMesh swept_mesh(double half_x_m, double half_y_m, double radius_m, int c
 double swept_inner_radius_m(const TriangleMesh& mesh, const Vector3& half_u_m,
                             const Vector3& half_v_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

@@ -7,7 +7,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "engine/shapes/solids/closed_tube.hpp"
 
-namespace impetus {
+namespace impetus::inline shapes {
 
 TriangleMesh torus_mesh(double radius_m, double tube_m, int segments, int sides) {
   assert(0.0 < tube_m && tube_m < radius_m && segments >= 3 && sides >= 3);
@@ -24,4 +24,4 @@ TriangleMesh torus_mesh(double radius_m, double tube_m, int segments, int sides)
   return closed_tube(std::move(vertices), sides);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline shapes

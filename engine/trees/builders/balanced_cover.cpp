@@ -7,7 +7,7 @@
 
 #include "engine/trees/builders/power_cells.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kPresses = 10;
@@ -101,4 +101,4 @@ BalancedCover balanced_cover(const SurfaceDistance& surface, const OutsidePoints
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

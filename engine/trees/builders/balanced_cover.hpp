@@ -12,7 +12,7 @@
 #include "engine/trees/builders/sphere_cover.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 struct BalancedCover {
   std::vector<Sphere> spheres;   ///< their power cells are the parts of the children
@@ -32,4 +32,4 @@ BalancedCover balanced_cover(const SurfaceDistance& surface, const OutsidePoints
                              const std::vector<InnerPoint>& candidates, std::size_t most,
                              double limit_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/trees/builders/voxel_tree.hpp"
 #include "engine/trees/solid_requirement.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress) {
@@ -32,4 +32,4 @@ VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

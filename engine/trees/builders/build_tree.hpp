@@ -6,7 +6,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Raised when a change makes any builder's tree differ: trees of another version are built anew.
 /// Recordings depend on their trees, so kRecordingFormat (engine/world/world.hpp) rises too.
@@ -19,4 +19,4 @@ inline constexpr int kTreeBuilderVersion = 2;
 VolumeTree build_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Parameters about zero with no greater a score than zero's own, after `rounds` of at most 2 N
 /// scores each. `score(parameters, enough)` may return anything above `enough` once it is known to
@@ -39,4 +39,4 @@ std::array<double, N> compass_search(std::array<double, N> steps, int rounds, co
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

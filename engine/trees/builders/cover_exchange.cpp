@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr std::size_t kRadii = 64;
@@ -132,4 +132,4 @@ std::vector<std::size_t> exchanged(const OutsidePoints& outside, const std::vect
   return Exchange(outside, points, candidates).improve(std::move(chosen));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -12,11 +12,11 @@
 #include "engine/trees/builders/medial_balls.hpp"
 #include "engine/trees/outside_points.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Indices of candidates, as many as `chosen` or fewer where some stand for no point.
 std::vector<std::size_t> exchanged(const OutsidePoints& outside, const std::vector<Vector3>& points,
                                    const std::vector<InnerPoint>& candidates,
                                    std::vector<std::size_t> chosen);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -4,7 +4,7 @@
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kRounds = 8;
@@ -64,4 +64,4 @@ Fit fit_box(const FitTask& task) {
   return {box, reach_beyond_m(box, task.solid), best};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -9,7 +9,7 @@
 #include "engine/trees/builders/volume_fits.hpp"
 #include "engine/trees/minimal_ball.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
@@ -94,4 +94,4 @@ Fit fit_line(const FitTask& task) {
   return {line, reach_beyond_m(line, task.solid), frame};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
@@ -139,4 +139,4 @@ Fit fit_rectangle(const FitTask& task) {
   return {rectangle, reach_beyond_m(rectangle, task.solid), frame_of(by)};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

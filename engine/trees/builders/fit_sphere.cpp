@@ -8,7 +8,7 @@
 #include "engine/trees/builders/volume_fits.hpp"
 #include "engine/trees/minimal_ball.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 Sphere sphere_about(const Vector3& centre, const std::vector<Vector3>& points) {
@@ -50,4 +50,4 @@ Fit fit_sphere(const FitTask& task) {
   return {sphere, reach_beyond_m(sphere, task.solid), task.shape->axes};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 using Point = std::pair<double, double>;
@@ -113,4 +113,4 @@ std::vector<Matrix3> frames_worth_trying(const PartShape& shape, const Matrix3& 
   return frames;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -4,7 +4,7 @@
 
 #include "engine/trees/builders/part_shape.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// How much is tried: quick to compare ways of splitting, careful for what becomes a node.
 enum class Effort { kQuick, kCareful };
@@ -20,4 +20,4 @@ std::vector<Matrix3> frames_worth_trying(const PartShape& shape, const Matrix3& 
 /// 1975)
 Matrix3 least_rectangle_frame(const std::vector<Vector3>& points, const Vector3& normal);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

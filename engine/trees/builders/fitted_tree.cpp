@@ -11,7 +11,7 @@
 #include "engine/trees/node_description.hpp"
 #include "engine/trees/solid_requirement.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Shares of the solid's size.
@@ -185,4 +185,4 @@ BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& setti
   return FittedBuilder(solid, settings, progress).build();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -15,7 +15,7 @@
 #include "engine/trees/built_tree.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A tree of kind kBox, kSwept or kHeterogeneous of at most `settings.depth` + 1 levels. A node
 /// that reaches no farther beyond the object than 1e-9 of its size has no children, nor one that
@@ -24,4 +24,4 @@ namespace impetus {
 BuiltTree build_fitted_tree(const TriangleMesh& solid, const TreeSettings& settings,
                             const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

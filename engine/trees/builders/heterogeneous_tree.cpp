@@ -7,7 +7,7 @@
 #include "engine/trees/builders/fitted_tree.hpp"
 #include "engine/trees/builders/medial_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 double finest_reach_m(const VolumeTree& tree) { return tree.fit_error_m(tree.level_count() - 1); }
@@ -56,4 +56,4 @@ BuiltTree heterogeneous_tree(const TriangleMesh& solid, const TreeSettings& sett
   return medial_tree(solid, upper_levels);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -15,7 +15,7 @@
 #include "engine/trees/built_tree.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// One test of mixed volumes, 12 to 29 units as measured, over one of blocks of spheres, .15 to .4.
 inline constexpr double kMixedTestCost = 60.0;
@@ -24,4 +24,4 @@ inline constexpr double kMixedTestCost = 60.0;
 BuiltTree heterogeneous_tree(const TriangleMesh& solid, const TreeSettings& settings,
                              const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

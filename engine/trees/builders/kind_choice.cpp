@@ -6,7 +6,7 @@
 
 #include "engine/trees/builders/reach_beyond.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 struct Row {
@@ -56,4 +56,4 @@ Fit best_fit(TreeKind kind, const PartShape& shape, const RoughDistance& solid,
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -17,11 +17,11 @@
 #include "engine/trees/builders/volume_fits.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The fit of the kind of volume that suits `kind` best, round the part that `shape` is of. A reach
 /// below `negligible_m` counts as that. Precondition: `kind` is kBox, kSwept or kHeterogeneous.
 Fit best_fit(TreeKind kind, const PartShape& shape, const RoughDistance& solid,
              const Matrix3& parent_frame, Effort effort, double negligible_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

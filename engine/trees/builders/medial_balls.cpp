@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/builders/medial_balls.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kMostShrinkings = 12;
@@ -33,4 +33,4 @@ InnerPoint medial_ball(const SurfaceDistance& surface, const SurfaceSample& samp
   return inner_point(surface, centre, near);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -11,7 +11,7 @@
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/builders/surface_samples.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A place for a sphere's centre, and how far within the solid it lies.
 struct InnerPoint {
@@ -27,4 +27,4 @@ InnerPoint inner_point(const SurfaceDistance& surface, const Vector3& point,
 /// The centre of the medial ball that touches the surface at `sample`; `size_m` bounds the solid.
 InnerPoint medial_ball(const SurfaceDistance& surface, const SurfaceSample& sample, double size_m);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -11,7 +11,7 @@
 #include "engine/trees/node_description.hpp"
 #include "engine/trees/solid_requirement.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// How many samples of a part to fit to, where its children will be split and where they will not,
@@ -223,4 +223,4 @@ BuiltTree medial_tree(const TriangleMesh& solid, const TreeSettings& settings,
   return MedialBuilder(solid, settings, progress).build();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -13,10 +13,10 @@
 #include "engine/trees/built_tree.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// See build_tree().
 BuiltTree medial_tree(const TriangleMesh& solid, const TreeSettings& settings,
                       const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

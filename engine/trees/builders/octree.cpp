@@ -12,7 +12,7 @@
 #include "engine/shapes/point_in_solid.hpp"
 #include "engine/trees/node_description.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Shares of the solid's size. What lies nearer than this to a wall between cells lies in it:
@@ -279,4 +279,4 @@ Octree build_octree(const TriangleMesh& solid, int depth) {
 
 VolumeTree octree(const TriangleMesh& solid, int depth) { return build_octree(solid, depth).tree; }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

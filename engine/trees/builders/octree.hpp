@@ -19,7 +19,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A cell's two opposite corners (metres, body frame).
 struct OctreeCell {
@@ -43,4 +43,4 @@ Octree build_octree(const TriangleMesh& solid, int depth);
 /// build_octree(solid, depth).tree
 VolumeTree octree(const TriangleMesh& solid, int depth);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

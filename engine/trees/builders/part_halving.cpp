@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr std::size_t kMostFacets = 600;
@@ -128,4 +128,4 @@ std::optional<HalfSpace> best_halving(const SurfacePart& part, const PartShape& 
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

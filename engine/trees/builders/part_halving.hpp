@@ -7,7 +7,7 @@
 
 #include "engine/trees/builders/volume_fits.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Fits a volume to the part that `shape` is of.
 using QuickFit = std::function<Fit(const PartShape& shape)>;
@@ -22,4 +22,4 @@ std::optional<HalfSpace> best_halving(const SurfacePart& part, const PartShape& 
 /// Of cuts made by builders: what lies nearer to a plane than this share of the size lies in it.
 inline constexpr double kSnapShare = 1e-13;
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

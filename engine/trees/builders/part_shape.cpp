@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kJacobiSweeps = 8;
@@ -176,4 +176,4 @@ PartShape shape_of(const SurfacePart& part) {
   return shape;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -6,7 +6,7 @@
 
 #include "engine/trees/surface_part.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 struct PartShape {
   /// Corners, each place once; of more than kMostPoints those alone that lie farthest along one of
@@ -29,4 +29,4 @@ std::vector<Vector3> extreme_points(const SurfacePart& part);
 /// first: eight sweeps of Jacobi's method, the same on every machine.
 Matrix3 eigenvectors_of(Matrix3 symmetric);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

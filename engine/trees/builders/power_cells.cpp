@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Where the power distance to `a` is at most that to `b`.
@@ -49,4 +49,4 @@ std::size_t least_power(const std::vector<Sphere>& spheres, const Vector3& point
   return best;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

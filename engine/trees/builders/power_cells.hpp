@@ -12,7 +12,7 @@
 #include "engine/trees/surface_part.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// The piece of `part` in the power cell of each sphere, empty ones too. The pieces tile the part.
 std::vector<SurfacePart> power_cells(SurfacePart part, const std::vector<Sphere>& spheres);
@@ -20,4 +20,4 @@ std::vector<SurfacePart> power_cells(SurfacePart part, const std::vector<Sphere>
 /// The index of the sphere to which `point` has the least power. Precondition: one or more spheres.
 std::size_t least_power(const std::vector<Sphere>& spheres, const Vector3& point);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr double kToleranceShare = 0.02;  ///< of the reach
@@ -107,4 +107,4 @@ double reach_beyond_m(const Volume& volume, const DistanceToUse& solid,
   return reach_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/trees/builders/rough_distance.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// How finely a reach is measured, and where to stop.
 struct ReachSettings {
@@ -24,4 +24,4 @@ struct ReachSettings {
 double reach_beyond_m(const Volume& volume, const DistanceToUse& solid,
                       const ReachSettings& settings = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline trees {
 
 RoughDistance::RoughDistance(const SurfaceDistance& exact, const Vector3& least,
                              const Vector3& most, int cells)
@@ -55,4 +55,4 @@ double RoughDistance::interpolated_m(const Vector3& point) const {
   return sum_m;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 
 #include "engine/shapes/surface_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 class RoughDistance {
  public:
@@ -53,4 +53,4 @@ class DistanceToUse {
   bool exact_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

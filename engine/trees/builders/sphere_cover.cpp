@@ -8,7 +8,7 @@
 
 #include "engine/trees/builders/cover_exchange.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 constexpr int kHalvings = 14;
@@ -272,4 +272,4 @@ SphereCover cover_points_quickly(const SurfaceDistance& surface, const std::vect
                  stand_off_of);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -18,7 +18,7 @@
 #include "engine/trees/outside_points.hpp"
 #include "engine/volumes/sphere.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// Centres, and the common stand-off: spheres of radius depth + stand-off cover all points.
 struct SphereCover {
@@ -57,4 +57,4 @@ InnerPoint leanest_centre(const SurfaceDistance& surface, const OutsidePoints& o
 /// The stand-off that a sphere about `centre` needs to hold all of `points`.
 double stand_off_m(const InnerPoint& centre, const std::vector<Vector3>& points);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -9,7 +9,7 @@
 
 #include "engine/shapes/triangle_distance.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// The middles of the n² equal triangles that a triangle splits into.
@@ -93,4 +93,4 @@ std::vector<SurfaceSample> samples_and_corners_of(const SurfacePart& part, std::
   return samples;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 
 #include "engine/trees/surface_part.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 struct SurfaceSample {
   Vector3 point;
@@ -24,4 +24,4 @@ std::vector<SurfaceSample> samples_of(const SurfacePart& part, std::size_t count
 /// small cube of space the corner farthest from the middle of them all.
 std::vector<SurfaceSample> samples_and_corners_of(const SurfacePart& part, std::size_t count);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/shapes/solids/swept_mesh.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// Share of the volume's size by which it may grow against rounding.
@@ -108,4 +108,4 @@ VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const Swe
   return std::move(built).tree();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -14,7 +14,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// What a swept body's tree has beside the volume itself.
 struct SweptLevels {
@@ -32,4 +32,4 @@ std::optional<TreeSettings> finer_settings(const SweptLevels& levels, const Tree
 VolumeTree swept_tree(const TriangleMesh& solid, const Volume& volume, const SweptLevels& levels,
                       const TreeSettings& settings, const VolumeTree* finer);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 double square(double x) { return x * x; }
@@ -99,4 +99,4 @@ double extent_m(const std::vector<Vector3>& points) {
   return (most - least).maxCoeff();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

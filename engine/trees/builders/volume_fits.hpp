@@ -7,7 +7,7 @@
 #include "engine/trees/builders/rough_distance.hpp"
 #include "engine/volumes/volume.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A volume that holds the points of the part's shape but for rounding.
 struct Fit {
@@ -47,4 +47,4 @@ Matrix3 small_turn(double x, double y, double z);
 /// The greatest extent of points (metres).
 double extent_m(const std::vector<Vector3>& points);
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -8,7 +8,7 @@
 #include "engine/trees/node_description.hpp"
 #include "engine/trees/solid_requirement.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 namespace {
 
 /// The grid is this much wider than the solid on each side, in shares of the solid's size.
@@ -176,4 +176,4 @@ BuiltTree build_voxel_tree(const TriangleMesh& solid, const TreeSettings& settin
   return VoxelBuilder(solid, settings, progress).build();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

@@ -17,7 +17,7 @@
 #include "engine/trees/built_tree.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline trees {
 
 /// A tree of kind kVoxel of at most `settings.depth` + 1 levels; a part without facets is of a cell
 /// wholly inside the solid. Throws std::invalid_argument when `solid` is none or
@@ -25,4 +25,4 @@ namespace impetus {
 BuiltTree build_voxel_tree(const TriangleMesh& solid, const TreeSettings& settings,
                            const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trees

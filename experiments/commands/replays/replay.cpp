@@ -20,7 +20,7 @@
 #include "experiments/commands/replays/replay_viewing.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ReplayOptions {
@@ -184,4 +184,4 @@ void add_replay(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return replay_study(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

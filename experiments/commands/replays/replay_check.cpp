@@ -9,7 +9,7 @@
 #include "experiments/commands/replays/replay_levels.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 std::string place_of(const StoredAttempt& attempt, const std::string& protocol) {
@@ -88,4 +88,4 @@ VerificationCheck check_replay(StudyFile& study) {
   return check;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 
 #include "experiments/store/adaptive_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 std::vector<FactorLevel> values_from(const std::string& text) {
@@ -68,4 +68,4 @@ std::int64_t compare_levels(StudyFile& study, const std::vector<StoredAttempt>& 
   return diverged;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/design/adaptive_replay.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Where the adaptive levels of a study differ from what their tracks choose anew.
 std::vector<LevelDivergence> divergent_levels(StudyFile& study, ReplayLibrary& library);
@@ -17,4 +17,4 @@ std::vector<LevelDivergence> divergent_levels(StudyFile& study, ReplayLibrary& l
 std::int64_t compare_levels(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                             ReplayLibrary& library);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -11,7 +11,7 @@
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/store/truth_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// The truth of an interval's collisions; tells and returns nothing when it diverges.
@@ -84,4 +84,4 @@ int fill_truth(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   return status;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -13,7 +13,7 @@
 #include "experiments/viewers/replays/replay_viewer.hpp"
 #include "experiments/viewing/viewed_stimuli.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 struct ViewedAnswer {
@@ -190,4 +190,4 @@ int view_attempts(StudyFile& study, const std::vector<StoredAttempt>& attempts,
   return kDone;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

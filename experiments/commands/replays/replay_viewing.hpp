@@ -7,10 +7,10 @@
 
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Plays the attempts one by one until the viewer is closed; returns the exit status.
 int view_attempts(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                   const std::string& window_size);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -12,7 +12,7 @@
 #include "experiments/commands/replays/what_if_words.hpp"
 #include "experiments/models/atomic_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 bool follows_gaze(const std::vector<StepRecord>& steps) {
@@ -111,4 +111,4 @@ int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
   return diverged == 0 ? kDone : kFound;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

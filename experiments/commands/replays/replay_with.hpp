@@ -7,7 +7,7 @@
 
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 struct ReplayWithOptions {
   std::vector<std::string> with;  ///< "KEY=VALUE", in the order given
@@ -24,4 +24,4 @@ std::string words_of_setting_keys();
 int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
                 const ReplayWithOptions& options);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -14,7 +14,7 @@
 #include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
@@ -168,4 +168,4 @@ const Protocol& ReplayLibrary::protocol(std::int64_t id) {
       .first->second;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

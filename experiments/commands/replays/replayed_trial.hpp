@@ -14,7 +14,7 @@
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// What to add to the word that the attempt diverges: nothing, unless it is of an older format.
 std::string why_divergent(const StoredAttempt& attempt);
@@ -68,4 +68,4 @@ class ReplayLibrary {
   std::shared_ptr<ShapeLibrary> shapes_ = std::make_shared<ShapeLibrary>();
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

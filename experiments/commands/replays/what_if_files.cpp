@@ -5,7 +5,7 @@
 
 #include "experiments/tables/csv_line.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
@@ -164,4 +164,4 @@ json what_if_json(const std::vector<ComparedStimulus>& compared) {
                        {"differs", totals.differs}});
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

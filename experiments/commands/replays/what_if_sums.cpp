@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -68,4 +68,4 @@ double seconds_of(const std::optional<std::int64_t>& step, double step_hz) {
   return step ? static_cast<double>(*step) / step_hz : kNone;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

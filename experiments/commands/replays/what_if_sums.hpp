@@ -11,7 +11,7 @@
 #include "experiments/run/what_if.hpp"
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// One stimulus of one attempt, simulated both ways.
 struct ComparedStimulus {
@@ -68,4 +68,4 @@ WhatIfTotals totals_of(const std::vector<ComparedStimulus>& compared);
 /// When a step was; not a number when there is none.
 double seconds_of(const std::optional<std::int64_t>& step, double step_hz);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

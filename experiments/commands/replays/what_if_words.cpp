@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 template <typename... Values>
@@ -136,4 +136,4 @@ std::string what_if_words(const std::vector<ComparedStimulus>& compared) {
          (totals.differs ? "" : "nothing differs\n");
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,9 +7,9 @@
 
 #include "experiments/commands/replays/what_if_sums.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// A line for each, and what they come to together.
 std::string what_if_words(const std::vector<ComparedStimulus>& compared);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

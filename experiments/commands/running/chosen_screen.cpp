@@ -10,7 +10,7 @@
 #include "experiments/commands/window_size.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// None where none was entered.
@@ -55,4 +55,4 @@ ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& windo
 }
 #endif
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

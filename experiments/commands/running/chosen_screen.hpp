@@ -9,7 +9,7 @@
 #include "experiments/window/window.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Of the screen file, or the user's own when `file` is "". Where none was entered one is assumed,
 /// and that is said. Its pixels are 0. Throws InputError.
@@ -22,4 +22,4 @@ ScreenGeometry chosen_screen(const std::string& file);
 ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& window);
 #endif
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

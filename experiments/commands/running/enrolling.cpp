@@ -14,7 +14,7 @@
 #include "experiments/store/screen_rows.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// "3.2 h" or "12 min".
@@ -113,4 +113,4 @@ Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& op
                stored(plan));
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_writer.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// The stored enrolment, to be resumed, if there is one. Throws InputError when it is finished, or
 /// another seed is asked for than its own.
@@ -36,4 +36,4 @@ Plan new_plan(StudyFile& study, const RunPart& part, const RunOptions& options);
 Enrolment enrol_anew(StudyFile& study, const RunPart& part, const RunOptions& options,
                      const Plan& plan);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

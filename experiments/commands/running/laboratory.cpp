@@ -14,7 +14,7 @@
 #include "experiments/window/window.hpp"
 #endif
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 constexpr double kHeadlessHz = 60.0;
@@ -167,4 +167,4 @@ std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
 #endif
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

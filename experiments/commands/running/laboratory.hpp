@@ -12,7 +12,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/session/timing_check.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 struct LaboratoryOptions {
   std::optional<ObserverFile> observer;
@@ -50,4 +50,4 @@ std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options);
 /// Precondition: refresh_hz_of() accepted the options.
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

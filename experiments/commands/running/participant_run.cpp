@@ -19,7 +19,7 @@
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// In a series nobody is asked the same about themselves twice.
@@ -168,4 +168,4 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   return result.ending;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -14,7 +14,7 @@
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_writer.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// "participant P01, session 3", or several of them.
 std::string sitting_words(const std::string& participant,
@@ -52,4 +52,4 @@ class ParticipantRun {
   std::int64_t session_id_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

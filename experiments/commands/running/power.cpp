@@ -27,7 +27,7 @@
 #include "experiments/protocol/null_observer.hpp"
 #include "experiments/protocol/screen_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -346,4 +346,4 @@ void add_power(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return power(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

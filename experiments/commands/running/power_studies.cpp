@@ -22,7 +22,7 @@
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ void do_power_studies(const PowerWork& work, PowerLedger& ledger) {
   PowerStudies(work, ledger).run();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

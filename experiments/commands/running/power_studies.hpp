@@ -13,7 +13,7 @@
 #include "experiments/commands/running/run_options.hpp"
 #include "experiments/power/power_ledger.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 struct PowerWork {
   RunPart planted;  ///< with the observer
@@ -35,4 +35,4 @@ std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number);
 /// stopped; what they had begun is begun again next time.
 void do_power_studies(const PowerWork& work, PowerLedger& ledger);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -20,7 +20,7 @@
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
@@ -220,4 +220,4 @@ void add_run(CLI::App& app, Command& chosen) {
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -13,7 +13,7 @@
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 struct RunOptions {
   std::string protocol;  ///< or a series of them
@@ -44,4 +44,4 @@ struct RunPart {
   std::int64_t series_place{1};     ///< from 1
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

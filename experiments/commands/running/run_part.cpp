@@ -12,7 +12,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 ScreenCorner photodiode_corner(const RunOptions& options) {
@@ -58,4 +58,4 @@ void solve_what_is_asked(RunPart& part) {
   part.solved = solve(part.protocol, *part.shapes, [&line](double share) { line.tell(share); });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 
 #include "experiments/commands/running/run_options.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Reads and checks the protocol and, unless "", the observer (a name or a file). Throws
 /// InputError.
@@ -20,4 +20,4 @@ void build_shapes(const RunPart& part);
 /// Solves what the plan needs, telling its progress. Throws InputError where there is no solution.
 void solve_what_is_asked(RunPart& part);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -5,7 +5,7 @@
 
 #include "experiments/gaze/gaze_latency.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 void tell_late_frames(const FrameCount& frames) {
@@ -57,4 +57,4 @@ void tell_warnings(const SessionResult& result, const StudyWriter& writer) {
   tell_not_finite(writer);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

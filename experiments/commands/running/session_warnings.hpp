@@ -5,7 +5,7 @@
 #include "experiments/session/session.hpp"
 #include "experiments/store/study_writer.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// Warns on standard error of trials in which a body's state was no longer finite.
 void tell_not_finite(const StudyWriter& writer);
@@ -14,4 +14,4 @@ void tell_not_finite(const StudyWriter& writer);
 /// Nothing where all went well.
 void tell_warnings(const SessionResult& result, const StudyWriter& writer);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

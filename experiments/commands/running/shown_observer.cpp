@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/shown_observer.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 ShownObserver::ShownObserver(const ObserverFile& observer, std::uint64_t seed,
                              const std::string& participant, Window& window, const Clock& clock)
@@ -24,4 +24,4 @@ Answer ShownObserver::ask(const Page& page) {
   return answer;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -8,7 +8,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 class ShownObserver final : public Input {
  public:
@@ -33,4 +33,4 @@ class ShownObserver final : public Input {
   const Clock& clock_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

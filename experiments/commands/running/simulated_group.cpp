@@ -15,7 +15,7 @@
 #include "experiments/store/enrolment.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// What the threads share; each takes the next participant until there is none.
@@ -154,4 +154,4 @@ void run_simulated_group(const std::vector<RunPart>& parts, const RunOptions& op
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -9,7 +9,7 @@
 #include "experiments/commands/running/run_options.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// S01, S02, ...: as many digits as the last one needs, two at least.
 std::string simulated_name(std::int64_t number, std::int64_t count);
@@ -25,4 +25,4 @@ std::string group_words(std::int64_t count);
 void run_simulated_group(const std::vector<RunPart>& parts, const RunOptions& options,
                          StudyFile& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -16,7 +16,7 @@
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 /// Of a sitting without display and participant, before an assumed screen.
@@ -65,4 +65,4 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
   return writer.session_id();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -7,7 +7,7 @@
 #include "experiments/commands/running/run_options.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// The options with nobody, a simulated participant, as who takes part. Throws InputError when they
 /// name somebody.
@@ -17,4 +17,4 @@ RunOptions as_nobody(RunOptions options);
 /// as_nobody()'s. Returns the session that was saved. Throws what the recorder throws.
 std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

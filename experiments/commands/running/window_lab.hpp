@@ -8,7 +8,7 @@
 #include "experiments/window/shown_patch.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 class WindowLab final : public TimingLab {
  public:
@@ -37,4 +37,4 @@ class WindowLab final : public TimingLab {
   Window window_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

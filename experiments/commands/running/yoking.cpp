@@ -7,7 +7,7 @@
 #include "experiments/store/study_reader.hpp"
 #include "experiments/store/yoke_rows.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 namespace {
 
 using nlohmann::json;
@@ -175,4 +175,4 @@ GazePaths gaze_paths_of(const Plan& plan, StudyFile& study) {
   return paths;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

@@ -12,7 +12,7 @@
 #include "experiments/record/gaze_path.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline commands {
 
 /// The plan with every trial whose region is recorded yoked to a trial of the partner that the
 /// protocol names. Throws InputError when there is no such partner or trial, when its scene is
@@ -23,4 +23,4 @@ Plan yoked(Plan plan, StudyFile& study, const Protocol& protocol, const std::str
 /// The recorded gaze of all trials that the plan's are yoked to.
 GazePaths gaze_paths_of(const Plan& plan, StudyFile& study);
 
-}  // namespace impetus
+}  // namespace impetus::inline commands

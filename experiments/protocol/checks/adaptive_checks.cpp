@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -114,4 +114,4 @@ void check_adaptive(const JsonDocument& protocol) {
   check_question(protocol);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

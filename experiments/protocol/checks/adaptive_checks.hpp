@@ -4,10 +4,10 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// The adaptive factor has levels in order, one method chooses them, staircases start at one of
 /// them, and answers that are positive or negative are asked for. Throws InputError.
 void check_adaptive(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

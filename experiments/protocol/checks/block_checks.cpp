@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 using nlohmann::json;
 
@@ -32,4 +32,4 @@ void check_blocks(const JsonDocument& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,9 +4,9 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Blocks are made of factors of the design. Throws InputError.
 void check_blocks(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -7,7 +7,7 @@
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -79,4 +79,4 @@ void check_catch_scenes(const Protocol& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

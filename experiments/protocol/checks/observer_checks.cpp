@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/checks/observer_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 void check_scale(const Protocol& protocol, std::size_t observer_points) {
@@ -35,4 +35,4 @@ void check_observer(const Protocol& protocol, const ObserverFile& observer) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

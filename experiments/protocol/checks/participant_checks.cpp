@@ -5,7 +5,7 @@
 
 #include "experiments/settings/validation.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 bool has_participants(const nlohmann::json& protocol) { return !protocol.contains("participants"); }
 
@@ -31,4 +31,4 @@ void check_participants(const JsonDocument& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,7 +4,7 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Whether people or simulated participants take part. `protocol` is valid by its schema.
 bool has_participants(const nlohmann::json& protocol);
@@ -12,4 +12,4 @@ bool has_participants(const nlohmann::json& protocol);
 /// Throws InputError where participants lack timing or session, or nobody is asked something.
 void check_participants(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

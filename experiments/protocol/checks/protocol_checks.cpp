@@ -16,7 +16,7 @@
 #include "experiments/protocol/checks/training_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -217,4 +217,4 @@ Plan plan_for(const Protocol& protocol, const std::string& participant, std::uin
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

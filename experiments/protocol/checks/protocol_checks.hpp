@@ -8,7 +8,7 @@
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Size, names, pointers, runs and the scale agree with each other and the scene.
 /// Throws InputError.
@@ -24,4 +24,4 @@ void check_practice_rule(const JsonDocument& protocol);
 /// or the participant's code has no number for a Latin square.
 Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -10,7 +10,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -201,4 +201,4 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -6,7 +6,7 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Whether `pointer` leads to a number, text or boolean of the scene.
 bool names_single_value(const nlohmann::json& scene, const std::string& pointer);
@@ -28,4 +28,4 @@ void check_gaze(const Protocol& protocol);
 /// hold be rounded; what was realised is stored. Throws InputError.
 void check_frames(const Protocol& protocol, double refresh_hz, bool allow_rounding);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -8,7 +8,7 @@
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/intervals.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -146,4 +146,4 @@ void check_standard(const Protocol& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

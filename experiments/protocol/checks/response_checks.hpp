@@ -5,7 +5,7 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// There is something to answer, unless the protocol has no participants; what a question names is
 /// a factor of the design. Throws InputError.
@@ -19,4 +19,4 @@ void check_training(const JsonDocument& protocol);
 /// script. Throws InputError.
 void check_standard(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

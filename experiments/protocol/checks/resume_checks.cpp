@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 void check_resume(const JsonDocument& protocol) {
   const nlohmann::json session = protocol.value.value("session", nlohmann::json::object());
@@ -22,4 +22,4 @@ void check_resume(const JsonDocument& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,10 +4,10 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Only a design that has blocks, and whose levels do not follow from answers that would be set
 /// aside, is resumed at a block's start. Throws InputError.
 void check_resume(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

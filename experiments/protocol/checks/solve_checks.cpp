@@ -7,7 +7,7 @@
 
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -110,4 +110,4 @@ void check_solve(const Protocol& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

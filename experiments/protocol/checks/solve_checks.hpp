@@ -4,10 +4,10 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Kinds have their keys, pointers lead to what they solve, factors exist. Whether there is a
 /// solution shows when it is looked for (solved_values.hpp). Throws InputError.
 void check_solve(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -8,7 +8,7 @@
 #include "experiments/record/shown_letters.hpp"
 #include "experiments/tables/utf8.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -66,4 +66,4 @@ void check_texts(const JsonDocument& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,10 +4,10 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// Every letter of pages and questions is one of kShownLetters, a line break or a tab. `protocol`
 /// fulfils its schema. Throws InputError. Asked of files alone: what a study holds was shown.
 void check_texts(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

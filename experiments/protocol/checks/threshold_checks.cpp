@@ -11,7 +11,7 @@
 #include "experiments/design/staircase.hpp"
 #include "experiments/protocol/design_reading.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -166,4 +166,4 @@ void check_thresholds(const JsonDocument& protocol) {
   check_table_size(protocol, method, levels);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

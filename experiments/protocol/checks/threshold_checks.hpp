@@ -5,7 +5,7 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// A staircase settles above the share that guessing reaches. The psychometric functions that
 /// QUEST+ chooses among rise from a guess rate to above it, are defined at every level, have their
@@ -13,4 +13,4 @@ namespace impetus {
 /// Throws InputError.
 void check_thresholds(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

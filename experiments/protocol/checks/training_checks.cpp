@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 using nlohmann::json;
 
@@ -26,4 +26,4 @@ void check_training_criterion(const JsonDocument& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -4,10 +4,10 @@
 
 #include "experiments/settings/json_document.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// As many right answers fit into the trials that are looked at as train_until asks for, and these
 /// into the most that there are. Throws InputError.
 void check_training_criterion(const JsonDocument& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

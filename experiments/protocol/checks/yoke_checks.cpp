@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ void check_yoking(const Protocol& protocol) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

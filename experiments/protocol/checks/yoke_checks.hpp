@@ -7,7 +7,7 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 
-namespace impetus {
+namespace impetus::inline protocol {
 
 /// The level of a factor over kRegionKindPointer whose trials follow a recording, and the one whose
 /// trials are followed.
@@ -27,4 +27,4 @@ inline constexpr const char* kTrackedLevel = "tracked";
 /// InputError.
 void check_yoking(const Protocol& protocol);
 
-}  // namespace impetus
+}  // namespace impetus::inline protocol

@@ -9,7 +9,7 @@
 #include "experiments/scenes/figures/figure_parts.hpp"
 #include "experiments/scenes/shape_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -243,4 +243,4 @@ std::string problem_of_angle(const json& figure, const std::string& name, double
                    text_of(angle_deg);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

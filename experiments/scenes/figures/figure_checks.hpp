@@ -8,7 +8,7 @@
 
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Adds what is wrong with the figure that the scene holds for `file`, each place once.
 /// Precondition: valid by the figure's schema.
@@ -20,4 +20,4 @@ void add_figure_file_problems(const nlohmann::json& scene, const std::string& fi
 std::string problem_of_angle(const nlohmann::json& figure, const std::string& name,
                              double angle_deg);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

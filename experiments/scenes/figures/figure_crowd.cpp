@@ -9,7 +9,7 @@
 #include "experiments/scenes/figures/figure_starts.hpp"
 #include "experiments/scenes/random_places.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 constexpr int kMostDraws = 10'000;
@@ -151,4 +151,4 @@ std::optional<std::vector<BodyState>> figure_crowd_states(const std::vector<Figu
   return states;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

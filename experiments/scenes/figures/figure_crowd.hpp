@@ -9,7 +9,7 @@
 #include "engine/figures/figure.hpp"
 #include "experiments/scenes/crowd.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// States of the parts of figures that move freely, or none when no room was found for them all in
 /// 10,000 draws a figure. Joint angles are uniform within the hinges' limits. Apart are the bounds
@@ -19,4 +19,4 @@ std::optional<std::vector<BodyState>> figure_crowd_states(const std::vector<Figu
                                                           const Enclosure& enclosure,
                                                           const CrowdStart& start);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

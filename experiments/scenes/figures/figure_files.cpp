@@ -3,7 +3,7 @@
 
 #include "experiments/scenes/embedded_figure_schema.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 using nlohmann::json;
 
@@ -37,4 +37,4 @@ std::string part_place(const std::string& file, std::size_t part) {
   return figure_place(file) + "/parts/" + std::to_string(part);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// The figure's JSON Schema (stimuli/figure.schema.json), as built into the program.
 const nlohmann::json& figure_schema();
@@ -34,4 +34,4 @@ const nlohmann::json& figure_content(const nlohmann::json& scene, const std::str
 std::string figure_place(const std::string& file);
 std::string part_place(const std::string& file, std::size_t part);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

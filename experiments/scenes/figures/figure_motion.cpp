@@ -6,7 +6,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/figures/figure_parts.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -82,4 +82,4 @@ std::vector<std::string> joints_of(const json& motion) {
   return {names.begin(), names.end()};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 
 #include "engine/figures/joint_motion.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// The motion `name` of the figure for one `height_m` high; joints that it does not name stay at
 /// `angles_rad`. The root's start and velocity are the caller's to set. Precondition: the figure is
@@ -19,4 +19,4 @@ JointMotion figure_motion(const nlohmann::json& figure, const std::string& name,
 /// The names of the joints that the motion moves, in alphabetical order, each once.
 std::vector<std::string> joints_of(const nlohmann::json& motion);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

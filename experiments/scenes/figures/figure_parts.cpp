@@ -7,7 +7,7 @@
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/swept_shape.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -128,4 +128,4 @@ std::size_t part_named(const json& figure, const std::string& name) {
   return part;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

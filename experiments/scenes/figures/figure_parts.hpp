@@ -10,7 +10,7 @@
 #include "engine/figures/hinge.hpp"
 #include "engine/trees/tree_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// A part's shape as a scene would name it. `coarsest` is what swept parts are at level 0 where
 /// they do not say it themselves; "": nothing is said.
@@ -35,4 +35,4 @@ std::vector<double> joint_angles(const nlohmann::json& figure, const nlohmann::j
 /// The number of the part called `name`, or one past the last.
 std::size_t part_named(const nlohmann::json& figure, const std::string& name);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 bool are_neighbours(const Figure& figure, std::int32_t a, std::int32_t b) {
   return std::any_of(figure.hinges.begin(), figure.hinges.end(), [&](const Hinge& hinge) {
@@ -29,4 +29,4 @@ const Hinge* folded_hinge(const Figure& figure, const std::vector<Pose>& poses) 
   return found == figure.hinges.end() ? nullptr : &*found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -8,7 +8,7 @@
 
 #include "engine/figures/figure.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Whether a hinge of the figure joins the two bodies.
 bool are_neighbours(const Figure& figure, std::int32_t a, std::int32_t b);
@@ -20,4 +20,4 @@ bool leaves_out(const Figure& figure, std::int32_t a, std::int32_t b);
 /// The first hinge that the poses fold past its threshold, where neighbours may collide; else null.
 const Hinge* folded_hinge(const Figure& figure, const std::vector<Pose>& poses);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

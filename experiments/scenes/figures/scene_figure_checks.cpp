@@ -8,7 +8,7 @@
 #include "experiments/scenes/figures/figure_motion.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -203,4 +203,4 @@ void add_overlap_problems(const json& scene, Problems& problems) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

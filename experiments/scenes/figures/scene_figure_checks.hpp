@@ -7,7 +7,7 @@
 
 #include "experiments/scenes/scene_checks.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Whether the scene has figures or a crowd of them.
 bool has_figures(const nlohmann::json& scene);
@@ -21,4 +21,4 @@ void add_figure_problems(const nlohmann::json& scene, std::vector<SceneProblem>&
 /// Precondition: as for build_scene(), and no crowd.
 void add_overlap_problems(const nlohmann::json& scene, std::vector<SceneProblem>& problems);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

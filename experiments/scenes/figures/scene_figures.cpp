@@ -7,7 +7,7 @@
 #include "experiments/scenes/figures/figure_parts.hpp"
 #include "experiments/scenes/scene_settings.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
@@ -134,4 +134,4 @@ std::vector<BodyState> figure_states(const json& scene, const SceneBodies& bodie
   return states;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -7,7 +7,7 @@
 
 #include "experiments/scenes/scene_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline scenes {
 
 /// Adds the parts of each figure the scene names, or of its crowd of figures ("1/head"), and the
 /// figures themselves, driven ones with their motion. Precondition: `scene` is valid by the
@@ -20,4 +20,4 @@ void add_figures(const nlohmann::json& scene, const ShapeFrame& frame, ShapeLibr
 std::vector<BodyState> figure_states(const nlohmann::json& scene, const SceneBodies& bodies,
                                      double metres_per_degree, double step_s);
 
-}  // namespace impetus
+}  // namespace impetus::inline scenes

@@ -16,7 +16,7 @@
 #include "experiments/store/study_integrity.hpp"
 #include "experiments/store/study_schema.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 void add_bytes(const std::filesystem::path& path, XXH3_state_t* state) {
@@ -199,4 +199,4 @@ void require_one_study(const std::deque<MergePart>& parts) {
   each_two(require_other_participants);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

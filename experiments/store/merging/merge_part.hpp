@@ -11,7 +11,7 @@
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/study_file.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// A file that was merged into the study before.
 struct EarlierMerge {
@@ -36,4 +36,4 @@ MergePart open_merge_part(const std::filesystem::path& path);
 /// participants.
 void require_one_study(const std::deque<MergePart>& parts);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

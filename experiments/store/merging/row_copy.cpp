@@ -11,7 +11,7 @@
 
 #include "experiments/store/study_schema.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 /// What the ids of one table's rows become.
@@ -168,4 +168,4 @@ std::int64_t copy_rows(SQLite::Database& source, SQLite::Database& destination) 
   return copy.participants_before();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// Copies every row of `source` but that of the table study; of a protocol only what `destination`
 /// lacks. References may be broken until the end of the destination's transaction, which must be
@@ -19,4 +19,4 @@ namespace impetus {
 /// before: those beyond it are the source's. Throws SQLite::Exception.
 std::int64_t copy_rows(SQLite::Database& source, SQLite::Database& destination);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -11,7 +11,7 @@
 #include "experiments/store/merging/merge_part.hpp"
 #include "experiments/store/merging/row_copy.hpp"
 
-namespace impetus {
+namespace impetus::inline store {
 namespace {
 
 bool is_there(const std::filesystem::path& path) {
@@ -112,4 +112,4 @@ MergeResult merge_studies(const std::vector<std::filesystem::path>& sources,
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline store

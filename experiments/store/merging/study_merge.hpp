@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline store {
 
 /// What a merge added, and what the study holds since.
 struct MergeResult {
@@ -29,4 +29,4 @@ struct MergeResult {
 MergeResult merge_studies(const std::vector<std::filesystem::path>& sources,
                           const std::filesystem::path& into, const std::string& build);
 
-}  // namespace impetus
+}  // namespace impetus::inline store

@@ -9,7 +9,7 @@
 #include "experiments/trade/crowds/removal_curve.hpp"
 #include "experiments/trade/ratio_of_sums.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 struct NamedError {
@@ -190,4 +190,4 @@ std::vector<TradeRow> crowd_rows(const CrowdTrade& trade, const std::string& sub
   return Rows(trade, subject).all();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

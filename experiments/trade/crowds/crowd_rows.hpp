@@ -16,9 +16,9 @@
 #include "experiments/trade/crowds/crowd_trade.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// `subject` is the scene's name.
 std::vector<TradeRow> crowd_rows(const CrowdTrade& trade, const std::string& subject);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

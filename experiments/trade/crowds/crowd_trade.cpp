@@ -14,7 +14,7 @@
 #include "experiments/trade/crowds/removal_curve.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 constexpr std::array<ErrorOf, 2> kGapAndBound{&VisibleError::gap, &VisibleError::bound};
@@ -315,4 +315,4 @@ CrowdTrade crowd_trade(const StagedScene& scene, const CrowdRequest& request, co
   return Crowd(scene, request, clock, progress).measure();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

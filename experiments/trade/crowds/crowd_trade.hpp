@@ -21,7 +21,7 @@
 #include "experiments/trade/crowds/pair_levels.hpp"
 #include "experiments/trade/crowds/tried_order.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 struct CrowdRequest {
   std::vector<TriedOrder> orders;
@@ -74,4 +74,4 @@ struct CrowdTrade {
 CrowdTrade crowd_trade(const StagedScene& scene, const CrowdRequest& request, const Clock& clock,
                        const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

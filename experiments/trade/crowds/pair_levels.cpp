@@ -12,7 +12,7 @@
 #include "engine/scheduling/relative_acuity.hpp"
 #include "experiments/run/collision_truth.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// The bodies of one step, and what of their collisions shows.
@@ -159,4 +159,4 @@ std::vector<PairLevels> pair_levels(const StagedScene& scene, const std::vector<
   return StepPairs(scene, poses, look).all();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -19,7 +19,7 @@
 
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// In minutes of arc at the fovea.
 struct VisibleError {
@@ -50,4 +50,4 @@ struct Look {
 std::vector<PairLevels> pair_levels(const StagedScene& scene, const std::vector<Pose>& poses,
                                     const Look& look);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline trade {
 
 void RemovalCurve::add(const Point& piece) {
   points_.push_back({points_.back().work + piece.work, points_.back().removed + piece.removed});
@@ -104,4 +104,4 @@ double left_at_finest(const std::vector<PairLevels>& pairs, ErrorOf error) {
   return sum;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

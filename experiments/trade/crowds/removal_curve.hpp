@@ -18,7 +18,7 @@
 
 #include "experiments/trade/crowds/pair_levels.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Which of the two errors is meant.
 using ErrorOf = double VisibleError::*;
@@ -60,4 +60,4 @@ class RemovalCurve {
 double left_at_roots(const std::vector<PairLevels>& pairs, ErrorOf error);
 double left_at_finest(const std::vector<PairLevels>& pairs, ErrorOf error);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

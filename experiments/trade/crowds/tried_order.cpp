@@ -10,7 +10,7 @@
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/settings/input_error.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 struct NamedTraversal {
@@ -135,4 +135,4 @@ Schedule schedule_of(const TriedOrder& order, const StagedScene& scene, std::uin
   return schedule;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

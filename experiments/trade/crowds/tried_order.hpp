@@ -15,7 +15,7 @@
 
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 inline constexpr const char* kOwnScheduler = "scene";
 inline constexpr const char* kRandomScheduler = "random";
@@ -46,4 +46,4 @@ std::vector<TriedOrder> tried_orders(const StagedScene& scene,
 /// `seed`.
 Schedule schedule_of(const TriedOrder& order, const StagedScene& scene, std::uint64_t seed);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

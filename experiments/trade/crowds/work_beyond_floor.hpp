@@ -9,7 +9,7 @@
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Grants the floor and so many units more.
 class WorkBeyondFloor final : public WorkMeter {
@@ -38,4 +38,4 @@ inline WorkCosts costs_of_tests(const WorkCosts& costs) {
   return {costs.sphere_test, costs.volume_test, 0, 0, 0};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

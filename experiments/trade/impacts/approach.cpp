@@ -6,7 +6,7 @@
 #include "engine/shapes/first_touch.hpp"
 #include "experiments/run/closest_surfaces.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 constexpr double kLeastApproach = 0.2;  // of the speed: what touches more sidelong grazes
@@ -126,4 +126,4 @@ Approach next_approach(RandomStream& random, const ImpactPair& pair) {
   return approach;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

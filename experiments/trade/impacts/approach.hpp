@@ -15,7 +15,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/trade/impacts/impact_pair.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Two bodies that have just touched, and what is exactly true of it.
 struct ExactImpact {
@@ -37,4 +37,4 @@ struct Approach {
 /// The next approach of the stream.
 Approach next_approach(RandomStream& random, const ImpactPair& pair);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -12,7 +12,7 @@
 #include "experiments/trade/impacts/level_touch.hpp"
 #include "experiments/trade/timed_work.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 bool can_turn(const BodyModel& model) { return model.inverse_inertia != Matrix3::Zero(); }
@@ -237,4 +237,4 @@ ImpactMeasures measure_impacts(const ImpactPair& pair, const ImpactSettings& set
   return measures;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -17,7 +17,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/trade/impacts/impact_outcome.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// What to measure. Kinds are those that the bodies have trees of.
 struct ImpactSettings {
@@ -79,4 +79,4 @@ struct ImpactMeasures {
 ImpactMeasures measure_impacts(const ImpactPair& pair, const ImpactSettings& settings,
                                const Clock& clock, const Progress& progress = {});
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

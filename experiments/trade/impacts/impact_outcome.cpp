@@ -7,7 +7,7 @@
 #include "engine/dynamics/net_contact.hpp"
 #include "engine/numerics/trigonometry.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 ImpactOutcome outcome_of(const std::vector<Contact>& contacts, const ExactImpact& impact,
                          const ImpactPair& pair, Responder& responder) {
@@ -43,4 +43,4 @@ ImpactErrors errors_of(const ImpactOutcome& found, const ImpactOutcome& referenc
           std::sqrt(linear) / impact.approach_m_s, std::sqrt(angular) / impact.approach_m_s};
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -8,7 +8,7 @@
 #include "engine/dynamics/responder.hpp"
 #include "experiments/trade/impacts/approach.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Of both bodies after an impact, in world.
 struct ImpactOutcome {
@@ -36,4 +36,4 @@ struct ImpactErrors {
 ImpactErrors errors_of(const ImpactOutcome& found, const ImpactOutcome& reference,
                        const ExactImpact& impact, const ImpactPair& pair);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

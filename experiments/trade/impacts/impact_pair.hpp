@@ -12,7 +12,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "experiments/record/staged_scene.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Bodies of a scene that are alike: of one shape, mass and material.
 struct ImpactBody {
@@ -44,4 +44,4 @@ struct ImpactPair {
   [[nodiscard]] double size_m() const { return 2.0 * std::min(a.look.radius_m, b.look.radius_m); }
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -5,7 +5,7 @@
 
 #include "experiments/trade/estimate.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// Fills the columns that rows share, and takes the rows that are made of them.
@@ -178,4 +178,4 @@ ImpactMeasures pooled(const std::vector<ImpactMeasures>& measures, const std::st
   return all;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

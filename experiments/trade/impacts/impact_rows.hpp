@@ -21,7 +21,7 @@
 #include "experiments/trade/impacts/impact_measures.hpp"
 #include "experiments/trade/trade_row.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 std::vector<TradeRow> impact_rows(const ImpactMeasures& measures);
 
@@ -29,4 +29,4 @@ std::vector<TradeRow> impact_rows(const ImpactMeasures& measures);
 /// reductions; levels that only some have come from those alone.
 ImpactMeasures pooled(const std::vector<ImpactMeasures>& measures, const std::string& name);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

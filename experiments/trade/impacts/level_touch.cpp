@@ -9,7 +9,7 @@
 #include "engine/collision/entry/node_gap.hpp"
 #include "engine/collision/sphere_block.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// From where to where of the way two volumes overlap.
@@ -140,4 +140,4 @@ std::optional<double> first_touch_of_bounds(PlacedTree& a, PlacedTree& b, const 
   return BoundsOnTheWay(a, b, direction, level).first();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -12,7 +12,7 @@
 
 #include "engine/collision/placed_tree.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// How far (metres, 0 or more) `a` moves along `direction` (unit), unturned, from where it is
 /// placed until nodes that a refinement to `level` would test overlap; none when the bounds pass
@@ -20,4 +20,4 @@ namespace impetus {
 std::optional<double> first_touch_of_bounds(PlacedTree& a, PlacedTree& b, const Vector3& direction,
                                             int level);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

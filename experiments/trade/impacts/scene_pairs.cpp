@@ -8,7 +8,7 @@
 
 #include "engine/dynamics/restitution.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 /// Which are alike, the lesser first.
@@ -85,4 +85,4 @@ std::vector<ScenePair> scene_pairs(const TradeBodies& bodies, const SceneDemand&
   return pairs;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -7,7 +7,7 @@
 #include "experiments/trade/impacts/trade_bodies.hpp"
 #include "experiments/trade/scene_demand.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 /// Bodies that meet in a scene, and how often.
 struct ScenePair {
@@ -21,4 +21,4 @@ struct ScenePair {
 std::vector<ScenePair> scene_pairs(const TradeBodies& bodies, const SceneDemand& demand,
                                    const StagedScene& scene, std::size_t most);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

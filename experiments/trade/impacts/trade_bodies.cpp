@@ -7,7 +7,7 @@
 
 #include "experiments/scenes/scene_bodies.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 namespace {
 
 using nlohmann::json;
@@ -71,4 +71,4 @@ TradeBodies trade_bodies(const json& scene, double metres_per_degree,
   return found;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

@@ -9,7 +9,7 @@
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/trade/impacts/impact_pair.hpp"
 
-namespace impetus {
+namespace impetus::inline trade {
 
 struct TradeBodies {
   std::vector<ImpactBody> alike;      ///< one for all bodies that are alike
@@ -24,4 +24,4 @@ nlohmann::json with_trees(nlohmann::json scene, TreeKind kind, int depth);
 TradeBodies trade_bodies(const nlohmann::json& scene, double metres_per_degree,
                          const std::vector<TreeKind>& kinds, int depth, ShapeLibrary& library);
 
-}  // namespace impetus
+}  // namespace impetus::inline trade

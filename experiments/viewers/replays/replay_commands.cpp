@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/replays/replay_commands.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 /// N and P, by what is held with them.
@@ -104,4 +104,4 @@ std::optional<ReplayCommand> command_of(const SDL_Keysym& key) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 enum class ReplayCommand {
   kPlay,
@@ -49,4 +49,4 @@ const std::vector<ReplayKey>& replay_keys();
 /// What a key asks for, if anything.
 std::optional<ReplayCommand> command_of(const SDL_Keysym& key);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -7,7 +7,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/viewers/replays/replay_commands.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 void draw_replay_help(const Gui& gui) {
   constexpr float kLine = 1.5F;  // of the font's size
@@ -41,4 +41,4 @@ void draw_replay_help(const Gui& gui) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

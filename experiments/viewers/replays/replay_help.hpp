@@ -4,9 +4,9 @@
 
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Draws into the current ImGui window.
 void draw_replay_help(const Gui& gui);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

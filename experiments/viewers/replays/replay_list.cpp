@@ -6,7 +6,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 constexpr std::size_t kLongestNumber = 9;
@@ -153,4 +153,4 @@ std::optional<std::size_t> ReplayList::draw(const Gui& gui) {
   return chosen;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

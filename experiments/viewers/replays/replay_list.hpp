@@ -16,7 +16,7 @@
 #include "experiments/viewing/viewed_stimuli.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 class ReplayList {
  public:
@@ -47,4 +47,4 @@ class ReplayList {
   std::optional<std::size_t> chosen_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -6,7 +6,7 @@
 #include "experiments/viewing/replay_simulation.hpp"
 #include "experiments/window/wait_screen.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 /// What takes less is not worth a word.
@@ -89,4 +89,4 @@ LoadingOutcome load_replay(Canvas& canvas, ViewedStimuli& stimuli, std::size_t i
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

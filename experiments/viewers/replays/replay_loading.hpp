@@ -10,7 +10,7 @@
 #include "experiments/viewing/viewed_stimuli.hpp"
 #include "experiments/window/canvas.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct LoadedReplay {
   ViewedStimulus stimulus;
@@ -25,4 +25,4 @@ using LoadingOutcome = std::variant<LoadedReplay, ReplayCommand>;
 LoadingOutcome load_replay(Canvas& canvas, ViewedStimuli& stimuli, std::size_t index,
                            const Clock& clock);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/replays/replay_look.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 bool change_look(ReplayLook& look, ReplayCommand command) {
   switch (command) {
@@ -28,4 +28,4 @@ bool change_look(ReplayLook& look, ReplayCommand command) {
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -6,7 +6,7 @@
 #include "experiments/viewers/replays/replay_commands.hpp"
 #include "experiments/viewing/orbit_camera.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct ReplayLook {
   bool gaze{true};
@@ -20,4 +20,4 @@ struct ReplayLook {
 /// Does what a command asks of it; false: it is about something else.
 bool change_look(ReplayLook& look, ReplayCommand command);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

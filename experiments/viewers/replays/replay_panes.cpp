@@ -5,7 +5,7 @@
 
 #include "experiments/record/lab_screen.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 float screen_margin(const Gui& gui) { return std::round(0.018F * gui.height()); }
 
@@ -30,4 +30,4 @@ std::vector<PixelArea> areas_of(const Panes& panes, const Gui& gui, const Screen
   return areas;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -9,7 +9,7 @@
 #include "experiments/drawing/pixel_area.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Round everything.
 [[nodiscard]] float screen_margin(const Gui& gui);
@@ -27,4 +27,4 @@ struct Panes {
 [[nodiscard]] std::vector<PixelArea> areas_of(const Panes& panes, const Gui& gui,
                                               const ScreenGeometry& screen);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

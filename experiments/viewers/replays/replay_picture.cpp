@@ -9,7 +9,7 @@
 #include "experiments/viewers/picture_badge.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 Viewer participant_of(const ReplayMoment& moment) {
@@ -86,4 +86,4 @@ void ReplayPicture::draw_over(const ReplayMoment& moment, const ReplayLook& look
   ImGui::PopClipRect();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

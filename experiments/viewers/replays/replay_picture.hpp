@@ -14,7 +14,7 @@
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/window/canvas.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct ReplayMoment {
   const ReplayView* replay{nullptr};
@@ -38,4 +38,4 @@ class ReplayPicture {
   VolumeLevels volumes_;
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

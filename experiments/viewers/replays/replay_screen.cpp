@@ -18,7 +18,7 @@
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/window_pixels.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 using Command = ReplayCommand;
@@ -366,4 +366,4 @@ float ReplayScreen::footer_height() const {
                     1.35F * gui.fonts().body[2]->FontSize + 0.3F * gui.fonts().small->FontSize);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -12,7 +12,7 @@
 #include "experiments/viewing/finest_beside.hpp"
 #include "experiments/viewing/replay_playback.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 class ReplayScreen {
  public:
@@ -74,4 +74,4 @@ class ReplayScreen {
   std::int64_t said_until_ns_{0};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -3,7 +3,7 @@
 
 #include "experiments/viewing/timeline_jumps.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 using Command = ReplayCommand;
@@ -75,4 +75,4 @@ std::optional<std::string> steer(ReplayPlayback& playback, const ReplayView& rep
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

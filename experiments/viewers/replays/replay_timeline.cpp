@@ -9,7 +9,7 @@
 
 #include "experiments/drawing/palette.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 struct MarkLook {
@@ -191,4 +191,4 @@ std::optional<double> draw_timeline(const Gui& gui, const std::vector<TimelineMa
   return std::clamp(static_cast<double>(share), 0.0, 1.0) * frame.span_s;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -17,7 +17,7 @@
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 struct TimelineFrame {
   ImVec2 origin;  ///< upper left corner, pixels
@@ -33,4 +33,4 @@ struct TimelineFrame {
 std::optional<double> draw_timeline(const Gui& gui, const std::vector<TimelineMark>& marks,
                                     const TimelineFrame& frame);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

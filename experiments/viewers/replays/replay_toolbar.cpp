@@ -9,7 +9,7 @@
 #include "experiments/viewing/timeline_jumps.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 using Command = ReplayCommand;
@@ -150,4 +150,4 @@ std::optional<ReplayCommand> draw_toolbar(const Gui& gui, const ReplayPlayback& 
   return bar.clicked();
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -10,7 +10,7 @@
 #include "experiments/viewing/replay_playback.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// What the two rows take, in pixels.
 [[nodiscard]] float toolbar_height(const Gui& gui);
@@ -21,4 +21,4 @@ std::optional<ReplayCommand> draw_toolbar(const Gui& gui, const ReplayPlayback& 
                                           const std::vector<TimelineMark>& marks,
                                           const ReplayLook& look, float width_px);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -7,7 +7,7 @@
 #include "experiments/viewers/replays/replay_screen.hpp"
 #include "experiments/window/display_loss.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 namespace {
 
 std::size_t neighbour(std::size_t index, ReplayCommand command, std::size_t count) {
@@ -48,4 +48,4 @@ void view_replays(Window& window, ViewedStimuli& stimuli, const Clock& clock) {
   while_display_lasts([&] { view_all(window.canvas(), stimuli, clock); });
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

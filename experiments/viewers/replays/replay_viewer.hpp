@@ -13,9 +13,9 @@
 #include "experiments/viewing/viewed_stimuli.hpp"
 #include "experiments/window/window.hpp"
 
-namespace impetus {
+namespace impetus::inline viewers {
 
 /// Shows them, from the first on, until the window is closed. `clock` is the window's.
 void view_replays(Window& window, ViewedStimuli& stimuli, const Clock& clock);
 
-}  // namespace impetus
+}  // namespace impetus::inline viewers

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace impetus {
+namespace impetus::inline window {
 
 ButtonRows::ButtonRows(float width_px, float gap_px)
     : origin_(ImGui::GetCursorScreenPos()), width_px_(width_px), gap_px_(gap_px), at_(origin_) {}
@@ -20,4 +20,4 @@ void ButtonRows::place(ImVec2 size_px) {
 
 void ButtonRows::end() const { ImGui::SetCursorScreenPos(ImVec2(origin_.x, at_.y + row_px_)); }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-namespace impetus {
+namespace impetus::inline window {
 
 class ButtonRows {
  public:
@@ -25,4 +25,4 @@ class ButtonRows {
   float row_px_{0.0F};  ///< as high as the highest button of the row
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

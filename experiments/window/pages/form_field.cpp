@@ -12,7 +12,7 @@
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/typed_number.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kNumberWidth = 7.0F;  // of the font's size
@@ -196,4 +196,4 @@ std::string FormField::answer() const {
   return trimmed(text_);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -10,7 +10,7 @@
 #include "experiments/record/page.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// How the mouse moved the focus while a field was drawn.
 enum class FocusChange { kNone, kGained, kLost };
@@ -50,4 +50,4 @@ class FormField {
   bool was_active_{false};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -10,7 +10,7 @@
 #include "experiments/window/pages/text_lines.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kColumnEms = 36.0F;
@@ -211,4 +211,4 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
   return clicked;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -7,7 +7,7 @@
 #include "experiments/record/page.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// Where a page's words stand.
 struct Column {
@@ -34,4 +34,4 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
 /// side. Returns the one that was clicked.
 std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -4,7 +4,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/window/key_names.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 PageTurn::PageTurn(Canvas& canvas, const Page& page)
     : canvas_(canvas), page_(page), view_(page, canvas.gui) {}
@@ -135,4 +135,4 @@ std::optional<std::size_t> PageTurn::draw_and_flip() {
   return clicked;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -14,7 +14,7 @@
 #include "experiments/window/canvas.hpp"
 #include "experiments/window/pages/page_view.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 class PageTurn {
  public:
@@ -46,4 +46,4 @@ class PageTurn {
   StampedEvent released_;     ///< the last release of the mouse button
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

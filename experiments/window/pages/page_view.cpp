@@ -13,7 +13,7 @@
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/point_map.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kMarginShare = 0.05F;    // of the window's height, above and below
@@ -212,4 +212,4 @@ std::vector<std::string> PageView::answers() const {
   return answers;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -17,7 +17,7 @@
 #include "experiments/window/gui.hpp"
 #include "experiments/window/pages/form_field.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 class PageView {
  public:
@@ -73,4 +73,4 @@ class PageView {
   float scroll_px_{0.0F};
 };
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kBarShareOfHeight = 0.006F;
@@ -65,4 +65,4 @@ void draw_progress(const Gui& gui, const SessionProgress& progress, Ground groun
   }
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -5,7 +5,7 @@
 #include "experiments/record/page.hpp"
 #include "experiments/window/gui.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// What is under the bar: its colours must stay quiet on it.
 enum class Ground { kPage, kPicture };
@@ -16,4 +16,4 @@ enum class Ground { kPage, kPicture };
 /// Draws within the present frame; nothing when there is neither total nor label.
 void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

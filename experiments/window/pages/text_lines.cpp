@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kLineHeight = 1.35F;  // of the font's size
@@ -47,4 +47,4 @@ float width_of(std::string_view text, const ImFont& font) {
   return font.CalcTextSizeA(font.FontSize, 1e6F, 0.0F, text.data(), text.data() + text.size()).x;
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

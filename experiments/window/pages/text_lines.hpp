@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace impetus {
+namespace impetus::inline window {
 
 /// From the top of one line to the top of the next, in pixels.
 float line_height(const ImFont& font);
@@ -20,4 +20,4 @@ std::vector<std::string_view> lines_of(const std::string& text, const ImFont& fo
 /// The width of a text on one line, in pixels.
 float width_of(std::string_view text, const ImFont& font);
 
-}  // namespace impetus
+}  // namespace impetus::inline window

@@ -6,7 +6,7 @@
 #include "experiments/drawing/palette.hpp"
 #include "experiments/window/pages/text_lines.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 namespace {
 
 constexpr float kButtonMargin = 0.8F;  // left and right of the words, of the font's size
@@ -123,4 +123,4 @@ void draw_focus_ring(ImVec2 from, ImVec2 to) {
                                       ImGui::GetStyle().FrameRounding + kGapPx, 0, kThicknessPx);
 }
 
-}  // namespace impetus
+}  // namespace impetus::inline window

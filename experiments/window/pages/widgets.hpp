@@ -9,7 +9,7 @@
 
 #include "experiments/drawing/pixel_area.hpp"
 
-namespace impetus {
+namespace impetus::inline window {
 
 enum class Align { kLeft, kCentre, kRight };
 
@@ -40,4 +40,4 @@ void push_clip_rect(const PixelArea& area, float window_height_px);
 /// A ring around the focused thing.
 void draw_focus_ring(ImVec2 from, ImVec2 to);
 
-}  // namespace impetus
+}  // namespace impetus::inline window
