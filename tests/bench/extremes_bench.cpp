@@ -29,7 +29,7 @@
 #include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 #include "tests/bench/bounded_child.hpp"
-#include "tests/bench/peer_scene.hpp"
+#include "tests/bench/peers/peer_scene.hpp"
 
 #ifdef BT_USE_DOUBLE_PRECISION
 #define BULLET_PRECISION "double"

@@ -13,9 +13,9 @@
 #include "tests/bench/bench_scenes.hpp"
 #include "tests/bench/crowd_run.hpp"
 #include "tests/bench/pair_poses.hpp"
-#include "tests/bench/peer_crowd.hpp"
-#include "tests/bench/peer_dantzig.hpp"
-#include "tests/bench/peer_pair.hpp"
+#include "tests/bench/peers/peer_crowd.hpp"
+#include "tests/bench/peers/peer_dantzig.hpp"
+#include "tests/bench/peers/peer_pair.hpp"
 #include "tests/bench/response_cost.hpp"
 
 namespace impetus {

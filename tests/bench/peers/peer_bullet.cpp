@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "tests/bench/peer_crowd.hpp"
-#include "tests/bench/peer_pair.hpp"
+#include "tests/bench/peers/peer_crowd.hpp"
+#include "tests/bench/peers/peer_pair.hpp"
 
 namespace impetus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/bench/peer_dantzig.hpp"
+#include "tests/bench/peers/peer_dantzig.hpp"
 
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/bench/peer_crowd.hpp"
+#include "tests/bench/peers/peer_crowd.hpp"
 
 #include <Eigen/Eigenvalues>
 

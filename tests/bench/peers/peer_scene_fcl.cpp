@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fcl/fcl.h>
 
-#include "tests/bench/peer_scene.hpp"
+#include "tests/bench/peers/peer_scene.hpp"
 
 namespace impetus {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "engine/volumes/closed_cube.hpp"
-#include "tests/bench/peer_scene.hpp"
+#include "tests/bench/peers/peer_scene.hpp"
 
 namespace impetus {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdarg>
 
-#include "tests/bench/peer_crowd.hpp"
-#include "tests/bench/peer_pair.hpp"
+#include "tests/bench/peers/peer_crowd.hpp"
+#include "tests/bench/peers/peer_pair.hpp"
 
 namespace impetus {
 namespace {

@@ -2,7 +2,7 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
-#include "tests/bench/peer_pair.hpp"
+#include "tests/bench/peers/peer_pair.hpp"
 
 namespace impetus {
 namespace {

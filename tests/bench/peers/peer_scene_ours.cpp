@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "engine/trees/builders/build_tree.hpp"
-#include "tests/bench/peer_scene.hpp"
+#include "tests/bench/peers/peer_scene.hpp"
 
 namespace impetus {
 namespace {
