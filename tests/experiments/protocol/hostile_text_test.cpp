@@ -214,17 +214,23 @@ TEST(HostileText, IsNeverAFormatOnAScreen) {
       R"(ImGui::(Text|TextWrapped|TextDisabled|BulletText|SetTooltip)\(\s*([^\s]))");
   const std::regex coloured(R"(ImGui::TextColored\([^;]*?\),\s*([^\s]))");
   int calls = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(source_folder() + "/experiments/stage")) {
-    const std::string text = text_of(entry.path());
-    for (std::sregex_iterator match(text.begin(), text.end(), call), none; match != none; ++match) {
-      EXPECT_EQ((*match)[2].str(), "\"") << entry.path() << ": " << match->str();
-      ++calls;
-    }
-    for (std::sregex_iterator match(text.begin(), text.end(), coloured), none; match != none;
-         ++match) {
-      EXPECT_EQ((*match)[1].str(), "\"") << entry.path() << ": " << match->str();
-      ++calls;
+  for (const char* room : {"window", "viewers", "drawing"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(source_folder() + "/experiments/" + room)) {
+      if (!entry.is_regular_file()) {
+        continue;
+      }
+      const std::string text = text_of(entry.path());
+      for (std::sregex_iterator match(text.begin(), text.end(), call), none; match != none;
+           ++match) {
+        EXPECT_EQ((*match)[2].str(), "\"") << entry.path() << ": " << match->str();
+        ++calls;
+      }
+      for (std::sregex_iterator match(text.begin(), text.end(), coloured), none; match != none;
+           ++match) {
+        EXPECT_EQ((*match)[1].str(), "\"") << entry.path() << ": " << match->str();
+        ++calls;
+      }
     }
   }
   EXPECT_GT(calls, 5) << "the screens were not found";
