@@ -99,7 +99,7 @@ void print(const char* name, const Measured& measured, const Measured& coarsest)
               measured.units, measured.overruns, measured.over_budget, measured.hinge_gap_m);
 }
 
-void run(const BenchOptions& options) {
+void print_bench(const BenchOptions& options) {
   const StagedScene scene = staged_humanoids();
   const int steps = options.steps_of(kSteps);
   std::printf("%zu figures, %zu parts, %d steps of %g Hz\n", scene.world.settings().figures.size(),
@@ -132,7 +132,7 @@ void run(const BenchOptions& options) {
 
 int main(int count, char** arguments) {
   try {
-    impetus::run(impetus::bench_options(count, arguments));
+    impetus::print_bench(impetus::bench_options(count, arguments));
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
