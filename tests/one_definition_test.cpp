@@ -81,7 +81,7 @@ TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
                                       "Inner is a type of b.hpp and of c.hpp"}));
 }
 
-/// A sentence for each namespace of a file of `engine` or `experiments` that is not its room's.
+/// A sentence for each namespace of a header of `engine` or `experiments` that is not its room's.
 std::vector<std::string> foreign_namespaces(const std::string& path, const std::string& text) {
   const std::size_t room = path.find('/') + 1;
   const std::string own = "impetus::inline " + path.substr(room, path.find('/', room) - room);
@@ -97,7 +97,7 @@ std::vector<std::string> foreign_namespaces(const std::string& path, const std::
   return found;
 }
 
-TEST(OneDefinition, EveryFileIsInTheNamespaceOfItsRoom) {
+TEST(OneDefinition, EveryHeaderIsInTheNamespaceOfItsRoom) {
   for (const auto& [path, text] : all_headers()) {
     if (!path.starts_with("tests/")) {
       EXPECT_EQ(foreign_namespaces(path, text), std::vector<std::string>()) << path;
