@@ -71,8 +71,9 @@ void choose_scheduler(PreviewSettings& settings, const std::string& scheduler);
 /// Another number of lists, with thresholds spread anew.
 void choose_list_count(PreviewSettings& settings, int count);
 
-/// What the contacts, and the work, are to be.
+/// What the contacts, the work and the budget are to be.
 ContactModel contacts_of(const PreviewSettings& settings);
+WorkBudget budget_of(const PreviewSettings& settings);
 WorkCosts costs_of(const PreviewSettings& settings);
 
 /// The schedule they ask for, which may be impossible: see problem_of().

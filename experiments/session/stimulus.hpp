@@ -8,7 +8,7 @@
 #pragma once
 
 #include "experiments/gaze/gaze_follower.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus::inline session {
@@ -35,7 +35,7 @@ class Stimulus {
   /// Appends steps, collisions, frames, clicks and gaze; frames are numbered on.
   void append_to(AttemptRecord& record);
 
-  [[nodiscard]] const StagedScene& scene() const { return playback_.scene(); }
+  [[nodiscard]] const StagedScene& scene() const { return live_.scene(); }
 
   /// Samples of the gaze younger than this are not used.
   [[nodiscard]] double imposed_gaze_latency_s() const;
@@ -62,7 +62,7 @@ class Stimulus {
   const SessionProgress& progress_;
   const Ports& ports_;
   GazeFollower& follower_;
-  Playback playback_;
+  LiveRun live_;
   std::int64_t fixation_frames_{0};
   AttemptRecord record_;
   Interruption interruption_{Interruption::kNone};

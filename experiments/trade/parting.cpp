@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/gaze/region_source.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 
 namespace impetus::inline trade {
@@ -16,39 +16,31 @@ std::int64_t steps_of(const StagedScene& scene, double longest_s) {
   return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
 }
 
-/// A trial of a scene, step by step.
+/// A trial of a scene under one schedule, whose viewer looks at the screen's centre.
 class Trial {
  public:
   Trial(const StagedScene& scene, Schedule schedule, std::int64_t budget, std::uint64_t seed)
-      : scene_(scene), world_(scene.world), regions_(scene, seed), meter_(budget) {
-    world_.set_schedule(std::move(schedule));
-    world_.set_costs(costs_of_tests(world_.settings().costs));
-    input_.dt_s = 1.0 / scene.step_hz;
-    input_.fixation = ScreenPoint{};
+      : run_(scene, seed), meter_(budget) {
+    run_.world().set_schedule(std::move(schedule));
+    run_.world().set_costs(costs_of_tests(run_.world().settings().costs));
   }
 
   const std::vector<BodyState>& step() {
-    ++step_;
-    input_.viewer = scene_.viewer_at_time(static_cast<double>(step_) / scene_.step_hz);
-    input_.region = regions_.at(step_, input_.fixation);
+    constexpr ScreenPoint kCentre{};
     meter_.start_step();
-    static_cast<void>(world_.step(input_, meter_));
-    return world_.states();
+    static_cast<void>(run_.step(kCentre, run_.next_region(kCentre), meter_));
+    return run_.world().states();
   }
 
-  [[nodiscard]] const Viewer& viewer() const { return input_.viewer; }
+  [[nodiscard]] const Viewer& viewer() const { return run_.input().viewer; }
 
  private:
-  const StagedScene& scene_;
-  World world_;
-  RegionSource regions_;
+  SceneRun run_;
   WorkBeyondFloor meter_;
-  StepInput input_;
-  std::int64_t step_{0};
 };
 
 /// Poses of all bodies after each step, at the finest level.
-std::vector<Poses> reference_of(const StagedScene& scene, double longest_s) {
+std::vector<Poses> reference_course(const StagedScene& scene, double longest_s) {
   Trial trial(scene, {}, kUnlimitedTests, 0);
   std::vector<Poses> course;
   for (std::int64_t step = 1; step <= steps_of(scene, longest_s); ++step) {
@@ -110,7 +102,7 @@ std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& r
       const PartingSetting& setting = all[i].setting;
       if (!scene || setting.kind != all[i - 1].setting.kind) {
         scene.emplace(start(setting.kind, number));
-        reference = reference_of(*scene, request.longest_s);
+        reference = reference_course(*scene, request.longest_s);
       }
       all[i].trials.push_back(
           parted(*scene, reference, tried(*scene, setting, request.seed), request.thresholds));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/numerics/at.hpp"
+#include "experiments/run/scene_run.hpp"
 
 namespace impetus::inline trade {
 namespace {
@@ -18,12 +19,12 @@ std::int64_t pairs_in(const StepReport& report) {
 }
 
 /// How many pairs the next step begins to refine.
-std::int64_t pairs_to_refine(World probe, const StepInput& input) {
+std::int64_t pairs_to_refine(SceneRun probe) {
   Schedule coarsest;
   coarsest.lists = {{1.0, 0, 0}};
-  probe.set_schedule(coarsest);
+  probe.world().set_schedule(coarsest);
   FixedWork meter(kUnlimitedTests);
-  return pairs_in(probe.step(input, meter));
+  return pairs_in(probe.step({}, {}, meter));
 }
 
 MeetingMotion motion_of(const std::vector<BodyModel>& models, const std::vector<BodyState>& states,
@@ -35,11 +36,10 @@ MeetingMotion motion_of(const std::vector<BodyModel>& models, const std::vector<
           angular_velocity(models[b], states[b]).norm()};
 }
 
-void note_meetings(const StepReport& report, const World& world,
-                   const std::vector<BodyState>& before, SceneDemand& demand) {
+void note_meetings(const StepReport& report, const SceneRun& run, SceneDemand& demand) {
   for (const CollisionReport& each : report.collisions) {
     if (each.began && !is_wall(each.bodies.b)) {
-      const MeetingMotion motion = motion_of(world.models(), before, each.bodies);
+      const MeetingMotion motion = motion_of(run.world().models(), run.before(), each.bodies);
       if (motion.approach_m_s > 0.0) {
         demand.meetings.push_back({at(each.bodies.a), at(each.bodies.b), motion});
       }
@@ -54,22 +54,18 @@ SceneDemand demand_of(const StagedScene& scene, const Progress& progress) {
   demand.steps =
       std::min(kMostSteps, static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz)));
   const std::int64_t stride = (demand.steps + kMostProbes - 1) / kMostProbes;
-  World world = scene.world;
-  world.set_schedule({});
+  SceneRun run(scene);
+  run.world().set_schedule({});
+  FixedWork meter(kUnlimitedTests);
   for (std::int64_t step = 0; step < demand.steps; ++step) {
-    StepInput input;
-    input.dt_s = 1.0 / scene.step_hz;
-    input.viewer = scene.viewer_at_time(static_cast<double>(step) / scene.step_hz);
     if (step % stride == 0) {
-      const std::int64_t pairs = pairs_to_refine(world, input);
+      const std::int64_t pairs = pairs_to_refine(run);
       if (pairs > 0) {
         demand.pairs.push_back(static_cast<double>(pairs));
       }
     }
-    const std::vector<BodyState> before = world.states();
-    FixedWork meter(kUnlimitedTests);
-    const StepReport& report = world.step(input, meter);
-    note_meetings(report, world, before, demand);
+    const StepReport& report = run.step({}, {}, meter);
+    note_meetings(report, run, demand);
     demand.touching_most = std::max(demand.touching_most, pairs_in(report));
     if (progress) {
       progress(static_cast<double>(step + 1) / static_cast<double>(demand.steps));

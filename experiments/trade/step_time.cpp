@@ -3,20 +3,19 @@
 
 #include <cmath>
 
+#include "experiments/run/scene_run.hpp"
+
 namespace impetus::inline trade {
 
 std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, double most_s) {
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz));
   const std::int64_t begin_ns = clock.now_ns();
-  World world = scene.world;
+  SceneRun run(scene);
+  FixedWork meter(kUnlimitedTests);
   std::vector<double> times_ms;
   for (std::int64_t step = 0; step < steps; ++step) {
-    StepInput input;
-    input.dt_s = 1.0 / scene.step_hz;
-    input.viewer = scene.viewer_at_time(static_cast<double>(step) / scene.step_hz);
-    FixedWork meter(kUnlimitedTests);
     const std::int64_t start_ns = clock.now_ns();
-    const bool touches = !world.step(input, meter).collisions.empty();
+    const bool touches = !run.step({}, {}, meter).collisions.empty();
     const std::int64_t end_ns = clock.now_ns();
     if (touches) {
       times_ms.push_back(1e-6 * static_cast<double>(end_ns - start_ns));
