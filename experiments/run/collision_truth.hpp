@@ -7,10 +7,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/record/staged_scene.hpp"
 
 namespace impetus::inline run {
+
+/// Of the bodies' own meshes and balls, in world; 0 apart when the surfaces cross.
+ClosestPoints closest_surfaces(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
+                               const Pose& pose_b);
 
 inline constexpr double kArcminPerDegree = 60.0;
 

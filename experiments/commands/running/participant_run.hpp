@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/record/gaze_path.hpp"
 #include "experiments/session/session.hpp"

@@ -16,7 +16,6 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/commands/duration_words.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/participant_run.hpp"

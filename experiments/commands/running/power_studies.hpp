@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_ledger.hpp"
 
 namespace impetus::inline commands {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "experiments/trade/crowds/removal_curve.hpp"
-#include "experiments/trade/ratio_of_sums.hpp"
+#include "experiments/trade/estimate.hpp"
 
 namespace impetus::inline trade {
 namespace {
