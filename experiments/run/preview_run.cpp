@@ -168,14 +168,8 @@ void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& 
   };
   std::erase_if(contacts_, of_pair);
   std::erase_if(node_contacts_, of_pair);
-  const auto first = static_cast<std::size_t>(collision.first_contact);
-  const auto count = static_cast<std::size_t>(collision.contact_count);
-  for (std::size_t i = first; i < std::min(first + count, report.contacts.size()); ++i) {
-    contacts_.push_back(
-        {collision.bodies, report.contacts[i].touch, collision.list, run_.number()});
-  }
-  if (report.contacts.empty()) {
-    contacts_.push_back({collision.bodies, collision.contact.touch, collision.list, run_.number()});
+  for (const TouchPoint& touch : touch_points(report, collision)) {
+    contacts_.push_back({collision.bodies, touch, collision.list, run_.number()});
   }
   std::vector<TouchPoint> touches;
   for (const Contact& contact : report.node_contacts) {

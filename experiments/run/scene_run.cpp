@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/run/scene_run.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -49,6 +50,11 @@ const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<G
   return scene_.world.step(input_, meter);
 }
 
+const StepReport& SceneRun::step_whole() {
+  FixedWork all(kUnlimitedTests);
+  return step({}, {}, all);
+}
+
 Viewer SceneRun::viewer_at(std::int64_t number) const {
   return scene_.viewer_at_time(static_cast<double>(number) / scene_.step_hz);
 }
@@ -61,6 +67,19 @@ std::vector<Pose> SceneRun::poses(double fraction) const {
     poses.push_back(between(before_[body], after[body], fraction));
   }
   return poses;
+}
+
+std::vector<TouchPoint> touch_points(const StepReport& report, const CollisionReport& collision) {
+  if (report.contacts.empty()) {
+    return {collision.contact.touch};
+  }
+  std::vector<TouchPoint> touches;
+  const auto first = static_cast<std::size_t>(collision.first_contact);
+  const auto count = static_cast<std::size_t>(collision.contact_count);
+  for (std::size_t i = first; i < std::min(first + count, report.contacts.size()); ++i) {
+    touches.push_back(report.contacts[i].touch);
+  }
+  return touches;
 }
 
 }  // namespace impetus::inline run

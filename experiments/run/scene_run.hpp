@@ -37,6 +37,8 @@ class SceneRun {
   /// The same with as much work as `meter` grants.
   const StepReport& step(const Fixation& fixation, const std::optional<GazeRegion>& region,
                          WorkMeter& meter);
+  /// The same with all the work that there is, for who looks nowhere: what would be without limits.
+  const StepReport& step_whole();
 
   /// Another budget, or another rule for regions, from the next step on. Random places go on as
   /// they were drawn.
@@ -70,5 +72,8 @@ class SceneRun {
   StepInput input_;
   std::vector<BodyState> before_;
 };
+
+/// Where the bodies of a collision touch: its contacts in the report, or its only one.
+std::vector<TouchPoint> touch_points(const StepReport& report, const CollisionReport& collision);
 
 }  // namespace impetus::inline run

@@ -14,11 +14,10 @@ std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, 
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz));
   const std::int64_t begin_ns = clock.now_ns();
   SceneRun run(scene);
-  FixedWork meter(kUnlimitedTests);
   std::vector<double> times_ms;
   for (std::int64_t step = 0; step < steps; ++step) {
     const std::int64_t start_ns = clock.now_ns();
-    const bool touches = !run.step({}, {}, meter).collisions.empty();
+    const bool touches = !run.step_whole().collisions.empty();
     const std::int64_t end_ns = clock.now_ns();
     if (touches) {
       times_ms.push_back(1e-6 * static_cast<double>(end_ns - start_ns));
@@ -111,8 +110,7 @@ std::int64_t pairs_to_refine(SceneRun probe) {
   Schedule coarsest;
   coarsest.lists = {{1.0, 0, 0}};
   probe.world().set_schedule(coarsest);
-  FixedWork meter(kUnlimitedTests);
-  return pairs_in(probe.step({}, {}, meter));
+  return pairs_in(probe.step_whole());
 }
 
 MeetingMotion motion_of(const std::vector<BodyModel>& models, const std::vector<BodyState>& states,
@@ -144,7 +142,6 @@ SceneDemand demand_of(const StagedScene& scene, const Progress& progress) {
   const std::int64_t stride = (demand.steps + kMostProbes - 1) / kMostProbes;
   SceneRun run(scene);
   run.world().set_schedule({});
-  FixedWork meter(kUnlimitedTests);
   for (std::int64_t step = 0; step < demand.steps; ++step) {
     if (step % stride == 0) {
       const std::int64_t pairs = pairs_to_refine(run);
@@ -152,7 +149,7 @@ SceneDemand demand_of(const StagedScene& scene, const Progress& progress) {
         demand.pairs.push_back(static_cast<double>(pairs));
       }
     }
-    const StepReport& report = run.step({}, {}, meter);
+    const StepReport& report = run.step_whole();
     note_meetings(report, run, demand);
     demand.touching_most = std::max(demand.touching_most, pairs_in(report));
     if (progress) {
