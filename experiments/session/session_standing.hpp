@@ -11,7 +11,6 @@
 
 #include "experiments/design/plan.hpp"
 #include "experiments/record/page.hpp"
-#include "experiments/record/script.hpp"
 #include "experiments/session/practice.hpp"
 
 namespace impetus::inline session {
@@ -75,19 +74,5 @@ class SessionStanding {
   std::map<std::int64_t, PracticeResult> practice_;  ///< by slot
   std::int64_t round_{1};
 };
-
-/// Where a session that was left begins again, as its protocol says.
-///
-///   done: | block 1 ......... | block 2 ...      |        at trial: after the last dot
-///                             ^ at block: here; the trials of block 2 are set aside and shown
-///                             again
-struct Resumption {
-  std::optional<std::int64_t> first_slot{};  ///< the first trial that waits; none: all are done
-  std::set<std::int64_t> set_aside{};        ///< slots done before that are to be shown again
-};
-
-/// What is left of a history to go on from: the slots that the rule sets aside are no longer done
-/// in it. Practice is never set aside.
-Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& history);
 
 }  // namespace impetus::inline session

@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "experiments/record/ports.hpp"
-#include "experiments/session/session_standing.hpp"
+#include "experiments/session/resumption.hpp"
 #include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"
 

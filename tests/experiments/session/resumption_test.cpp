@@ -1,6 +1,6 @@
 // Where a session that was left goes on: at the next trial, at its block's start, or not at all.
 // SPDX-License-Identifier: MIT
-#include "experiments/session/session_standing.hpp"
+#include "experiments/session/resumption.hpp"
 
 #include <gtest/gtest.h>
 

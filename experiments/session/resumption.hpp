@@ -1,0 +1,27 @@
+// Where a session that was left begins again, as its protocol says.
+//
+//   done: | block 1 ......... | block 2 ...      |        at trial: after the last dot
+//                             ^ at block: here; the trials of block 2 are set aside and shown again
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+
+#include "experiments/design/plan.hpp"
+#include "experiments/record/script.hpp"
+#include "experiments/session/session_standing.hpp"
+
+namespace impetus::inline session {
+
+struct Resumption {
+  std::optional<std::int64_t> first_slot{};  ///< the first trial that waits; none: all are done
+  std::set<std::int64_t> set_aside{};        ///< slots done before that are to be shown again
+};
+
+/// What is left of a history to go on from: the slots that the rule sets aside are no longer done
+/// in it. Practice is never set aside.
+Resumption resume(const ResumeRule& rule, const Plan& plan, SessionHistory& history);
+
+}  // namespace impetus::inline session
