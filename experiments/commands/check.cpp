@@ -23,6 +23,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus check` was asked for.
 struct CheckOptions {
   std::vector<std::string> files;
   double refresh_hz{60.0};

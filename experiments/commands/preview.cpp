@@ -24,6 +24,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus preview` was asked for.
 struct PreviewOptions {
   std::string scene;
   std::string screen_file;

@@ -17,6 +17,7 @@ namespace impetus::inline commands {
 /// "0.4 s", "50 s", "12 min", "3 h 20 min", "2 days 5 h"; `seconds` ≥ 0.
 std::string duration_words(double seconds);
 
+/// Tells how far a piece of work has come, for as long as it lives.
 class ProgressLine {
  public:
   /// `what` is being done, such as "building".

@@ -63,6 +63,7 @@ class WindowLab final : public TimingLab {
 };
 #endif
 
+/// What `impetus timing` was asked for.
 struct TimingOptions {
   std::string out{"timing"};
   double seconds{10.0};

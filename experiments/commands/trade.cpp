@@ -59,6 +59,7 @@ std::string draw_trade_figure(const std::filesystem::path& folder) {
 
 using nlohmann::json;
 
+/// What `impetus trade` was asked for.
 struct TradeOptions {
   std::string scene;
   std::string out{"trade"};

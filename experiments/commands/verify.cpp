@@ -94,6 +94,7 @@ VerificationCheck check_replay(StudyFile& study) {
   return check;
 }
 
+/// What `impetus verify` was asked for.
 struct VerifyOptions {
   std::string study;
   bool replay{false};

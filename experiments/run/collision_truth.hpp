@@ -19,6 +19,7 @@ ClosestPoints closest_surfaces(const DrawnBody& a, const Pose& pose_a, const Dra
 
 inline constexpr double kArcminPerDegree = 60.0;
 
+/// The gap that a collision shows, which an exact one would not have.
 struct CollisionTruth {
   double gap_m{0.0};         ///< closest distance of the drawn surfaces
   double gap_px{0.0};        ///< between the two closest points as projected

@@ -13,6 +13,7 @@
 
 namespace impetus::inline run {
 
+/// Runs a trial's scene for a participant and records it.
 class LiveRun {
  public:
   /// `seed` is the trial's. `work_clock` times budgets in milliseconds and must outlive this; a

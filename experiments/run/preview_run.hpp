@@ -36,6 +36,7 @@ struct ShownContact {
   std::int64_t step{0};
 };
 
+/// Runs a scene in real time for somebody who changes its settings meanwhile.
 class PreviewRun {
  public:
   /// Starts playing. `clock` times steps and must outlive this.

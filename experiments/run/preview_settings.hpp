@@ -18,8 +18,10 @@ namespace impetus::inline run {
 
 inline constexpr int kMostPreviewLists = 4;
 
+/// What limits a step's work: nothing, units of work, or time by the clock.
 enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
 
+/// The controls of one priority list.
 struct PreviewList {
   double share{1.0};       ///< relative to the other lists'
   int least_level{0};      ///< done whatever the budget
@@ -28,6 +30,7 @@ struct PreviewList {
   double pair_share{0.0};  ///< in place of the threshold, when lists go by shares
 };
 
+/// All that the preview's controls say.
 struct PreviewSettings {
   std::string scheduler{"distance"};  ///< one of scheduler_names()
   int list_count{1};                  ///< 1 to kMostPreviewLists; two for "region"

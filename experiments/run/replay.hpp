@@ -29,6 +29,7 @@ struct TakenOut {
   std::string field;  ///< "position", ...
 };
 
+/// What a replay found so far.
 struct ReplayResult {
   std::int64_t steps{0};  ///< simulated, the start not counted
   std::optional<Divergence> divergence;

@@ -20,6 +20,7 @@
 
 namespace impetus::inline run {
 
+/// Owns a scene's world, rule for regions and budget, and steps it.
 class SceneRun {
  public:
   /// Stands at the scene's start. Random regions follow from `seed`, the trial's. `clock` times a

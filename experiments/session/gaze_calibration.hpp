@@ -73,6 +73,7 @@ std::vector<ScreenPoint> nine_points(const ScreenGeometry& screen, double share)
 /// The run with every sample corrected.
 PointRun corrected(PointRun run, const GazeCorrection& correction);
 
+/// Calibrates, validates and checks for drift within a session.
 class GazeCalibration {
  public:
   /// All must outlive this; `ports` must have a gaze and gets the corrections. `seed` is the
@@ -88,6 +89,7 @@ class GazeCalibration {
   bool check_drift(std::int64_t before_slot);
 
  private:
+  /// When in the session a calibration was made, and the how manieth it was there.
   struct Occasion {
     std::int64_t before_slot{0};
     std::int64_t number{1};

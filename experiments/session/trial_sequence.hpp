@@ -45,6 +45,7 @@ struct GazeTroubles {
   std::int64_t repeated_trials{0};  ///< attempts shown again for that
 };
 
+/// Shows the waiting trials of a phase in their order, with breaks and adaptive levels.
 class TrialSequence {
  public:
   /// `levels` as the answers of earlier sessions left them.

@@ -43,11 +43,13 @@ struct PartedTrial {
   double share_together{1.0};      ///< of the bodies, at the end
 };
 
+/// The trials of one setting.
 struct PartedTrials {
   PartingSetting setting;
   std::vector<PartedTrial> trials;  ///< by start
 };
 
+/// Which settings to try, from how many starts, and when bodies count as parted.
 struct PartingRequest {
   std::vector<PartingSetting> settings;  ///< of one kind one after the other
   std::int64_t starts{5};

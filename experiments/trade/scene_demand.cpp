@@ -31,6 +31,7 @@ std::vector<double> step_times_ms(const StagedScene& scene, const Clock& clock, 
 
 std::vector<TradeRow> run_rows(const std::string& title, const TradeOption& option,
                                const std::vector<double>& times_ms) {
+  /// A quantile of the steps' times, by name.
   struct Statistic {
     const char* name;
     double p;

@@ -28,6 +28,7 @@ struct BodyMeeting {
   MeetingMotion motion;
 };
 
+/// What a scene asked of collision handling in all its steps.
 struct SceneDemand {
   std::vector<BodyMeeting> meetings;  ///< of two bodies, in their order in time
   /// Pairs of bodies that refinement begins with, in each step that has any.

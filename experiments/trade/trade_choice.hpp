@@ -37,6 +37,7 @@ std::string two_digits(double value);
 /// The same, or "< 0.1" of what is less than `least`.
 std::string two_digits_from(double least, double value);
 
+/// What to choose within one budget, and what it took when the scene ran with it.
 struct TradeChoice {
   double budget_ms{0.0};
   TradeOption option;

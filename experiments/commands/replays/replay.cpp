@@ -98,6 +98,7 @@ int fill_truth(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   return status;
 }
 
+/// What `impetus replay` was asked for.
 struct ReplayOptions {
   std::string study;
   std::optional<std::int64_t> trial;

@@ -36,6 +36,7 @@ using nlohmann::json;
 constexpr const char* kLedgerName = "power.sqlite";
 constexpr const char* kScratch = "simulating-";  ///< and the process's mark
 
+/// What `impetus power` was asked for.
 struct PowerOptions {
   std::string protocol;
   std::string observer;

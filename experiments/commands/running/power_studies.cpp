@@ -33,6 +33,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Threads that take studies from the ledger, simulate and test them, until none is missing.
 class PowerStudies {
  public:
   PowerStudies(const PowerWork& work, PowerLedger& ledger)

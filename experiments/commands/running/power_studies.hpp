@@ -15,6 +15,7 @@
 
 namespace impetus::inline commands {
 
+/// All that simulating the studies of a power analysis needs.
 struct PowerWork {
   RunPart planted;  ///< with the observer
   RunPart without;  ///< with the observer without the effect

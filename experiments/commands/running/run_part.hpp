@@ -16,6 +16,7 @@
 
 namespace impetus::inline commands {
 
+/// What `impetus run` was asked for.
 struct RunOptions {
   std::string protocol;  ///< or a series of them
   std::string database{"study.sqlite"};

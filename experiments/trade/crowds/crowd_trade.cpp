@@ -179,6 +179,7 @@ class Trajectory {
   std::optional<GazeRegion> region_;
 };
 
+/// Takes the scene along its trajectory and tries the orders on sampled steps.
 class Crowd {
  public:
   Crowd(const StagedScene& scene, const CrowdRequest& request, const Clock& clock,

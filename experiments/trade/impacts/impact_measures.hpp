@@ -103,6 +103,7 @@ struct BoundsMeasures {
   std::vector<double> gaps_arcmin;
 };
 
+/// The errors of all impacts, one value an impact.
 struct ErrorSamples {
   std::vector<double> normal_deg;
   std::vector<double> point;
@@ -123,6 +124,7 @@ struct ContactMeasures {
   ErrorSamples finest;           ///< against the finest level that was measured of this kind
 };
 
+/// All that was measured of a pair of bodies, or of several pairs together.
 struct ImpactMeasures {
   std::string subject;
   bool spins{true};  ///< something can turn one of the bodies

@@ -12,6 +12,7 @@
 
 namespace impetus::inline trade {
 
+/// The bodies of a scene, each with a tree of every kind that is to be measured.
 struct TradeBodies {
   std::vector<ImpactBody> alike;      ///< one for all bodies that are alike
   std::vector<std::size_t> alike_of;  ///< by body of the scene: which of them it is
