@@ -133,4 +133,39 @@ ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const Tri
   return best;
 }
 
+ClosestPoints ball_distance(const TriangleMesh& mesh, const Pose& pose, const Vector3& centre,
+                            double radius_m) {
+  assert(!mesh.triangles.empty());
+  const Vector3 centre_B = pose.orientation.conjugate() * (centre - pose.position);
+  Vector3 nearest_B = mesh.vertices[mesh.triangles.front()[0]];
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3 point_B =
+        closest_on_triangle({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, centre_B);
+    if ((point_B - centre_B).squaredNorm() < (nearest_B - centre_B).squaredNorm()) {
+      nearest_B = point_B;
+    }
+  }
+  const Vector3 on_mesh = pose.transform(nearest_B);
+  const double from_centre_m = (on_mesh - centre).norm();
+  if (from_centre_m <= radius_m) {
+    return {0.0, on_mesh, on_mesh};
+  }
+  return {from_centre_m - radius_m, on_mesh,
+          centre + radius_m / from_centre_m * (on_mesh - centre)};
+}
+
+std::optional<FirstTouch> first_touch(const ClosestAtWay& closest_at, double gap_m,
+                                      double farthest_m) {
+  constexpr int kMostMoves = 400;
+  double way_m = 0.0;
+  for (int move = 0; move < kMostMoves && way_m <= farthest_m; ++move) {
+    const ClosestPoints closest = closest_at(way_m);
+    if (closest.distance_m <= gap_m) {
+      return closest.distance_m > 0.0 ? std::optional(FirstTouch{way_m, closest}) : std::nullopt;
+    }
+    way_m += closest.distance_m - 0.5 * gap_m;
+  }
+  return std::nullopt;
+}
+
 }  // namespace impetus::inline shapes

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 
 namespace impetus::inline shapes {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline shapes {
 namespace {

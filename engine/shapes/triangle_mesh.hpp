@@ -1,5 +1,5 @@
-// A triangle mesh in memory, and whether its surface encloses a solid.
-// SPDX-License-Identifier: MIT
+// A triangle mesh in memory, whether its surface encloses a solid, and the triangles that add
+// nothing to it: without area, or there already. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -32,5 +32,17 @@ struct MeshDefects {
 
 /// Counts the defects of a mesh. Every vertex index must be within `vertices`.
 MeshDefects find_defects(const TriangleMesh& mesh);
+
+/// Whether the triangle has a repeated vertex or no area.
+bool is_degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
+
+/// Removes triangles that are degenerate; returns how many.
+std::int64_t drop_degenerate(TriangleMesh& mesh);
+
+/// Removes triangles with the vertices of an earlier one, either way round; returns how many.
+std::int64_t drop_duplicates(TriangleMesh& mesh);
+
+/// How many drop_duplicates() would remove.
+std::int64_t count_duplicates(const TriangleMesh& mesh);
 
 }  // namespace impetus::inline shapes

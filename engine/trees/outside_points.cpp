@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/numerics/cube_root.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline trees {
 

@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -33,5 +34,24 @@ Vector3 corner(const Enclosure& enclosure, int index);
 /// The cube or the frustum when that is what there is, else null; lives as long as `enclosure`.
 const ClosedCube* closed_cube(const std::optional<Enclosure>& enclosure);
 const ViewFrustum* view_frustum(const std::optional<Enclosure>& enclosure);
+
+class WallReach {
+ public:
+  /// `walls` must outlive this.
+  explicit WallReach(const Enclosure& walls);
+
+  /// As reaches_wall(walls, sphere), to the last bit.
+  [[nodiscard]] bool operator()(const Sphere& sphere) const;
+
+ private:
+  /// The points whose way along `outward` (unit) is `offset_m`.
+  struct Plane {
+    Vector3 outward{Vector3::UnitX()};
+    double offset_m{0.0};
+  };
+
+  const ClosedCube* cube_;  ///< null: the walls are `planes_`
+  std::array<Plane, kWallCount> planes_{};
+};
 
 }  // namespace impetus::inline volumes

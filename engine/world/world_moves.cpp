@@ -7,7 +7,7 @@
 
 #include "engine/collision/all_pairs.hpp"
 #include "engine/numerics/at.hpp"
-#include "engine/volumes/wall_reach.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "engine/world/world.hpp"
 
 namespace impetus::inline world {

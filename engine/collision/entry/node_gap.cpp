@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/volumes/closest_points.hpp"
 #include "engine/volumes/core_contact.hpp"
+#include "engine/volumes/core_distance.hpp"
 
 namespace impetus::inline collision {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/useless_triangles.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline shapes {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/mending/component_orientation.hpp"
-#include "engine/shapes/useless_triangles.hpp"
+#include "engine/shapes/mesh_components.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline shapes {
 namespace {

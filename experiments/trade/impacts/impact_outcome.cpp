@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/dynamics/net_contact.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline trade {
 

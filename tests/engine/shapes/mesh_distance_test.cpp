@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::mesh_distance_test {

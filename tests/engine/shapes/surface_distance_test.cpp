@@ -10,7 +10,7 @@
 
 #include "engine/shapes/point_in_solid.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::surface_distance_test {

@@ -14,8 +14,8 @@
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 #include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::octree_test {

@@ -1,9 +1,10 @@
-// A sphere-swept line or rectangle as a closed triangle mesh: a ball pulled apart.
+// Balls as closed triangle meshes: the icosphere, an icosahedron whose triangles are split into
+// four, and the ball pulled apart to a sphere-swept line or rectangle.
 //
 //    ( ball )   cut by x = 0 and y = 0   (  |  )  each quarter moved by the core's corner on its
 //    side
 //
-// No vertex of the ball lies on the cuts, so that every quarter moves whole and the cells that lie
+// No vertex of that ball lies on the cuts, so that every quarter moves whole and the cells that lie
 // across a cut become the flat sides. Convex, and inscribed: all vertices are on the swept surface.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -11,6 +12,10 @@
 #include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline shapes {
+
+/// 20 · 4^subdivisions outward triangles with their vertices on the sphere of `radius_m` about the
+/// origin; `subdivisions` from 0 to 7.
+TriangleMesh icosphere_mesh(double radius_m, int subdivisions);
 
 /// Outward triangles about the origin within everything that is `radius_m` or less from the
 /// rectangle |x| ≤ half_x_m, |y| ≤ half_y_m, z = 0; a half of zero makes it a line, both a ball.

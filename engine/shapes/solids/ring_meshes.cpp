@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 
 #include <cassert>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/solids/closed_tube.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline shapes {
 namespace {
@@ -37,6 +36,37 @@ Station station_at(double radius_m, double turn) {
 }
 
 }  // namespace
+
+TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides) {
+  const auto count = static_cast<std::uint32_t>(vertices.size());
+  const auto corners = static_cast<std::uint32_t>(sides);
+  assert(sides >= 3 && count % corners == 0 && count >= 3 * corners);
+  TriangleMesh mesh{std::move(vertices), {}};
+  for (std::uint32_t ring = 0; ring < count; ring += corners) {
+    const std::uint32_t ahead = (ring + corners) % count;
+    for (std::uint32_t corner = 0; corner < corners; ++corner) {
+      const std::uint32_t next = (corner + 1) % corners;
+      mesh.triangles.push_back({ring + corner, ring + next, ahead + next});
+      mesh.triangles.push_back({ring + corner, ahead + next, ahead + corner});
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh torus_mesh(double radius_m, double tube_m, int segments, int sides) {
+  assert(0.0 < tube_m && tube_m < radius_m && segments >= 3 && sides >= 3);
+  std::vector<Vector3> vertices;
+  for (int segment = 0; segment < segments; ++segment) {
+    const auto [sin_ring, cos_ring] = sine_cosine_deg(360.0 * segment / segments);
+    for (int side = 0; side < sides; ++side) {
+      const auto [sin_tube, cos_tube] = sine_cosine_deg(360.0 * side / sides);
+      // From outside upward is clockwise as seen from ahead, hence the minus.
+      const double from_axis_m = radius_m + tube_m * cos_tube;
+      vertices.emplace_back(from_axis_m * cos_ring, from_axis_m * sin_ring, -tube_m * sin_tube);
+    }
+  }
+  return closed_tube(std::move(vertices), sides);
+}
 
 TriangleMesh knot_mesh(double radius_m, double tube_m, int segments, int sides) {
   assert(0.0 < tube_m && tube_m <= kThickestKnot * radius_m && segments >= 32 && sides >= 3);

@@ -1,4 +1,5 @@
-// Sine, cosine and visual angle made of + − × ÷ alone: the same bits on every machine.
+// Sine, cosine, arc tangent, logarithms, exponential, cube root and the normal distribution made of
+// + − × ÷ alone: the same bits on every machine.
 //
 // The C library's functions differ between versions in the last bit, so nothing that decides a
 // step may use them.
@@ -28,5 +29,23 @@ double degrees(double angle_rad);
 /// Metres in the screen's plane that one degree of visual angle covers at its centre, for an eye
 /// `viewing_distance_m` away: 2 d tan(½°). Used as a linear scale, so 10° is ten times 1°.
 double metres_per_degree(double viewing_distance_m);
+
+/// e^x, relative error below 1e-15 where the result is a normal number; 0 and ∞ beyond the range.
+double exp_of(double x);
+
+/// log₁₀ of a positive number, error below 1e-15 of the larger of 1 and the result; −∞ of zero,
+/// not a number of a negative one.
+double log10_of(double x);
+
+/// Natural logarithm of a positive number, relative error below 1e-15; −∞ of zero, not a number of
+/// a negative one.
+double log_of(double x);
+
+/// Of a positive number, to within an ulp or two. (Newton's iteration)
+double cube_root(double x);
+
+/// Φ(z), the share of a standard normal distribution below z; relative error below 4e-15, in the
+/// lower tail too, as far down as −37.
+double cumulative_normal(double z);
 
 }  // namespace impetus::inline numerics
