@@ -14,7 +14,7 @@
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
 #include "engine/shapes/solids/ring_meshes.hpp"
-#include "engine/trees/built_tree.hpp"
+#include "engine/trees/node_description.hpp"
 
 namespace impetus {
 

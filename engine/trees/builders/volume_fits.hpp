@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/trees/builders/fitted_frames.hpp"
 #include "engine/trees/builders/part_shape.hpp"
-#include "engine/trees/builders/rough_distance.hpp"
+#include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/volumes/volume.hpp"
 
 namespace impetus::inline trees {

@@ -6,7 +6,7 @@
 
 #include "engine/trees/builders/part_halving.hpp"
 #include "engine/trees/node_description.hpp"
-#include "engine/trees/solid_requirement.hpp"
+#include "engine/trees/tree_settings.hpp"
 
 namespace impetus::inline trees {
 namespace {
