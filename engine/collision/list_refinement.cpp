@@ -2,15 +2,82 @@
 #include "engine/collision/list_refinement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 
-#include "engine/collision/list_shares.hpp"
-#include "engine/collision/waiting_pairs.hpp"
-
 namespace impetus::inline collision {
 namespace {
+
+// Which priority list gets the next block of work: the one furthest behind its share.
+//
+// What a finished list leaves of its share flows on to the next list in order.
+// (Dingliana 2002, sec. 5.1.2)
+
+class ListShares {
+ public:
+  /// `lists` must outlive this.
+  explicit ListShares(const std::vector<PriorityList>& lists);
+
+  /// `waits` says of each list whether any of its pairs waits for work, `work` how much it has got;
+  /// `work` may be empty when there is one list. Precondition: some list waits.
+  [[nodiscard]] std::size_t next_list(const std::array<bool, kMostLists>& waits,
+                                      const std::vector<std::int64_t>& work) const;
+
+ private:
+  [[nodiscard]] bool goes_before(std::size_t list, std::size_t other,
+                                 const std::array<double, kMostLists>& behind) const;
+  [[nodiscard]] std::array<double, kMostLists> behind_of(
+      const std::array<bool, kMostLists>& waits, const std::vector<std::int64_t>& work) const;
+
+  const std::vector<PriorityList>* lists_;
+  double sum_{0.0};
+};
+
+ListShares::ListShares(const std::vector<PriorityList>& lists) : lists_(&lists) {
+  for (const PriorityList& list : lists) {
+    sum_ += list.share;
+  }
+}
+
+std::size_t ListShares::next_list(const std::array<bool, kMostLists>& waits,
+                                  const std::vector<std::int64_t>& work) const {
+  const std::size_t count = lists_->size();
+  if (count == 1) {
+    return 0;
+  }
+  const std::array<double, kMostLists> behind = behind_of(waits, work);
+  std::size_t best = count;
+  for (std::size_t list = 0; list < count; ++list) {
+    if (waits[list] && (best == count || goes_before(list, best, behind))) {
+      best = list;
+    }
+  }
+  return best;
+}
+
+bool ListShares::goes_before(std::size_t list, std::size_t other,
+                             const std::array<double, kMostLists>& behind) const {
+  return behind[list] > behind[other] ||
+         (behind[list] == behind[other] && (*lists_)[list].share > (*lists_)[other].share);
+}
+
+/// Units that each list is owed: its share of what was spent, and what finished lists left.
+std::array<double, kMostLists> ListShares::behind_of(const std::array<bool, kMostLists>& waits,
+                                                     const std::vector<std::int64_t>& work) const {
+  const std::size_t count = lists_->size();
+  const auto in_all =
+      static_cast<double>(std::accumulate(work.begin(), work.end(), std::int64_t{0}));
+  std::array<double, kMostLists> behind{};
+  for (std::size_t list = 0; list < count; ++list) {
+    const double owed = (*lists_)[list].share / sum_ * in_all - static_cast<double>(work[list]);
+    std::size_t heir = list;
+    while (!waits[heir]) {
+      heir = (heir + 1) % count;
+    }
+    behind[heir] += owed;
+  }
+  return behind;
+}
 
 /// Brings every pair to its list's least level; returns how many are not resolved yet.
 std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,

@@ -60,4 +60,9 @@ ResponseResult respond(const std::vector<Contact>& contacts,
 ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
                        const std::vector<BodyModel>& models, std::vector<BodyState>& states);
 
+/// The direction of the impulses' sum, unit, and their mean place; of impulses that are all zero,
+/// the deepest contact. `impulse_Ns` (along each contact's normal) is as long as `contacts`, which
+/// must not be empty.
+TouchPoint net_contact(const std::vector<Contact>& contacts, const std::vector<double>& impulse_Ns);
+
 }  // namespace impetus::inline dynamics

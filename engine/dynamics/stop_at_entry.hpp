@@ -28,7 +28,6 @@
 #include <vector>
 
 #include "engine/collision/entry/time_of_entry.hpp"
-#include "engine/collision/entry/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"

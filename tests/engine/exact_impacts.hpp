@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/dynamics/net_contact.hpp"
+#include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"

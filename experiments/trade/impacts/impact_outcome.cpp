@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/dynamics/net_contact.hpp"
+#include "engine/dynamics/impulse.hpp"
 #include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline trade {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/collision/push_cone.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::torque_span_test {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/dynamics/islands.hpp"
 #include "engine/dynamics/nearest_velocities.hpp"
+#include "engine/dynamics/responder.hpp"
 #include "tests/engine/response_problems.hpp"
 
 namespace impetus::response_test {
