@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "engine/collision/contact_patches.hpp"
 

@@ -209,13 +209,4 @@ const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
   return done_;
 }
 
-WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings) {
-  ListRefinement refinement;
-  refinement.do_floor(pairs, lists, settings);
-  std::vector<std::size_t> as_they_come(pairs.size());
-  std::iota(as_they_come.begin(), as_they_come.end(), std::size_t{0});
-  return refinement.refine(pairs, lists, as_they_come, meter, settings);
-}
-
 }  // namespace impetus::inline collision

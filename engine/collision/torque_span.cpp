@@ -198,10 +198,4 @@ void TorqueSpan::keep_widest(std::vector<TouchPoint>& contacts, int most, double
   contacts.resize(kept_.size());
 }
 
-std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
-                                             double size_m) {
-  TorqueSpan().keep_widest(contacts, most, size_m);
-  return contacts;
-}
-
 }  // namespace impetus::inline collision

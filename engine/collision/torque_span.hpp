@@ -53,8 +53,4 @@ class TorqueSpan {
   PushCone cone_;
 };
 
-/// The same, of a list of its own.
-std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
-                                             double size_m);
-
 }  // namespace impetus::inline collision

@@ -15,17 +15,6 @@ double separation_speed(const Contact& contact, const std::vector<BodyModel>& mo
   return bodies.separation_speed(0);
 }
 
-ResponseResult respond(const std::vector<Contact>& contacts,
-                       const std::vector<double>& restitutions,
-                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
-  return Responder().respond(contacts, restitutions, {}, models, states);
-}
-
-ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
-                       const std::vector<BodyModel>& models, std::vector<BodyState>& states) {
-  return respond(contacts, std::vector<double>(contacts.size(), restitution), models, states);
-}
-
 TouchPoint net_contact(const std::vector<Contact>& contacts,
                        const std::vector<double>& impulse_Ns) {
   TouchPoint net{Vector3::Zero(), Vector3::Zero(), 0.0};

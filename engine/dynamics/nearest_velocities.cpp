@@ -191,22 +191,4 @@ void NearestVelocitySolver::let_go(std::size_t which) {
   }
 }
 
-NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
-                          double tolerance) {
-  RowColumns columns;
-  std::vector<double> bounds;
-  for (const ConstraintRow& row : rows) {
-    columns.push_back(row);
-    bounds.push_back(row.bound);
-  }
-  RowColumns unit;
-  std::vector<double> lengths;
-  unit.make_unit(columns, lengths);
-  std::vector<std::size_t> all(rows.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  NearestVelocitySolver solver;
-  const Projection outcome = solver.solve({unit, lengths, bounds}, all, u, tolerance);
-  return {outcome, solver.multipliers()};
-}
-
 }  // namespace impetus::inline dynamics

@@ -138,13 +138,4 @@ class NearestVelocitySolver {
   std::size_t steps_left_{0};
 };
 
-struct NearestVelocities {
-  Projection outcome{Projection::kSolved};
-  std::vector<double> multipliers;  ///< by row
-};
-
-/// One problem alone, of all the rows.
-NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
-                          double tolerance);
-
 }  // namespace impetus::inline dynamics

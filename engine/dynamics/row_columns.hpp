@@ -85,9 +85,6 @@ class RowColumns {
   /// A block of `count` rows at the end, to be filled.
   RowBlock& add_block(std::int32_t a, std::int32_t b, std::size_t count);
 
-  /// One row at the end; its bound is not kept.
-  void push_back(const ConstraintRow& row);
-
   [[nodiscard]] std::size_t size() const { return place_of_row_.size(); }
 
   /// Without a bound.

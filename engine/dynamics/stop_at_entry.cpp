@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <utility>
 
 #include "engine/dynamics/body_sets.hpp"
 #include "engine/numerics/at.hpp"
@@ -266,12 +264,6 @@ const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& stat
                               std::vector<PlacedTree>& placed, EntryMemory& memory) {
   StopsInOrder(step, states, placed, memory).run();
   return memory.result;
-}
-
-Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                       std::vector<PlacedTree>& placed) {
-  EntryMemory memory;
-  return stop_at_entry(step, states, placed, memory);
 }
 
 bool Stopping::lacked_tests(BodyPair bodies) const {

@@ -83,7 +83,4 @@ struct EntryMemory {
 const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                               std::vector<PlacedTree>& placed, EntryMemory& memory);
 
-Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                       std::vector<PlacedTree>& placed);
-
 }  // namespace impetus::inline dynamics

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/figures/hinge.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/numerics/elementary_functions.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/point_in_solid.hpp"
+#include "engine/shapes/surface_distance.hpp"
 
 namespace impetus::inline shapes {
 namespace {

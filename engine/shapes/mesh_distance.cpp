@@ -82,19 +82,6 @@ double upper_bound_m(const std::vector<PlacedTriangle>& a, const std::vector<Pla
 
 }  // namespace
 
-bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
-                const Pose& pose_b) {
-  const std::vector<PlacedTriangle> of_b = placed(b, pose_b);
-  for (const PlacedTriangle& one : placed(a, pose_a)) {
-    for (const PlacedTriangle& other : of_b) {
-      if (squared_box_distance(one, other) == 0.0 && triangles_cross(one.corners, other.corners)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
                             const Pose& pose_b) {
   assert(!a.triangles.empty() && !b.triangles.empty());

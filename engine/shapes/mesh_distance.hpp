@@ -17,10 +17,6 @@
 
 namespace impetus::inline shapes {
 
-/// Whether the surfaces cross. A mesh wholly inside another crosses nothing.
-bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
-                const Pose& pose_b);
-
 /// The distance between the surfaces and their closest points, in world; 0 and a common point when
 /// they cross. Both meshes need a triangle.
 ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,

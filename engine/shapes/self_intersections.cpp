@@ -144,15 +144,4 @@ SelfIntersections find_self_intersections(const TriangleMesh& mesh) {
   return mesh.triangles.empty() ? SelfIntersections{} : BoxTree(mesh).search();
 }
 
-SelfIntersections find_self_intersections_by_brute_force(const TriangleMesh& mesh) {
-  SelfIntersections found;
-  const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
-  for (std::uint32_t a = 0; a < triangles; ++a) {
-    for (std::uint32_t b = a + 1; b < triangles; ++b) {
-      count(mesh, a, b, found);
-    }
-  }
-  return found;
-}
-
 }  // namespace impetus::inline shapes

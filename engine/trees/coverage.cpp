@@ -2,7 +2,6 @@
 #include "engine/trees/coverage.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <utility>
 #include <vector>

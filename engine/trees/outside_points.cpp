@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/outside_points.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/numerics/elementary_functions.hpp"

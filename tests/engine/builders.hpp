@@ -11,6 +11,7 @@
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/octree.hpp"
 #include "engine/world/world.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

@@ -22,7 +22,6 @@
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/impulse.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
@@ -30,6 +29,8 @@
 #include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/triangle_mesh.hpp"
-
 namespace impetus::inline shapes {
 namespace {
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/shapes/mesh_components.hpp"
-#include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline shapes {
 namespace {

@@ -9,7 +9,6 @@
 #include "engine/trees/builders/octree.hpp"
 #include "engine/trees/builders/voxel_tree.hpp"
 #include "engine/trees/node_description.hpp"
-#include "engine/trees/tree_settings.hpp"
 
 namespace impetus::inline trees {
 namespace {

@@ -9,8 +9,6 @@
 #include "engine/trees/builders/part_halving.hpp"
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
-#include "engine/trees/node_description.hpp"
-#include "engine/trees/tree_settings.hpp"
 
 namespace impetus::inline trees {
 namespace {

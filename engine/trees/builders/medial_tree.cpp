@@ -12,9 +12,7 @@
 
 #include "engine/trees/builders/medial_balls.hpp"
 #include "engine/trees/builders/sphere_cover.hpp"
-#include "engine/trees/node_description.hpp"
 #include "engine/trees/surface_part.hpp"
-#include "engine/trees/tree_settings.hpp"
 #include "engine/volumes/sphere.hpp"
 
 namespace impetus::inline trees {

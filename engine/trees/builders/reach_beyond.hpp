@@ -5,7 +5,6 @@
 // times quicker and good where a volume is many cells wide. SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <vector>
 

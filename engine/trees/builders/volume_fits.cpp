@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/minimal_ball.hpp"
 
 namespace impetus::inline trees {

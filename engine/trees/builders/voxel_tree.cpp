@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "engine/trees/builders/part_halving.hpp"
-#include "engine/trees/node_description.hpp"
-#include "engine/trees/tree_settings.hpp"
 
 namespace impetus::inline trees {
 namespace {

@@ -10,6 +10,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::contact_model_test {
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::torque_span_test {
 

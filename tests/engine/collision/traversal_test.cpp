@@ -10,6 +10,7 @@
 #include "engine/collision/list_refinement.hpp"
 #include "engine/collision/waiting_pairs.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::traversal_test {
 

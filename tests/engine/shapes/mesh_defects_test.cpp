@@ -13,6 +13,7 @@
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/triangle_meeting.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::mesh_defects_test {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/point_in_solid.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/builders/build_tree.hpp"

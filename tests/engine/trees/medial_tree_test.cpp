@@ -18,6 +18,7 @@
 #include "engine/trees/builders/medial_balls.hpp"
 #include "engine/trees/builders/power_cells.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::medial_tree_test {
 

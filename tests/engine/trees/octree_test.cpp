@@ -13,10 +13,11 @@
 
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/shapes/mesh_distance.hpp"
-#include "engine/shapes/point_in_solid.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::octree_test {
 
