@@ -4,48 +4,11 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/collision/sphere_block.hpp"
 #include "engine/volumes/core.hpp"
 
 namespace impetus::inline collision {
 namespace {
-
-/// The nodes that stand for `index` one level deeper: its children, or itself when it has none.
-struct NodeRange {
-  std::int32_t first;
-  std::int32_t count;
-};
-
-SphereLanes from(const SphereLanes& lanes, std::int32_t index) {
-  return {lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
-}
-
-/// `placed` is null for walls, which have one node.
-NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
-  if (placed == nullptr) {
-    return {index, 1};
-  }
-  const NodeLinks& node = placed->tree().links(index);
-  return node.child_count > 0 ? NodeRange{node.first_child, node.child_count} : NodeRange{index, 1};
-}
-
-/// Adds what overlaps of a block of two trees of spheres, row by row.
-void add_overlaps_of_spheres(PlacedTree& a, const NodeRange& of_a, PlacedTree& b,
-                             const NodeRange& of_b, NodePairs& found) {
-  const SphereLanes rows = a.world_lanes(of_a.first, of_a.count);
-  const SphereLanes columns = b.world_lanes(of_b.first, of_b.count);
-  if (of_a.count <= kLanes && of_b.count <= kLanes) {
-    found.add_block({of_a.first, of_b.first},
-                    overlaps_of_block(rows, of_a.count, columns, of_b.count));
-    return;
-  }
-  for (std::int32_t row = 0; row < of_a.count; ++row) {
-    for (std::int32_t column = 0; column < of_b.count; column += kLanes) {
-      const std::int32_t count = std::min(of_b.count - column, kLanes);
-      found.add_block({of_a.first + row, of_b.first + column},
-                      overlaps_of_block(from(rows, row), /*rows=*/1, from(columns, column), count));
-    }
-  }
-}
 
 /// κ of the spheres about the nodes, (R_a + R_b − d) / (2 min(R_a, R_b)) in [0, 1], for it need
 /// only order the pairs.
@@ -161,18 +124,22 @@ void PairRefinement::refine_one_block() {
 }
 
 void PairRefinement::expand(const NodePair& pair) {
-  const NodeRange of_a = one_level_deeper(a_, pair.a);
-  const NodeRange of_b = one_level_deeper(b_, pair.b);
   if (of_spheres()) {
-    add_overlaps_of_spheres(*a_, of_a, *b_, of_b, expanding_);
+    for_each_block_below(*a_, *b_, pair, [this](const SphereBlock& block) {
+      expanding_.add_block(block.first,
+                           overlaps_of_block(block.a, block.rows, block.b, block.columns));
+    });
     return;
   }
-  a_->place_siblings(of_a.first, of_a.count);
+  const NodeLinks of_a = one_level_deeper(a_->tree(), pair.a);
+  const NodeLinks of_b =
+      b_ != nullptr ? one_level_deeper(b_->tree(), pair.b) : NodeLinks{pair.b, 1};  // of the walls
+  a_->place_siblings(of_a.first_child, of_a.child_count);
   if (b_ != nullptr) {
-    b_->place_siblings(of_b.first, of_b.count);
+    b_->place_siblings(of_b.first_child, of_b.child_count);
   }
-  for (std::int32_t i = of_a.first; i < of_a.first + of_a.count; ++i) {
-    for (std::int32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {
+  for (std::int32_t i = of_a.first_child; i < of_a.first_child + of_a.child_count; ++i) {
+    for (std::int32_t j = of_b.first_child; j < of_b.first_child + of_b.child_count; ++j) {
       if (b_ != nullptr ? nodes_overlap(*a_, i, *b_, j) : node_reaches_wall(*a_, i, *walls_)) {
         expanding_.add({i, j});
       }

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/body_sets.hpp"
 #include "engine/dynamics/contact_bodies.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/impulses_in_turn.hpp"
 #include "engine/dynamics/impulses_together.hpp"
+#include "engine/numerics/disjoint_sets.hpp"
 
 namespace impetus::inline dynamics {
 
@@ -32,7 +32,7 @@ class Islands {
  private:
   std::size_t island_of(const ContactArms& contact, const ContactBodies& bodies);
 
-  BodySets sets_{0};
+  DisjointSets sets_{0};
   std::vector<std::size_t> island_of_set_;
   std::vector<std::size_t> island_of_contact_;
   std::vector<std::size_t> first_{0};  ///< of `members_`, by island, and their end

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/mass_properties.hpp"
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

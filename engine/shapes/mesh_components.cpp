@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/numerics/disjoint_sets.hpp"
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/surface_distance.hpp"
 
@@ -15,25 +16,6 @@ namespace impetus::inline shapes {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// Sets of indices that grow together.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t member) {
-    while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];
-      member = parent_[member];
-    }
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The corners (3 · triangle + place) at the lesser and at the greater vertex of an edge.
 using EdgeCorners = std::pair<std::uint32_t, std::uint32_t>;
@@ -63,12 +45,12 @@ DisjointSets fans_of(const TriangleMesh& mesh, DisjointSets& triangles) {
 }
 
 std::int64_t count_pinched(const TriangleMesh& mesh, DisjointSets fans) {
-  std::vector<std::uint32_t> fan_of(mesh.vertices.size(), kNone);
+  std::vector<std::size_t> fan_of(mesh.vertices.size(), kNone);
   std::vector<bool> pinched(mesh.vertices.size(), false);
   std::int64_t count = 0;
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
     const std::uint32_t vertex = mesh.triangles[corner / 3][corner % 3];
-    const std::uint32_t fan = fans.root(corner);
+    const std::size_t fan = fans.name_of(corner);
     if (fan_of[vertex] == kNone) {
       fan_of[vertex] = fan;
     } else if (fan_of[vertex] != fan && !pinched[vertex]) {
@@ -143,7 +125,7 @@ MeshComponents find_components(const TriangleMesh& mesh) {
   result.pinched_vertices = count_pinched(mesh, fans_of(mesh, triangles));
   std::vector<std::uint32_t> number(mesh.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::uint32_t& of_root = number[triangles.root(t)];
+    std::uint32_t& of_root = number[triangles.name_of(t)];
     if (of_root == kNone) {
       of_root = result.count++;
     }

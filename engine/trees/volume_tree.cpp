@@ -16,8 +16,6 @@ constexpr std::uint32_t kKindBits = 3;
 constexpr std::uint32_t kKindMask = (1U << kKindBits) - 1;
 static_assert(std::variant_size_v<Volume> <= kKindMask + 1);
 
-std::size_t slot_of(std::int32_t index) { return static_cast<std::size_t>(index); }
-
 bool of_one_kind(const std::vector<Volume>& volumes) {
   return std::all_of(volumes.begin(), volumes.end(), [&](const Volume& volume) {
     return volume.index() == volumes.front().index();
@@ -57,13 +55,15 @@ bool levels_match(const std::vector<NodeLinks>& links, const std::vector<std::in
   return begin == end;
 }
 
-std::vector<Volume> volumes_of(const std::vector<VolumeNode>& nodes) {
-  std::vector<Volume> volumes;
-  volumes.reserve(nodes.size());
+/// One member of every node.
+template <typename Member>
+std::vector<Member> each(const std::vector<VolumeNode>& nodes, Member VolumeNode::*member) {
+  std::vector<Member> members;
+  members.reserve(nodes.size());
   for (const VolumeNode& node : nodes) {
-    volumes.push_back(node.volume);
+    members.push_back(node.*member);
   }
-  return volumes;
+  return members;
 }
 
 std::vector<NodeLinks> links_of(const std::vector<VolumeNode>& nodes) {
@@ -75,25 +75,11 @@ std::vector<NodeLinks> links_of(const std::vector<VolumeNode>& nodes) {
   return links;
 }
 
-std::vector<NodeSurface> surfaces_of(const std::vector<VolumeNode>& nodes) {
-  std::vector<NodeSurface> surfaces;
-  surfaces.reserve(nodes.size());
-  for (const VolumeNode& node : nodes) {
-    surfaces.push_back(node.surface);
-  }
-  return surfaces;
-}
-
 }  // namespace
 
-NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes) {
+NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes)
+    : size_(static_cast<std::int32_t>(volumes.size())) {
   const bool one_kind = of_one_kind(volumes);
-  const auto store = [&](auto& array, const auto& volume, std::uint32_t kind) {
-    if (!one_kind) {
-      slots_.push_back(kind | static_cast<std::uint32_t>(array.size()) << kKindBits);
-    }
-    array.push_back(volume);
-  };
   if (one_kind && !volumes.empty() && std::holds_alternative<Sphere>(volumes.front())) {
     for (const Volume& volume : volumes) {
       all_spheres_.add(std::get<Sphere>(volume));
@@ -101,41 +87,34 @@ NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes) {
     return;
   }
   for (const Volume& volume : volumes) {
-    const auto kind = static_cast<std::uint32_t>(volume.index());
-    switch (kind) {
-      case 0:
-        store(spheres_, std::get<0>(volume), kind);
-        break;
-      case 1:
-        store(lines_, std::get<1>(volume), kind);
-        break;
-      case 2:
-        store(rectangles_, std::get<2>(volume), kind);
-        break;
-      case 3:
-        store(boxes_, std::get<3>(volume), kind);
-        break;
-      default:
-        store(cubes_, std::get<4>(volume), kind);
-        break;
-    }
+    only_kind_ = volume.index();
+    const auto store = [&]<typename Kind>(const Kind& one) {
+      auto& array = std::get<std::vector<Kind>>(arrays_);
+      if (!one_kind) {
+        slots_.push_back(static_cast<std::uint32_t>(only_kind_ | array.size() << kKindBits));
+      }
+      array.push_back(one);
+    };
+    std::visit(store, volume);
   }
 }
 
 NodeVolumes::NodeVolumes(const VoxelGrid& grid, std::vector<std::uint32_t> cells,
                          std::vector<std::int32_t> level_starts)
-    : grid_(grid), cells_(std::move(cells)), level_starts_(std::move(level_starts)) {
-  const auto count = static_cast<std::int32_t>(cells_.size());
+    : size_(static_cast<std::int32_t>(cells.size())),
+      grid_(grid),
+      cells_(std::move(cells)),
+      level_starts_(std::move(level_starts)) {
   if (grid_.divisions < 2 || !(grid_.edge_m > 0.0) || level_starts_.empty() ||
-      level_starts_.front() != 0 || level_starts_.back() >= count ||
+      level_starts_.front() != 0 || level_starts_.back() >= size_ ||
       !std::is_sorted(level_starts_.begin(), level_starts_.end())) {
     throw std::invalid_argument("voxel tree: expected a grid and the first node of each level");
   }
   std::uint64_t along = 1;
   for (std::size_t level = 0; level < level_starts_.size(); ++level) {
-    const std::int32_t end = level + 1 < level_starts_.size() ? level_starts_[level + 1] : count;
+    const std::int32_t end = level + 1 < level_starts_.size() ? level_starts_[level + 1] : size_;
     for (std::int32_t node = level_starts_[level]; node < end; ++node) {
-      if (cells_[slot_of(node)] >= along * along * along) {
+      if (cells_[static_cast<std::size_t>(node)] >= along * along * along) {
         throw std::invalid_argument("voxel tree: node " + std::to_string(node) +
                                     " lies outside its level's grid");
       }
@@ -154,7 +133,7 @@ Cube NodeVolumes::voxel(std::int32_t node) const {
        ++level) {
     along *= static_cast<std::uint32_t>(grid_.divisions);
   }
-  const std::uint32_t cell = cells_[slot_of(node)];
+  const std::uint32_t cell = cells_[static_cast<std::size_t>(node)];
   const std::uint32_t row = cell / along;
   const std::uint32_t layer = row / along;
   const Vector3 place(cell % along, row % along, layer);
@@ -163,60 +142,27 @@ Cube NodeVolumes::voxel(std::int32_t node) const {
           0.5 * edge_m + kVoxelMargin * grid_.edge_m, Quaternion::Identity()};
 }
 
-std::int32_t NodeVolumes::size() const {
-  const std::size_t stored =
-      are_voxels() ? cells_.size()
-      : slots_.empty()
-          ? all_spheres_.size() + lines_.size() + rectangles_.size() + boxes_.size() + cubes_.size()
-          : slots_.size();
-  return static_cast<std::int32_t>(stored);
-}
-
 Volume NodeVolumes::at(std::int32_t node) const {
   if (are_voxels()) {
     return voxel(node);
   }
-  std::size_t element = static_cast<std::size_t>(node);
-  if (!slots_.empty()) {
-    const std::uint32_t slot = slots_[element];
-    element = slot >> kKindBits;
-    switch (slot & kKindMask) {
-      case 0:
-        return spheres_[element];
-      case 1:
-        return lines_[element];
-      case 2:
-        return rectangles_[element];
-      case 3:
-        return boxes_[element];
-      default:
-        return cubes_[element];
-    }
-  }
+  const auto index = static_cast<std::size_t>(node);
   if (!all_spheres_.empty()) {
-    return all_spheres_.at(element);
+    return all_spheres_.at(index);
   }
-  if (!lines_.empty()) {
-    return lines_[element];
-  }
-  if (!rectangles_.empty()) {
-    return rectangles_[element];
-  }
-  if (!boxes_.empty()) {
-    return boxes_[element];
-  }
-  return cubes_[element];
+  return slots_.empty() ? element(only_kind_, index)
+                        : element(slots_[index] & kKindMask, slots_[index] >> kKindBits);
 }
 
 std::size_t NodeVolumes::bytes() const {
-  return all_spheres_.bytes() + bytes_of(spheres_) + bytes_of(lines_) + bytes_of(rectangles_) +
-         bytes_of(boxes_) + bytes_of(cubes_) + bytes_of(slots_) + bytes_of(cells_) +
-         (are_voxels() ? bytes_of(level_starts_) : 0);
+  const auto bytes_of_all = [](const auto&... arrays) { return (bytes_of(arrays) + ...); };
+  return all_spheres_.bytes() + std::apply(bytes_of_all, arrays_) + bytes_of(slots_) +
+         bytes_of(cells_) + (are_voxels() ? bytes_of(level_starts_) : 0);
 }
 
 VolumeTree::VolumeTree(const std::vector<VolumeNode>& nodes, std::vector<std::int32_t> level_starts)
-    : VolumeTree(NodeVolumes(volumes_of(nodes)), links_of(nodes), surfaces_of(nodes),
-                 std::move(level_starts)) {}
+    : VolumeTree(NodeVolumes(each(nodes, &VolumeNode::volume)), links_of(nodes),
+                 each(nodes, &VolumeNode::surface), std::move(level_starts)) {}
 
 VolumeTree::VolumeTree(NodeVolumes volumes, std::vector<NodeLinks> links,
                        std::vector<NodeSurface> surfaces, std::vector<std::int32_t> level_starts)

@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "engine/numerics/at.hpp"
@@ -54,7 +55,7 @@ class NodeVolumes {
   NodeVolumes(const VoxelGrid& grid, std::vector<std::uint32_t> cells,
               std::vector<std::int32_t> level_starts);
 
-  [[nodiscard]] std::int32_t size() const;
+  [[nodiscard]] std::int32_t size() const { return size_; }
   [[nodiscard]] Volume at(std::int32_t node) const;
 
   /// Node by node when all are spheres, else empty.
@@ -69,13 +70,25 @@ class NodeVolumes {
  private:
   [[nodiscard]] Cube voxel(std::int32_t node) const;
 
-  SphereArrays all_spheres_;     ///< when there is nothing else
-  std::vector<Sphere> spheres_;  ///< among other kinds
-  std::vector<LineSwept> lines_;
-  std::vector<RectangleSwept> rectangles_;
-  std::vector<Box> boxes_;
-  std::vector<Cube> cubes_;
+  /// A vector for each kind of volume, in their order.
+  template <typename... Kinds>
+  static std::tuple<std::vector<Kinds>...> arrays_of(const std::variant<Kinds...>&);
+
+  template <std::size_t kKind = 0>
+  [[nodiscard]] Volume element(std::size_t kind, std::size_t index) const {
+    if constexpr (kKind + 1 < std::variant_size_v<Volume>) {
+      if (kind != kKind) {
+        return element<kKind + 1>(kind, index);
+      }
+    }
+    return std::get<kKind>(arrays_)[index];
+  }
+
+  SphereArrays all_spheres_;  ///< when there is nothing else
+  decltype(arrays_of(Volume())) arrays_;
   std::vector<std::uint32_t> slots_;  ///< empty for nodes of one kind
+  std::size_t only_kind_{0};          ///< of those
+  std::int32_t size_{0};
 
   VoxelGrid grid_;
   std::vector<std::uint32_t> cells_;

@@ -17,7 +17,7 @@
 namespace impetus::inline volumes {
 
 /// Each kind answers the questions below in a file of its own, and has a row in the table of pairs
-/// (see pair_procedures.hpp).
+/// in the source.
 using Volume = std::variant<Sphere, LineSwept, RectangleSwept, Box, Cube>;
 
 /// The smallest sphere about the volume's centre that holds it.

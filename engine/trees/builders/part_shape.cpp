@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/volumes/core.hpp"
+
 namespace impetus::inline trees {
 namespace {
 
@@ -162,12 +164,6 @@ double area_along(const std::vector<Point>& hull, double x, double y) {
   return (most_along - least_along) * (most_across - least_across);
 }
 
-Vector3 across(const Vector3& normal) {
-  int smallest = 0;
-  normal.cwiseAbs().minCoeff(&smallest);
-  return normal.cross(Vector3::Unit(smallest)).normalized();
-}
-
 }  // namespace
 
 Matrix3 eigenvectors_of(Matrix3 symmetric) {
@@ -224,7 +220,7 @@ PartShape shape_of(const SurfacePart& part) {
 }
 
 Matrix3 least_rectangle_frame(const std::vector<Vector3>& points, const Vector3& normal) {
-  const Vector3 u = across(normal);
+  const Vector3 u = unit_across(normal);
   const Vector3 v = normal.cross(u);
   std::vector<Point> flat;
   flat.reserve(points.size());
