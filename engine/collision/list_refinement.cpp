@@ -16,68 +16,56 @@ namespace {
 class ListShares {
  public:
   /// `lists` must outlive this.
-  explicit ListShares(const std::vector<PriorityList>& lists);
+  explicit ListShares(const std::vector<PriorityList>& lists) : lists_(&lists) {
+    for (const PriorityList& list : lists) {
+      sum_ += list.share;
+    }
+  }
 
   /// `waits` says of each list whether any of its pairs waits for work, `work` how much it has got;
   /// `work` may be empty when there is one list. Precondition: some list waits.
   [[nodiscard]] std::size_t next_list(const std::array<bool, kMostLists>& waits,
-                                      const std::vector<std::int64_t>& work) const;
+                                      const std::vector<std::int64_t>& work) const {
+    const std::size_t count = lists_->size();
+    if (count == 1) {
+      return 0;
+    }
+    const std::array<double, kMostLists> behind = units_behind(waits, work);
+    const auto goes_before = [&](std::size_t list, std::size_t other) {
+      return behind[list] > behind[other] ||
+             (behind[list] == behind[other] && (*lists_)[list].share > (*lists_)[other].share);
+    };
+    std::size_t best = count;
+    for (std::size_t list = 0; list < count; ++list) {
+      if (waits[list] && (best == count || goes_before(list, best))) {
+        best = list;
+      }
+    }
+    return best;
+  }
 
  private:
-  [[nodiscard]] bool goes_before(std::size_t list, std::size_t other,
-                                 const std::array<double, kMostLists>& behind) const;
-  [[nodiscard]] std::array<double, kMostLists> behind_of(
-      const std::array<bool, kMostLists>& waits, const std::vector<std::int64_t>& work) const;
+  /// What each list is owed: its share of what was spent, and what finished lists left.
+  [[nodiscard]] std::array<double, kMostLists> units_behind(
+      const std::array<bool, kMostLists>& waits, const std::vector<std::int64_t>& work) const {
+    const std::size_t count = lists_->size();
+    const auto in_all =
+        static_cast<double>(std::accumulate(work.begin(), work.end(), std::int64_t{0}));
+    std::array<double, kMostLists> behind{};
+    for (std::size_t list = 0; list < count; ++list) {
+      const double owed = (*lists_)[list].share / sum_ * in_all - static_cast<double>(work[list]);
+      std::size_t heir = list;
+      while (!waits[heir]) {
+        heir = (heir + 1) % count;
+      }
+      behind[heir] += owed;
+    }
+    return behind;
+  }
 
   const std::vector<PriorityList>* lists_;
   double sum_{0.0};
 };
-
-ListShares::ListShares(const std::vector<PriorityList>& lists) : lists_(&lists) {
-  for (const PriorityList& list : lists) {
-    sum_ += list.share;
-  }
-}
-
-std::size_t ListShares::next_list(const std::array<bool, kMostLists>& waits,
-                                  const std::vector<std::int64_t>& work) const {
-  const std::size_t count = lists_->size();
-  if (count == 1) {
-    return 0;
-  }
-  const std::array<double, kMostLists> behind = behind_of(waits, work);
-  std::size_t best = count;
-  for (std::size_t list = 0; list < count; ++list) {
-    if (waits[list] && (best == count || goes_before(list, best, behind))) {
-      best = list;
-    }
-  }
-  return best;
-}
-
-bool ListShares::goes_before(std::size_t list, std::size_t other,
-                             const std::array<double, kMostLists>& behind) const {
-  return behind[list] > behind[other] ||
-         (behind[list] == behind[other] && (*lists_)[list].share > (*lists_)[other].share);
-}
-
-/// Units that each list is owed: its share of what was spent, and what finished lists left.
-std::array<double, kMostLists> ListShares::behind_of(const std::array<bool, kMostLists>& waits,
-                                                     const std::vector<std::int64_t>& work) const {
-  const std::size_t count = lists_->size();
-  const auto in_all =
-      static_cast<double>(std::accumulate(work.begin(), work.end(), std::int64_t{0}));
-  std::array<double, kMostLists> behind{};
-  for (std::size_t list = 0; list < count; ++list) {
-    const double owed = (*lists_)[list].share / sum_ * in_all - static_cast<double>(work[list]);
-    std::size_t heir = list;
-    while (!waits[heir]) {
-      heir = (heir + 1) % count;
-    }
-    behind[heir] += owed;
-  }
-  return behind;
-}
 
 /// Brings every pair to its list's least level; returns how many are not resolved yet.
 std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,

@@ -137,10 +137,10 @@ constexpr double kAddsNothing = 1e-6;
 
 }  // namespace
 
-double PushCone::distance(const Wrench& wrench) const {
-  NearestPush nearest(generators_, wrench);
+double distance_from_cone(const std::vector<Wrench>& generators, const Wrench& wrench) {
+  NearestPush nearest(generators, wrench);
   // In exact numbers each set of members comes but once; the bound is against rounding.
-  const std::size_t most_rounds = 3 * generators_.size();
+  const std::size_t most_rounds = 3 * generators.size();
   for (std::size_t round = 0; round < most_rounds && nearest.go_nearer(); ++round) {
   }
   return nearest.distance();
@@ -165,7 +165,7 @@ std::size_t TorqueSpan::furthest() const {
   std::size_t furthest = wrenches_.size();
   double most = kAddsNothing;
   for (std::size_t i = 0; i < wrenches_.size(); ++i) {
-    const double distance = cone_.distance(wrenches_[i]);
+    const double distance = distance_from_cone(cone_, wrenches_[i]);
     if (distance > most) {
       furthest = i;
       most = distance;
@@ -189,7 +189,7 @@ void TorqueSpan::keep_widest(std::vector<TouchPoint>& contacts, int most, double
   for (auto next = static_cast<std::size_t>(deepest - contacts.begin());
        next < contacts.size() && kept_.size() < limit; next = furthest()) {
     kept_.push_back(next);
-    cone_.add(wrenches_[next]);
+    cone_.push_back(wrenches_[next]);
   }
   std::sort(kept_.begin(), kept_.end());
   for (std::size_t i = 0; i < kept_.size(); ++i) {

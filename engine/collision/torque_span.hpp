@@ -22,20 +22,10 @@ namespace impetus::inline collision {
 /// A push and its torque over the body's size, which makes them comparable.
 using Wrench = Eigen::Matrix<double, 6, 1>;
 
-class PushCone {
- public:
-  void clear() { generators_.clear(); }
-
-  /// Adds a generator, of any length but zero.
-  void add(const Wrench& wrench) { generators_.push_back(wrench); }
-
-  /// The distance of `wrench` from the nearest Σ λ_i w_i with all λ_i ≥ 0: exact to rounding.
-  /// (Lawson and Hanson 1974, ch. 23: non-negative least squares)
-  [[nodiscard]] double distance(const Wrench& wrench) const;
-
- private:
-  std::vector<Wrench> generators_;
-};
+/// The distance of `wrench` from the nearest Σ λ_i w_i with all λ_i ≥ 0, the w_i the `generators`
+/// of the cone, of any length but zero: exact to rounding. (Lawson and Hanson 1974, ch. 23:
+/// non-negative least squares)
+double distance_from_cone(const std::vector<Wrench>& generators, const Wrench& wrench);
 
 /// Finds them in memory that it keeps.
 class TorqueSpan {
@@ -50,7 +40,7 @@ class TorqueSpan {
 
   std::vector<Wrench> wrenches_;
   std::vector<std::size_t> kept_;
-  PushCone cone_;
+  std::vector<Wrench> cone_;  ///< of those kept
 };
 
 }  // namespace impetus::inline collision

@@ -64,26 +64,14 @@ const ResponseResult& Responder::respond(const std::vector<Contact>& contacts,
                                          const std::vector<BodyModel>& models,
                                          std::vector<BodyState>& states) {
   bodies_.gather(contacts, models, states);
-  note_incoming();
+  note_incoming(bodies_, contacts.size(), result_);
   if (rules.method == ResponseMethod::kInTurn) {
     respond_in_turn(restitutions, rules, states);
   } else {
     respond_together(contacts, restitutions, rules, states);
   }
-  note_residual();
+  note_residual(bodies_, result_);
   return result_;
-}
-
-void Responder::note_incoming() {
-  const std::size_t count = bodies_.contact_count();
-  result_.impulse_Ns.assign(count, 0.0);
-  result_.approach_m_s.clear();
-  result_.fastest_m_s = 0.0;
-  result_.residual_approach_m_s = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    result_.fastest_m_s = std::max(result_.fastest_m_s, bodies_.incoming_speed(i));
-    result_.approach_m_s.push_back(std::max(0.0, -bodies_.separation_speed(i)));
-  }
 }
 
 void Responder::respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
@@ -110,16 +98,6 @@ void Responder::respond_together(const std::vector<Contact>& contacts,
       looked_at = true;
     }
     in_turn_.respond(members, restitutions, rules, bodies_, states, result_.impulse_Ns);
-  }
-}
-
-void Responder::note_residual() {
-  for (std::size_t i = 0; i < bodies_.contact_count(); ++i) {
-    result_.residual_approach_m_s =
-        std::max(result_.residual_approach_m_s, -bodies_.separation_speed(i));
-  }
-  if (result_.residual_approach_m_s <= kNegligibleApproach * result_.fastest_m_s) {
-    result_.residual_approach_m_s = 0.0;
   }
 }
 

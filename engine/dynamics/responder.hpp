@@ -52,13 +52,11 @@ class Responder {
                                 std::vector<BodyState>& states);
 
  private:
-  void note_incoming();
   void respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
                        std::vector<BodyState>& states);
   void respond_together(const std::vector<Contact>& contacts,
                         const std::vector<double>& restitutions, const ResponseRules& rules,
                         std::vector<BodyState>& states);
-  void note_residual();
 
   ContactBodies bodies_;
   Islands islands_;

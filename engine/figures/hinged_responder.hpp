@@ -159,7 +159,6 @@ class HingedResponder {
   ImpulsesInTurn<HingedBodies> in_turn_;
   std::vector<std::size_t> all_;
   std::vector<double> restitutions_;
-  std::vector<double> impulses_;
   ResponseResult result_;
 };
 
