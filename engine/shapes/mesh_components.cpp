@@ -67,8 +67,7 @@ constexpr std::size_t kVerticesTried = 16;
 /// A component looking outward, whichever way it was.
 struct Shell {
   TriangleMesh mesh;
-  Vector3 least;
-  Vector3 most;
+  Bounds bounds;
   double volume_m3{0.0};  // as it was
   bool flat{false};
 };
@@ -84,15 +83,9 @@ double area_of(const TriangleMesh& mesh) {
 
 Shell shell_of(TriangleMesh mesh) {
   Shell shell;
-  shell.least = mesh.vertices.front();
-  shell.most = mesh.vertices.front();
-  for (const Vector3& vertex : mesh.vertices) {
-    shell.least = shell.least.cwiseMin(vertex);
-    shell.most = shell.most.cwiseMax(vertex);
-  }
+  shell.bounds = bounds_of(mesh.vertices);
   shell.volume_m3 = solid_of(mesh, /*density_kg_m3=*/1.0).volume_m3;
-  shell.flat =
-      std::abs(shell.volume_m3) <= kFlattest * area_of(mesh) * (shell.most - shell.least).norm();
+  shell.flat = std::abs(shell.volume_m3) <= kFlattest * area_of(mesh) * shell.bounds.sides().norm();
   if (shell.volume_m3 < 0.0) {
     for (auto& triangle : mesh.triangles) {
       std::swap(triangle[1], triangle[2]);
@@ -103,8 +96,8 @@ Shell shell_of(TriangleMesh mesh) {
 }
 
 bool is_inside(const Shell& inner, const Shell& outer) {
-  if (outer.flat || (inner.least.array() < outer.least.array()).any() ||
-      (inner.most.array() > outer.most.array()).any()) {
+  if (outer.flat || (inner.bounds.least.array() < outer.bounds.least.array()).any() ||
+      (inner.bounds.most.array() > outer.bounds.most.array()).any()) {
     return false;
   }
   const std::size_t vertices = inner.mesh.vertices.size();

@@ -42,6 +42,25 @@ std::int64_t drop(TriangleMesh& mesh, IsUseless is_useless) {
 
 }  // namespace
 
+Bounds bounds_of(std::span<const Vector3> points) {
+  Bounds bounds{points.front(), points.front()};
+  for (const Vector3& point : points) {
+    bounds.include(point);
+  }
+  return bounds;
+}
+
+Bounds bounds_of(const TriangleMesh& mesh) {
+  const Vector3& first = mesh.vertices[mesh.triangles.front()[0]];
+  Bounds bounds{first, first};
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      bounds.include(mesh.vertices[vertex]);
+    }
+  }
+  return bounds;
+}
+
 MeshDefects find_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   for (const Vector3& vertex : mesh.vertices) {

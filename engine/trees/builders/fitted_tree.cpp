@@ -51,7 +51,7 @@ double price(TreeKind kind, double cost) {
 /// below `negligible_m` counts as that. Precondition: `kind` is kBox, kSwept or kHeterogeneous.
 Fit best_fit(TreeKind kind, const PartShape& shape, const RoughDistance& solid,
              const Matrix3& parent_frame, Effort effort, double negligible_m) {
-  const FitTask task{&shape, DistanceToUse(solid, extent_m(shape.points)),
+  const FitTask task{&shape, DistanceToUse(solid, bounds_of(shape.points).sides().maxCoeff()),
                      frames_worth_trying(shape, parent_frame, effort), effort};
   Fit best;
   double least = 0.0;
@@ -106,8 +106,8 @@ class FittedBuilder {
         progress_(&progress),
         description_(solid),
         bounds_(bounds_of(solid)),
-        size_m_((bounds_.most - bounds_.least).maxCoeff()),
-        distance_(description_.distance(), bounds_.least, bounds_.most, rough_cells(settings)) {}
+        size_m_(bounds_.sides().maxCoeff()),
+        distance_(description_.distance(), bounds_, rough_cells(settings)) {}
 
   BuiltTree build() {
     std::vector<FittedPiece> level;
@@ -228,7 +228,7 @@ class FittedBuilder {
   const TreeSettings* settings_;
   const Progress* progress_;
   NodeDescription description_;
-  MeshBounds bounds_;
+  Bounds bounds_;
   double size_m_;
   RoughDistance distance_;
   int level_{0};

@@ -219,8 +219,7 @@ class MedialBuilder {
  public:
   MedialBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : settings_(settings), progress_(progress), description_(solid) {
-    const auto [least, most] = bounds_of(solid);
-    size_m_ = (most - least).norm();
+    size_m_ = bounds_of(solid).sides().norm();
     parts_.push_back(whole_surface(solid));
     add_node(bound(parts_.front()), 0.0);
   }

@@ -67,13 +67,12 @@ Searched searched_of(const Cube& cube) {
 
 }  // namespace
 
-RoughDistance::RoughDistance(const SurfaceDistance& exact, const Vector3& least,
-                             const Vector3& most, int cells)
-    : exact_(&exact), spacing_m_((most - least).maxCoeff() / cells) {
+RoughDistance::RoughDistance(const SurfaceDistance& exact, const Bounds& bounds, int cells)
+    : exact_(&exact), spacing_m_(bounds.sides().maxCoeff() / cells) {
   // Two cells more on each side.
-  least_ = least - Vector3::Constant(2.0 * spacing_m_);
+  least_ = bounds.least - Vector3::Constant(2.0 * spacing_m_);
   for (int axis = 0; axis < 3; ++axis) {
-    counts_[axis] = static_cast<int>((most[axis] - least[axis]) / spacing_m_) + 6;
+    counts_[axis] = static_cast<int>(bounds.sides()[axis] / spacing_m_) + 6;
   }
   known_m_.assign(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]) *
                       static_cast<std::size_t>(counts_[2]),

@@ -15,10 +15,10 @@ namespace impetus::inline trees {
 
 class RoughDistance {
  public:
-  /// Refers to `exact`. The grid has about `cells` along the longest side of the box from `least`
-  /// to `most` and reaches a little beyond; the distance at a point of it is asked for when it is
+  /// Refers to `exact`. The grid has about `cells` along the longest side of `bounds` and
+  /// reaches a little beyond; the distance at a point of it is asked for when it is
   /// first needed.
-  RoughDistance(const SurfaceDistance& exact, const Vector3& least, const Vector3& most, int cells);
+  RoughDistance(const SurfaceDistance& exact, const Bounds& bounds, int cells);
 
   /// Interpolated between the eight points of the grid about `point` (metres), off by less than
   /// spacing_m(); exact outside the grid.

@@ -11,6 +11,12 @@
 namespace impetus::inline trees {
 namespace {
 
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
+/// Of two volumes that reach as far, the smaller: a reach is worth this share of the extent.
+constexpr double kExtentShare = 0.01;
+/// The first turn that a search of frames tries (of small_turn()).
+constexpr double kFirstTurn = 0.1;
+
 // A search for better parameters that asks for nothing but scores: a step along each parameter
 // either way, kept when it helps; half the step when none does. (Hooke and Jeeves 1961)
 
@@ -45,6 +51,53 @@ std::array<double, N> compass_search(std::array<double, N> steps, int rounds, co
   return best;
 }
 
+/// Of points as a frame sees them.
+Bounds bounds_in(const Matrix3& frame, const std::vector<Vector3>& points) {
+  const Matrix3 to_frame = frame.transpose();
+  const Vector3 first = to_frame * points.front();
+  Bounds bounds{first, first};
+  for (const Vector3& point : points) {
+    bounds.include(to_frame * point);
+  }
+  return bounds;
+}
+
+/// The frame with its axes in another order, `first` first.
+Matrix3 reordered(const Matrix3& frame, int first) {
+  Matrix3 turned;
+  turned << frame.col(first % 3), frame.col((first + 1) % 3), frame.col((first + 2) % 3);
+  return turned;
+}
+
+/// The axis along which the points spread most comes first.
+Matrix3 longest_first(const Matrix3& frame, const std::vector<Vector3>& points) {
+  int longest = 0;
+  bounds_in(frame, points).sides().maxCoeff(&longest);
+  return reordered(frame, longest);
+}
+
+/// The axis along which the points spread least comes last.
+Matrix3 shortest_last(const Matrix3& frame, const std::vector<Vector3>& points) {
+  int shortest = 0;
+  bounds_in(frame, points).sides().minCoeff(&shortest);
+  return reordered(frame, shortest + 1);
+}
+
+/// What is made small: the reach, and the extent for a little. Any value above `enough` may be
+/// returned once it is known to be exceeded.
+double score_of(const Volume& volume, double extent_m, const FitTask& task, double enough) {
+  const double price = kExtentShare * extent_m;
+  const int questions = task.effort == Effort::kQuick ? 20 : 60;
+  return price < enough ? price + reach_beyond_m(volume, task.solid, {questions, enough - price})
+                        : price;
+}
+
+/// The rotation by the unit quaternion of (1, x, y, z).
+Matrix3 small_turn(double x, double y, double z) {
+  const double scale = 1.0 / std::sqrt(1.0 + x * x + y * y + z * z);
+  return Quaternion(scale, scale * x, scale * y, scale * z).toRotationMatrix();
+}
+
 Sphere sphere_about(const Vector3& centre, const std::vector<Vector3>& points) {
   double squared_m2 = 0.0;
   for (const Vector3& point : points) {
@@ -52,8 +105,6 @@ Sphere sphere_about(const Vector3& centre, const std::vector<Vector3>& points) {
   }
   return {centre, std::sqrt(squared_m2)};
 }
-
-constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 /// About the line through `on_line` along `axis` (unit).
 LineSwept line_along(const Vector3& axis, const Vector3& on_line,
@@ -75,22 +126,6 @@ LineSwept line_along(const Vector3& axis, const Vector3& on_line,
   return {on_line + 0.5 * (first_m + last_m) * axis, half_m * axis, std::sqrt(squared_m2)};
 }
 
-/// The frame with its axes in another order: the one along which the points spread most first.
-Matrix3 longest_first(const Matrix3& frame, const std::vector<Vector3>& points) {
-  Vector3 least = frame.transpose() * points.front();
-  Vector3 most = least;
-  for (const Vector3& point : points) {
-    const Vector3 within = frame.transpose() * point;
-    least = least.cwiseMin(within);
-    most = most.cwiseMax(within);
-  }
-  int longest = 0;
-  (most - least).maxCoeff(&longest);
-  Matrix3 turned;
-  turned << frame.col(longest), frame.col((longest + 1) % 3), frame.col((longest + 2) % 3);
-  return turned;
-}
-
 Vector3 middle_across(const Vector3& axis, const std::vector<Vector3>& points) {
   std::vector<Vector3> across;
   across.reserve(points.size());
@@ -100,11 +135,9 @@ Vector3 middle_across(const Vector3& axis, const std::vector<Vector3>& points) {
   return minimal_ball(across).centre;
 }
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-
 struct Interval {
-  double first{kUnbounded};
-  double last{-kUnbounded};
+  double first{kUnreached};
+  double last{-kUnreached};
 
   void reach(double at, double slack) {
     first = std::min(first, at + slack);
@@ -138,8 +171,8 @@ void reach_corner(Interval& along, double u, double v, double slack) {
 RectangleSwept rectangle_along(const Matrix3& frame, double shift_m,
                                const std::vector<Vector3>& points) {
   const Matrix3 to_frame = frame.transpose();
-  double lowest = kUnbounded;
-  double highest = -kUnbounded;
+  double lowest = kUnreached;
+  double highest = -kUnreached;
   std::vector<Vector3> within;
   within.reserve(points.size());
   for (const Vector3& point : points) {
@@ -173,47 +206,12 @@ RectangleSwept rectangle_along(const Matrix3& frame, double shift_m,
           0.5 * (v.last - v.first) * frame.col(1), radius_m};
 }
 
-/// The frame with its axes in another order: the one along which the points spread least last.
-Matrix3 shortest_last(const Matrix3& frame, const std::vector<Vector3>& points) {
-  Vector3 least = frame.transpose() * points.front();
-  Vector3 most = least;
-  for (const Vector3& point : points) {
-    const Vector3 within = frame.transpose() * point;
-    least = least.cwiseMin(within);
-    most = most.cwiseMax(within);
-  }
-  int shortest = 0;
-  (most - least).minCoeff(&shortest);
-  Matrix3 turned;
-  turned << frame.col((shortest + 1) % 3), frame.col((shortest + 2) % 3), frame.col(shortest);
-  return turned;
-}
-
 constexpr int kRounds = 8;
 
-struct Extents {
-  Vector3 centre;
-  Vector3 half;
-};
-
-Extents extents_along(const Matrix3& frame, const std::vector<Vector3>& points) {
-  const Matrix3 to_frame = frame.transpose();
-  Vector3 least = to_frame * points.front();
-  Vector3 most = least;
-  for (const Vector3& point : points) {
-    const Vector3 within = to_frame * point;
-    least = least.cwiseMin(within);
-    most = most.cwiseMax(within);
-  }
-  return {frame * (0.5 * (least + most)), 0.5 * (most - least)};
-}
-
 Box box_along(const Matrix3& frame, const std::vector<Vector3>& points) {
-  const auto [centre, half] = extents_along(frame, points);
-  return {centre, half, Quaternion(frame).normalized()};
+  const Bounds within = bounds_in(frame, points);
+  return {frame * within.middle(), 0.5 * within.sides(), Quaternion(frame).normalized()};
 }
-
-double square(double x) { return x * x; }
 
 double share_along(const Vector3& half, const Vector3& offset) {
   const double length_squared = half.squaredNorm();
@@ -246,15 +244,13 @@ void refit(Swept& swept, const std::vector<Vector3>& corners) {
 
 void refit(Box& box, const std::vector<Vector3>& corners) {
   const Quaternion to_box = box.orientation.conjugate();
-  Vector3 least = to_box * (corners.front() - box.centre);
-  Vector3 most = least;
+  const Vector3 first = to_box * (corners.front() - box.centre);
+  Bounds within{first, first};
   for (const Vector3& corner : corners) {
-    const Vector3 within = to_box * (corner - box.centre);
-    least = least.cwiseMin(within);
-    most = most.cwiseMax(within);
+    within.include(to_box * (corner - box.centre));
   }
-  box.centre += box.orientation * (0.5 * (least + most));
-  box.half_extents_m = 0.5 * (most - least);
+  box.centre += box.orientation * within.middle();
+  box.half_extents_m = 0.5 * within.sides();
 }
 
 void refit(Cube& cube, const std::vector<Vector3>& corners) {
@@ -289,21 +285,6 @@ Volume grown_to_hold(const Volume& volume, const std::vector<Vector3>& corners, 
     by_m *= 2.0;
   }
   return grown;
-}
-
-Matrix3 small_turn(double x, double y, double z) {
-  const double scale = 1.0 / std::sqrt(1.0 + square(x) + square(y) + square(z));
-  return Quaternion(scale, scale * x, scale * y, scale * z).toRotationMatrix();
-}
-
-double extent_m(const std::vector<Vector3>& points) {
-  Vector3 least = points.front();
-  Vector3 most = least;
-  for (const Vector3& point : points) {
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
-  }
-  return (most - least).maxCoeff();
 }
 
 // The sphere: round the points from where it reaches least beyond the object, which is often well
@@ -341,11 +322,8 @@ Fit fit_sphere(const FitTask& task) {
 // short as its round ends allow, moved and tilted where that helps.
 Fit fit_line(const FitTask& task) {
   const std::vector<Vector3>& points = task.shape->points;
-  const int questions = questions_of(task.effort);
   const auto score = [&](const LineSwept& line, double enough) {
-    const double extent = kExtentShare * (line.radius_m + line.half_axis.norm());
-    return extent < enough ? extent + reach_beyond_m(line, task.solid, {questions, enough - extent})
-                           : extent;
+    return score_of(line, line.radius_m + line.half_axis.norm(), task, enough);
   };
   double least = kUnreached;
   Matrix3 frame = Matrix3::Identity();
@@ -376,15 +354,11 @@ Fit fit_line(const FitTask& task) {
 // as small as its round rim allows, turned and moved where that helps. (after Larsen et al. 1999)
 Fit fit_rectangle(const FitTask& task) {
   const std::vector<Vector3>& points = task.shape->points;
-  const int questions = questions_of(task.effort);
   const auto score = [&](const RectangleSwept& rectangle, double enough) {
-    const double extent =
-        kExtentShare * (rectangle.radius_m + rectangle.half_u.norm() + rectangle.half_v.norm());
-    return extent < enough
-               ? extent + reach_beyond_m(rectangle, task.solid, {questions, enough - extent})
-               : extent;
+    const double extent_m = rectangle.radius_m + rectangle.half_u.norm() + rectangle.half_v.norm();
+    return score_of(rectangle, extent_m, task, enough);
   };
-  double least = kUnbounded;
+  double least = kUnreached;
   Matrix3 start = Matrix3::Identity();
   for (const Matrix3& tried : task.frames) {
     const Matrix3 turned = shortest_last(tried, points);
@@ -414,12 +388,9 @@ Fit fit_rectangle(const FitTask& task) {
 // The box: the best of the frames worth trying, then turned a little where that helps.
 Fit fit_box(const FitTask& task) {
   const std::vector<Vector3>& points = task.shape->points;
-  const int questions = questions_of(task.effort);
   const auto score = [&](const Matrix3& frame, double enough) {
     const Box box = box_along(frame, points);
-    const double extent = kExtentShare * box.half_extents_m.sum();
-    return extent < enough ? extent + reach_beyond_m(box, task.solid, {questions, enough - extent})
-                           : extent;
+    return score_of(box, box.half_extents_m.sum(), task, enough);
   };
   Matrix3 best = task.frames.front();
   double least = score(best, 1e300);
