@@ -1,7 +1,7 @@
 // Refining all pairs of a step within its budget, each priority list by its share.
 //
 //   floor     level 0 of every pair and its list's least level, whatever the budget
-//   rounds    the list furthest behind its share (list_shares.hpp): its next pair
+//   rounds    the list furthest behind its share (ListShares): its next pair
 //             (waiting_pairs.hpp), one block of node-pair tests
 //
 // A block starts only when its tests, and what modelling and response could cost after it, are

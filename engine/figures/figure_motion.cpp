@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/far_turn.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "engine/numerics/at.hpp"
 
 namespace impetus::inline figures {
@@ -147,7 +147,7 @@ bool any_supported(std::span<const Fall> falls) {
 }
 
 /// Whether a part turns so far that where it arrives does not depend smoothly enough on impulses:
-/// none is near to being turned in another way (far_turn.hpp), where the iteration would jump.
+/// none is near to being turned in another way (turned_far()), where the iteration would jump.
 bool any_turns_far(std::span<const BodyModel> parts, std::span<const BodyState> states,
                    double dt_s) {
   constexpr double kMargin = 2.0;

@@ -19,8 +19,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -102,6 +104,14 @@ struct NodeLinks {
 
   friend bool operator==(const NodeLinks&, const NodeLinks&) = default;
 };
+
+/// The least float that is not below `x`.
+inline float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  return static_cast<double>(nearest) < x
+             ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+             : nearest;
+}
 
 inline constexpr std::int32_t kNoGroup = -1;
 

@@ -8,7 +8,6 @@
 
 #include "engine/shapes/mesh_distance.hpp"
 #include "engine/shapes/self_intersections.hpp"
-#include "engine/shapes/triangle_meeting.hpp"
 
 namespace impetus {
 

@@ -12,7 +12,7 @@
 // trees is found by branch and bound over their node pairs.
 //
 // Trees of spheres are searched a block of siblings at a time: those that could touch in time are
-// looked at closely, in their order (near_spheres.hpp). Tests that are skipped are counted, so a
+// looked at closely, in their order (near_nodes.hpp). Tests that are skipped are counted, so a
 // search costs what it is worth, in whatever way it is done.
 //
 // Bodies that already overlap at the start may go on as long as they do not overlap by more; those

@@ -22,7 +22,7 @@ namespace {
 // Spheres are tested by blocks of siblings, but only where a tree has nothing else: one other
 // volume anywhere makes every test of the tree kMixedTestCost times as dear (engine/README.md, "The
 // budget"; tests/bench/README.md, "The trade"). An error falls as the square root of what is spent
-// on it (kind_choice.hpp), so mixed volumes must reach sqrt(kMixedTestCost) times less.
+// on it (fitted_tree.cpp), so mixed volumes must reach sqrt(kMixedTestCost) times less.
 
 /// One test of mixed volumes, 12 to 29 units as measured, over one of blocks of spheres, .15 to .4.
 inline constexpr double kMixedTestCost = 60.0;

@@ -1,5 +1,6 @@
-// Points that stand for a piece of surface while spheres are fitted to it, and the balls of the
-// medial axis at them: the largest within the solid that touch its surface at a given point.
+// What spheres are fitted by: points that stand for a piece of surface, the balls of the medial
+// axis at them, the largest within the solid that touch its surface at a given point, and points
+// outside it.
 //
 //   a ball that touches at p is shrunk until nothing of the surface lies within it (Ma, Bae and
 //   Choi 2012, the shrinking ball)
@@ -42,5 +43,28 @@ InnerPoint inner_point(const SurfaceDistance& surface, const Vector3& point,
 
 /// The centre of the medial ball that touches the surface at `sample`; `size_m` bounds the solid.
 InnerPoint medial_ball(const SurfaceDistance& surface, const SurfaceSample& sample, double size_m);
+
+class OutsidePoints {
+ public:
+  /// Of nothing: every ball has no volume outside.
+  OutsidePoints() = default;
+
+  /// About `count` grid points over a cube about `points` that holds any sensible sphere round
+  /// them; those outside are kept.
+  OutsidePoints(const SurfaceDistance& surface, const std::vector<Vector3>& points,
+                std::size_t count);
+
+  /// Volume of the ball that is outside the solid (m³); what lies beyond the grid does not count.
+  [[nodiscard]] double volume_m3(const Vector3& centre, double radius_m) const;
+
+  /// The same for many radii: element i for radius i * step_m.
+  [[nodiscard]] std::vector<double> volumes_m3(const Vector3& centre, double step_m,
+                                               std::size_t steps) const;
+
+ private:
+  std::vector<Eigen::Vector3f> points_;  ///< an estimate needs no more
+
+  double each_m3_{0.0};
+};
 
 }  // namespace impetus::inline trees

@@ -18,53 +18,6 @@
 namespace impetus::inline trees {
 namespace {
 
-// Shares a part of a surface among spheres: each gets what is nearest to it by power distance.
-//
-//   power of a point to a sphere = distance to its centre, squared − radius²
-//
-// Cells are bounded by planes, so the pieces are cut exactly; where spheres cover a point, its
-// cell's sphere does. (Aurenhammer 1987)
-
-/// Where the power distance to `a` is at most that to `b`.
-HalfSpace nearer_to(const Sphere& a, const Sphere& b) {
-  // |p − a|² − ra² ≤ |p − b|² − rb²  ⇔  (a − b)·p ≥ (|a|² − |b|² + rb² − ra²)/2
-  const double offset = 0.5 * (a.centre.squaredNorm() - b.centre.squaredNorm() +
-                               b.radius_m * b.radius_m - a.radius_m * a.radius_m);
-  return {a.centre - b.centre, offset};
-}
-
-/// The piece of `part` in the power cell of each sphere, empty ones too. The pieces tile the part.
-std::vector<SurfacePart> power_cells(SurfacePart part, const std::vector<Sphere>& spheres) {
-  std::vector<SurfacePart> cells;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    SurfacePart left;  // what is nearer to a later sphere
-    for (std::size_t j = i + 1; j < spheres.size(); ++j) {
-      auto [nearer, farther] = cut(part, nearer_to(spheres[i], spheres[j]));
-      left.insert(left.end(), std::make_move_iterator(farther.begin()),
-                  std::make_move_iterator(farther.end()));
-      part = std::move(nearer);
-    }
-    cells.push_back(std::move(part));
-    part = std::move(left);
-  }
-  return cells;
-}
-
-/// The index of the sphere to which `point` has the least power. Precondition: one or more spheres.
-std::size_t least_power(const std::vector<Sphere>& spheres, const Vector3& point) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const double power =
-        (point - spheres[i].centre).squaredNorm() - spheres[i].radius_m * spheres[i].radius_m;
-    if (power < least) {
-      least = power;
-      best = i;
-    }
-  }
-  return best;
-}
-
 // Few spheres over a part, chosen so that the next level can follow each of them equally well.
 //
 // Where the surface under one sphere is more intricate than under the others, its children fit

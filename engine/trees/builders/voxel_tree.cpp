@@ -4,8 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "engine/trees/builders/part_halving.hpp"
-
 namespace impetus::inline trees {
 namespace {
 

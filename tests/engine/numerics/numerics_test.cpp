@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/numerics/bits.hpp"
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "tests/engine/builders.hpp"

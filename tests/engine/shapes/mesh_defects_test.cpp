@@ -11,7 +11,6 @@
 #include "engine/shapes/self_intersections.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
-#include "engine/shapes/triangle_meeting.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/mesh_oracles.hpp"
 

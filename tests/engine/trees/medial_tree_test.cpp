@@ -16,7 +16,7 @@
 #include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/builders/medial_balls.hpp"
-#include "engine/trees/builders/power_cells.hpp"
+#include "engine/trees/surface_part.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/mesh_oracles.hpp"
 

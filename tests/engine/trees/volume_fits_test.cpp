@@ -9,7 +9,6 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/shapes/solids/ring_meshes.hpp"
-#include "engine/trees/builders/compass_search.hpp"
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/minimal_ball.hpp"
 #include "tests/engine/builders.hpp"
