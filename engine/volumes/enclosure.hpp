@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <variant>
@@ -22,13 +23,15 @@ inline std::string problem_of(const Enclosure& enclosure) {
   return std::visit([](const auto& kind) { return problem_of(kind); }, enclosure);
 }
 
-/// `Shape` is a sphere or any volume.
 template <typename Shape>
+concept SphereOrVolume = std::same_as<Shape, Sphere> || std::same_as<Shape, Volume>;
+
+template <SphereOrVolume Shape>
 double reach_beyond(const Enclosure& enclosure, int wall, const Shape& shape) {
   return std::visit([&](const auto& kind) { return reach_beyond(kind, wall, shape); }, enclosure);
 }
 
-template <typename Shape>
+template <SphereOrVolume Shape>
 bool reaches_wall(const Enclosure& enclosure, const Shape& shape) {
   return std::visit([&](const auto& kind) { return reaches_wall(kind, shape); }, enclosure);
 }
@@ -37,7 +40,7 @@ inline Vector3 inward_normal(const Enclosure& enclosure, int wall) {
   return std::visit([&](const auto& kind) { return inward_normal(kind, wall); }, enclosure);
 }
 
-template <typename Shape>
+template <SphereOrVolume Shape>
 TouchPoint touch_wall(const Enclosure& enclosure, int wall, const Shape& shape) {
   return std::visit([&](const auto& kind) { return touch_wall(kind, wall, shape); }, enclosure);
 }

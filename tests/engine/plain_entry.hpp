@@ -20,12 +20,6 @@ inline constexpr double kRestShare = 0.25;
 inline constexpr double kDeeperShare = 0.25;
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
-/// What stands for a node one level deeper: its children, or itself.
-inline NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
-  const NodeLinks& links = tree.links(node);
-  return links.child_count > 0 ? links : NodeLinks{node, 1};
-}
-
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
