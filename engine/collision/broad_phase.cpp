@@ -53,6 +53,7 @@ constexpr double kHuge_m = 1e150;
 constexpr std::size_t kLeastBodiesForStrips = 128;
 constexpr double kMostStrips = 256.0;
 
+/// What a body covers along one axis.
 struct Span {
   double least{-std::numeric_limits<double>::infinity()};
   double greatest{std::numeric_limits<double>::infinity()};

@@ -58,6 +58,7 @@ struct SweptInterval {
   bool movable;
 };
 
+/// The intervals of a sweep, each end in an array of its own: what is compared, a block at a time.
 class SweptIntervals {
  public:
   /// Takes intervals sorted by their least ends; forgets those before.
@@ -91,6 +92,7 @@ class SweptIntervals {
   std::array<std::vector<double>, 2> across_greatest_;
 };
 
+/// Finds the candidate pairs of step after step, in memory that it keeps.
 class SweepAndPrune {
  public:
   /// Finds what candidate_pairs(bodies) returns, in the same order; forgets what `pairs` held.

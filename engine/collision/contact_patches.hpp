@@ -24,6 +24,7 @@ namespace impetus::inline collision {
 /// grid scatter by as much as 45° about that of a plane.
 inline constexpr double kOneSurfaceCosine = 0.5;
 
+/// The patches of the contacts that were added.
 class ContactPatches {
  public:
   /// Adds a contact of weight P ≥ 0.
@@ -36,6 +37,7 @@ class ContactPatches {
   void add_contacts_to(std::vector<TouchPoint>& contacts) const;
 
  private:
+  /// What is summed over the contacts of one patch.
   struct Patch {
     std::int32_t group_a{kNoGroup};
     std::int32_t group_b{kNoGroup};
@@ -67,6 +69,7 @@ class ContactPatches {
 // Pre-processed grouping: one mean for each pair of nearly plane pieces of surface that meet.
 // (Dingliana 2002, sec. 4.2.3)
 
+/// Sums of the reduction `groups`.
 class GroupedContacts final : public ContactSums {
  public:
   void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
@@ -96,6 +99,7 @@ inline Vector3 density_contact_normal(const NodeContact& contact) {
   return length >= kLeastOpposed ? Vector3(difference / length) : contact.touch.normal;
 }
 
+/// Sums of the reduction `density`.
 class DensityContacts final : public ContactSums {
  public:
   void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
@@ -116,6 +120,7 @@ class DensityContacts final : public ContactSums {
 // Groups weighted by the probability that the solids meet, P = κ ρ_a ρ_b.
 // (Dingliana 2002, sec. 4.2.5, eq. 4.6, 4.11 and 4.12, corrected)
 
+/// Sums of the reduction `weighted`.
 class WeightedContacts final : public ContactSums {
  public:
   void begin(const Vector3& /*fallback*/) override { patches_.clear(); }

@@ -14,6 +14,7 @@ namespace {
 
 // No reduction: the contact of every pair of overlapping nodes.
 
+/// Sums of the reduction `none`.
 class EveryContact final : public ContactSums {
  public:
   static constexpr bool kWeighs = false;
@@ -38,6 +39,7 @@ class EveryContact final : public ContactSums {
 // of equal times the deeper counts, of equals the first to come.
 // (Dingliana 2002, sec. 4.2.1, corrected)
 
+/// Sums of the reduction `first`.
 class FirstContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
@@ -70,6 +72,7 @@ class FirstContact final : public ContactSums {
 // Right where the contacts lie on one surface; of surfaces that face different ways it makes one
 // contact that is on neither. (Dingliana 2002, sec. 4.2.2, eq. 4.4 and 4.5)
 
+/// Sums of the reduction `average`.
 class MeanContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
@@ -115,6 +118,7 @@ std::shared_ptr<const ContactReduction> by() {
   return std::make_shared<const ReductionBy<Sums>>();
 }
 
+/// A line of the table.
 struct NamedReduction {
   std::string_view name;
   MakeReduction make;

@@ -84,6 +84,7 @@ class ContactSums {
   virtual void reduce_to(std::vector<TouchPoint>& contacts) const = 0;
 };
 
+/// A way of reducing contacts: it makes the sums of as many pairs as there are.
 class ContactReduction {
  public:
   virtual ~ContactReduction() = default;

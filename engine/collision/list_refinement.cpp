@@ -13,6 +13,7 @@ namespace {
 // What a finished list leaves of its share flows on to the next list in order.
 // (Dingliana 2002, sec. 5.1.2)
 
+/// Which priority list gets the next block of work.
 class ListShares {
  public:
   /// `lists` must outlive this.

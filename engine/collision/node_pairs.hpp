@@ -36,6 +36,10 @@ struct NodeBlock {
   std::uint64_t bits{0};  ///< not 0
 };
 
+/// Memory for lists of blocks that many descents share, by size: a list that is full gives its
+/// memory back and takes one twice as large, one that is done gives it back. So however the pairs
+/// of bodies are ordered from step to step, what one of them needed another gets, and once a scene
+/// has been as full as it gets nothing is allocated.
 class NodeBlockStore {
  public:
   /// Room for `blocks`, a power of two.
@@ -73,6 +77,7 @@ inline std::int64_t bits_in(std::uint64_t bits) {
   return static_cast<std::int64_t>((bits * 0x0101010101010101) >> 56);
 }
 
+/// A list of overlapping node pairs.
 class NodePairs {
  public:
   /// Which of them, in a list of any address.
@@ -101,6 +106,7 @@ class NodePairs {
     return {block.first.a + bit / kLanes, block.first.b + bit % kLanes};
   }
 
+  /// Goes through the pairs in their order.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;

@@ -16,6 +16,7 @@
 
 namespace impetus::inline collision {
 
+/// A tree and where its nodes are in the world.
 class PlacedTree {
  public:
   /// `tree` must outlive this.

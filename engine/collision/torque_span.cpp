@@ -18,6 +18,7 @@ constexpr double kNoNearer = 1e-10;
 /// Independent generators in a space of six dimensions, and one that may depend on them.
 constexpr std::size_t kMostMembers = 7;
 
+/// A generator that has a part in the nearest point.
 struct Member {
   std::size_t generator;
   double coefficient;

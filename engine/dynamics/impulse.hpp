@@ -42,6 +42,7 @@ double separation_speed(const Contact& contact, const std::vector<BodyModel>& mo
 /// Share of the largest incoming speed below which an approach is rounding.
 inline constexpr double kNegligibleApproach = 1e-9;
 
+/// What the response did.
 struct ResponseResult {
   std::vector<double> impulse_Ns;     ///< per contact, along its normal, ≥ 0
   std::vector<double> approach_m_s;   ///< per contact before the response; 0 when separating

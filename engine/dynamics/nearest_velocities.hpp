@@ -19,6 +19,9 @@
 
 namespace impetus::inline dynamics {
 
+/// The Cholesky factor L of a Gram matrix that grows and shrinks by a row. Stored by columns, so
+/// that both substitutions run along memory. Every sum is taken in the order of its index, whatever
+/// the layout.
 class GramFactor {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }

@@ -78,6 +78,7 @@ struct RowBlock {
   LanesOf6 of_b;
 };
 
+/// Rows in blocks, in their order.
 class RowColumns {
  public:
   void clear();

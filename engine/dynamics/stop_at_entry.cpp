@@ -20,6 +20,7 @@ bool comes_before(const BodyPair& x, const BodyPair& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
 
+/// Stops the bodies of one step, entry after entry.
 class StopsInOrder {
  public:
   StopsInOrder(const StepMade& step, std::vector<BodyState>& states,

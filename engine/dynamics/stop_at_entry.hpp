@@ -55,6 +55,7 @@ struct StepMade {
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
 };
 
+/// Who was stopped, and what finding it took.
 struct Stopping {
   std::vector<StoppedAtEntry> stopped;  ///< in the order of the candidates
   std::int64_t work{0};                 ///< of all tests along the ways

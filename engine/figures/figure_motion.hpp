@@ -28,6 +28,7 @@ inline constexpr double kHingeTolerance = 1e-11;
 inline constexpr int kMostMotionParts = 64;
 inline constexpr double kTurnPart = 0.25;
 
+/// Moves one figure, in memory that it keeps.
 class FigureMotion {
  public:
   /// `models` are those of all bodies of the world.

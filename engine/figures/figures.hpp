@@ -13,6 +13,7 @@
 
 namespace impetus::inline figures {
 
+/// What is kept of the figures between steps.
 class Figures {
  public:
   /// `figures` and `models` are without a problem (problem_of), and are those of every call below.

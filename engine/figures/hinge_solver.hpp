@@ -21,6 +21,8 @@
 
 namespace impetus::inline figures {
 
+/// The Cholesky factor of a small symmetric positive definite matrix, in an order of sums of its
+/// own: the same bits with whatever version of the matrix library.
 template <int N>
 class SmallCholesky {
  public:
@@ -107,6 +109,7 @@ class HingeSolver {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Matrix56 = Eigen::Matrix<double, 5, 6>;
 
+  /// A part as it stands, and as heavy as what hangs from it makes it.
   struct Part {
     double inverse_mass{0.0};
     Matrix3 own_inertia{Matrix3::Zero()};      ///< body frame

@@ -91,6 +91,7 @@ class HingedBodies {
   void push(std::size_t row, double impulse, std::vector<BodyState>& states);
 
  private:
+  /// A body at a contact, or a part of a figure at one.
   struct Moving {
     std::size_t index{0};  ///< in the world
     std::int32_t place{0};
@@ -102,10 +103,12 @@ class HingedBodies {
     double speed_m_s{0.0};
     double spin_rad_s{0.0};
   };
+  /// One end of a contact.
   struct Side {
     std::int32_t slot{ContactArms::kNone};  ///< of `moving_`
     Vector3 arm{Vector3::Zero()};
   };
+  /// A contact, a fold or a stop.
   struct Row {
     Ends places{ContactArms::kNone, ContactArms::kNone};
     Side a;
@@ -116,6 +119,7 @@ class HingedBodies {
     std::int64_t first_change{-1};  ///< −1: not yet found
     std::int64_t change_count{0};
   };
+  /// What a push does to one body.
   struct Change {
     std::int32_t slot;
     PartImpulse impulse;  ///< that one along the normal leaves
@@ -143,6 +147,7 @@ class HingedBodies {
   std::vector<PartImpulse> impulses_;
 };
 
+/// Responds step after step, in memory that it keeps.
 class HingedResponder {
  public:
   /// Applies impulses to `states`; a restitution in [0, 1] for each contact, none for the limits of

@@ -11,6 +11,7 @@ namespace impetus::inline numerics {
 inline constexpr double kRadiansPerDegree = 0.017453292519943295;
 inline constexpr double kDegreesPerRadian = 57.29577951308232;
 
+/// Both of one angle.
 struct SineCosine {
   double sine;
   double cosine;

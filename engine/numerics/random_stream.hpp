@@ -37,6 +37,7 @@ constexpr std::uint64_t canonical_bits(double x) {
   return x == 0.0 ? 0 : std::bit_cast<std::uint64_t>(x);
 }
 
+/// One stream of random numbers.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);

@@ -20,6 +20,7 @@
 
 namespace impetus::inline shapes {
 
+/// Which triangles hang together.
 struct MeshComponents {
   std::vector<std::uint32_t> of_triangle;  ///< from 0, by first triangle; joined by shared edges
   std::uint32_t count{0};
@@ -32,6 +33,7 @@ MeshComponents find_components(const TriangleMesh& mesh);
 /// One mesh for each component, with its own vertices only.
 std::vector<TriangleMesh> split(const TriangleMesh& mesh, const MeshComponents& components);
 
+/// What is to be done with each component.
 struct ComponentOrientation {
   std::vector<bool> flat;    ///< encloses no more than the rounding of its coordinates
   std::vector<bool> turned;  ///< a body that looks inward or a cavity that looks outward

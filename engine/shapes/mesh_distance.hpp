@@ -28,6 +28,7 @@ ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const Tri
 ClosestPoints ball_distance(const TriangleMesh& mesh, const Pose& pose, const Vector3& centre,
                             double radius_m);
 
+/// Where two surfaces first touch.
 struct FirstTouch {
   double way_m{0.0};      ///< how far the surface had moved
   ClosestPoints closest;  ///< just before the surfaces meet

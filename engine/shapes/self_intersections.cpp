@@ -211,6 +211,7 @@ class BoxTree {
   }
 
  private:
+  /// A box about a run of triangles.
   struct Node {
     Bounds box;
     std::size_t begin;

@@ -31,6 +31,7 @@ int side_of_plane(const Vector3& a, const Vector3& b, const Vector3& c, const Ve
 /// line.
 int turn_across(int axis, const Vector3& a, const Vector3& b, const Vector3& c);
 
+/// What two triangles have in common.
 enum class TriangleMeeting {
   kNone,      ///< nothing in common, or only shared corners and edges
   kCrossing,  ///< a common point although no corner is shared; touching counts
@@ -42,6 +43,7 @@ enum class TriangleMeeting {
 TriangleMeeting meeting(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& a,
                         const std::array<std::uint32_t, 3>& b);
 
+/// How many pairs of triangles meet.
 struct SelfIntersections {
   std::int64_t crossing_pairs{0};  ///< triangles without a common corner that cross or touch
   std::int64_t folded_pairs{0};    ///< neighbours that meet beyond their common corner or edge

@@ -21,6 +21,7 @@ struct ClosestPoints {
 /// What of a triangle a point lies on. Edge i runs from corner i to the next.
 enum class TriangleFeature { kCorner0, kCorner1, kCorner2, kEdge0, kEdge1, kEdge2, kFace };
 
+/// A point of a triangle, and what of it that lies on.
 struct ClosestOnTriangle {
   Vector3 point;
   TriangleFeature feature;

@@ -9,6 +9,7 @@
 namespace impetus::inline shapes {
 namespace {
 
+/// How many triangles run along an edge, either way.
 struct EdgeUse {
   int forward{0};
   int backward{0};

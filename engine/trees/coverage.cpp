@@ -23,12 +23,14 @@ constexpr double kIndifferent = 1e-4;
 
 using Polygon = std::vector<Vector3>;
 
+/// A node that stands at the level.
 struct CoveringNode {
   Volume volume;
   RoundedBox form;
   Vector3 reach_m;  ///< upright
 };
 
+/// A piece of a triangle that is not settled, and the nodes that may hold it.
 struct Piece {
   Polygon corners;
   std::vector<const CoveringNode*> candidates;
@@ -140,6 +142,7 @@ std::vector<Polygon> halves_of(const Polygon& polygon) {
   return halves;
 }
 
+/// Looks for what of one triangle is bare.
 class TriangleCover {
  public:
   TriangleCover(Polygon triangle, const std::vector<const CoveringNode*>& candidates,

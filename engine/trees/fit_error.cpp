@@ -25,12 +25,14 @@ constexpr int kEasyQuestions = 60;
 constexpr double kInnerCube = 0.57;
 constexpr std::size_t kMostTrianglesForBox = 2'000;
 
+/// The greatest bound first; of equals the cell that was made first.
 struct Looser {
   bool operator()(const FitCell& a, const FitCell& b) const {
     return std::pair(a.bound_m, -a.rank) < std::pair(b.bound_m, -b.rank);
   }
 };
 
+/// The branch and bound over the cells of one volume.
 class Search {
  public:
   Search(const RoundedBox& volume, const SurfaceDistance& solid, double indifferent_m,

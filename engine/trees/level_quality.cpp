@@ -25,6 +25,7 @@ constexpr double kPi = std::numbers::pi;
 /// What counts as beyond a surface, as a share of the volume's size.
 constexpr double kBeyond = 1e-9;
 
+/// A point of a volume's surface.
 struct SurfacePoint {
   Vector3 point;
   Vector3 outward;  ///< unit

@@ -21,6 +21,7 @@ inline constexpr double kLeastFacing = 0.2;
 /// Points that an occupancy is counted by.
 inline constexpr int kOccupancyPoints = 384;
 
+/// Describes nodes of one solid.
 class NodeDescription {
  public:
   /// Precondition: find_defects(solid).none(), one triangle or more.

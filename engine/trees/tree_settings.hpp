@@ -22,6 +22,7 @@ inline constexpr int kGreatestTreeDepth = 8;
 inline constexpr int kLeastBranching = 2;
 inline constexpr int kGreatestBranching = 64;
 
+/// What is asked of a builder.
 struct TreeSettings {
   TreeKind kind{TreeKind::kOctree};
   int depth{4};      ///< levels beyond the root, at most; see kGreatestTreeDepth

@@ -45,6 +45,7 @@ struct VoxelGrid {
 /// must not leave a face in the wall between two cells outside the cube that it belongs to.
 inline constexpr double kVoxelMargin = 1e-12;
 
+/// The volumes of all nodes of a tree.
 class NodeVolumes {
  public:
   NodeVolumes() = default;
@@ -136,6 +137,7 @@ struct VolumeNode {
   NodeSurface surface{};
 };
 
+/// The tree of one object.
 class VolumeTree {
  public:
   /// Takes nodes in breadth-first order and the index of each level's first node. A fit error of a

@@ -84,6 +84,7 @@ Polygon rectangle_across(const Core& core, int axis, double side) {
   return rectangle;
 }
 
+/// What is known of a polygon.
 struct Measured {
   Vector3 centroid{Vector3::Zero()};
   double area_m2{0.0};

@@ -56,6 +56,7 @@ constexpr double kMeeting = 100.0;
 /// Squared sine of the angle below which two edges count as parallel.
 constexpr double kParallelCores = 1e-16;
 
+/// The points centre + s half, |s| ≤ 1.
 struct Edge {
   Vector3 centre;
   Vector3 half;

@@ -28,6 +28,7 @@ bool are_separated(const Core& a, const Core& b, double distance_m);
 /// How far the cores are apart along `direction` (unit), at least; negative when they are not.
 double gap_along(const Core& a, const Core& b, const Vector3& direction);
 
+/// How cores that meet can be parted.
 struct Penetration {
   Vector3 axis{Vector3::UnitX()};  ///< unit; its sense means nothing
   double depth_m{0.0};             ///< the way along the axis that parts the cores
@@ -37,6 +38,7 @@ struct Penetration {
 /// axes of a's frame before those of b's before products.
 Penetration least_penetration(const Core& a, const Core& b);
 
+/// Two points, one on each core, that no other two are closer than.
 struct ClosestOfCores {
   Vector3 on_a{Vector3::Zero()};
   Vector3 on_b{Vector3::Zero()};

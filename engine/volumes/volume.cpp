@@ -10,6 +10,7 @@
 namespace impetus::inline volumes {
 namespace {
 
+/// What answers the questions of a pair of kinds.
 struct PairProcedures {
   bool (*overlap)(const Volume& a, const Volume& b);
   TouchPoint (*touch)(const Volume& a, const Volume& b, const Vector3& fallback);

@@ -19,6 +19,7 @@
 
 namespace impetus::inline collision {
 
+/// The gap between two nodes.
 struct NodeGap {
   double gap_m{0.0};                 ///< less than zero: how deep they overlap
   Vector3 normal{Vector3::UnitX()};  ///< unit, from b towards a; they are as far apart along it
@@ -39,6 +40,7 @@ inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
 /// Of the nodes themselves.
 NodeGap gap_of_nodes(const Volume& a, const Volume& b);
 
+/// Rules out spheres of two bodies that go a stretch of their ways.
 class NearSpheres {
  public:
   /// Bodies in a stretch of their ways, all points of which stay within the reaches of their

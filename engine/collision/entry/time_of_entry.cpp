@@ -27,6 +27,7 @@ double safe_depth_m(const VolumeTree& tree, int level) {
   return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
 }
 
+/// The search for the first entry of one pair.
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)

@@ -55,6 +55,7 @@ double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
 /// slow pair may.
 bool is_fast(const PairOnTheWay& pair, double share_of_slow_way = 1.0);
 
+/// What a search found, and what it took.
 struct Entry {
   std::optional<double> time;  ///< share of the step after which both must stop, if they must
   std::int64_t tests{0};       ///< of node pairs
@@ -64,7 +65,8 @@ struct Entry {
 /// way would carry them further by a quarter of it.
 Entry time_of_entry(const PairOnTheWay& pair);
 
-/// (Dingliana 2002, sec. 5.3.2)
+/// What is done about bodies that move further in a step than they are thick. (Dingliana 2002, sec.
+/// 5.3.2)
 enum class Tunnelling {
   kIgnored,      ///< bodies are tested where the step ends
   kCapped,       ///< fast pairs stay at levels whose nodes are thicker than the way: Alg. 5.3.1

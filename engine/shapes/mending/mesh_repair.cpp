@@ -100,6 +100,7 @@ class Alignment {
 
  private:
   enum Turned : std::int8_t { kUnknown, kKept, kTurned };
+  /// A triangle at an edge, and which way it runs along it.
   struct Side {
     std::uint32_t triangle;
     bool forward;

@@ -156,6 +156,7 @@ std::optional<HalfSpace> best_halving(const SurfacePart& part, const PartShape& 
 // spent on it: a dearer volume is worth its tests when it does better than that.
 // (after Dingliana 2002, sec. 7.3)
 
+/// A kind of volume, how it is fitted, and what its test costs.
 struct Row {
   Fit (*fit)(const FitTask& task);
   double cost;
@@ -227,6 +228,7 @@ struct FittedPiece {
   bool whole{false};  ///< no plane cuts it
 };
 
+/// Builds one tree, level by level.
 class FittedBuilder {
  public:
   FittedBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)

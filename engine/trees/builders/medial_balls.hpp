@@ -16,6 +16,7 @@
 
 namespace impetus::inline trees {
 
+/// A point of the surface that stands for what is about it.
 struct SurfaceSample {
   Vector3 point;
   Vector3 normal;  ///< outward, unit
@@ -44,6 +45,7 @@ InnerPoint inner_point(const SurfaceDistance& surface, const Vector3& point,
 /// The centre of the medial ball that touches the surface at `sample`; `size_m` bounds the solid.
 InnerPoint medial_ball(const SurfaceDistance& surface, const SurfaceSample& sample, double size_m);
 
+/// How much of a sphere lies outside a solid, estimated from a grid of points outside it.
 class OutsidePoints {
  public:
   /// Of nothing: every ball has no volume outside.

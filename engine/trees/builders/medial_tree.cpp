@@ -24,6 +24,7 @@ namespace {
 // worse, and the worst decides the level. Such a sphere is pressed to give some of its surface to
 // its neighbours, until that helps no more or makes this level too loose.
 
+/// The spheres of a part, and how well they and their children fit.
 struct BalancedCover {
   std::vector<Sphere> spheres;   ///< their power cells are the parts of the children
   double stand_off_m{0.0};       ///< with which one sphere each can cover the cells
@@ -40,6 +41,7 @@ constexpr int kInVain = 3;  ///< presses without success before starting softer 
 constexpr double kSofter = 0.4;
 constexpr double kFirstPress = 0.15;  ///< share of the stand-off
 
+/// What of a part is nearest to one sphere.
 struct Cell {
   std::vector<Vector3> points;
   std::vector<InnerPoint> candidates;
@@ -56,6 +58,7 @@ std::vector<Cell> cells_of(const std::vector<Sphere>& spheres, const std::vector
   return cells;
 }
 
+/// A cover, and where it is worst.
 struct Judgement {
   BalancedCover cover;
   std::size_t worst{0};  ///< the sphere whose children fit worst
@@ -137,6 +140,7 @@ constexpr double kSlackOfTheRoot = 1.04;
 constexpr double kSphereMargin = 1e-11;
 constexpr double kNegligibleError = 1e-9;
 
+/// A node in the making.
 struct SpherePart {
   Sphere sphere;
   SurfacePart part;
@@ -168,6 +172,7 @@ struct Material {
   OutsidePoints outside;
 };
 
+/// Builds one tree, level by level.
 class MedialBuilder {
  public:
   MedialBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)

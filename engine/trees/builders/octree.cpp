@@ -61,6 +61,7 @@ class Solid {
   double near_m_{0.0};
 };
 
+/// The plane between two cells.
 struct Wall {
   int axis;
   double at;

@@ -9,6 +9,7 @@
 
 namespace impetus::inline trees {
 
+/// The points, directions and normals of a part.
 struct PartShape {
   /// Corners, each place once; of more than kMostPoints those alone that lie farthest along one of
   /// 386 directions.

@@ -13,6 +13,7 @@
 
 namespace impetus::inline trees {
 
+/// Distances to one solid, remembered on a grid.
 class RoughDistance {
  public:
   /// Refers to `exact`. The grid has about `cells` along the longest side of `bounds` and

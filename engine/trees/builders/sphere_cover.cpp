@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kRadii = 64;
 constexpr int kSweeps = 12;
 
+/// The exchange of candidates, with what it asks of them found in advance.
 class Exchange {
  public:
   Exchange(const OutsidePoints& outside, const std::vector<Vector3>& points,

@@ -101,6 +101,7 @@ Vector3 middle_across(const Vector3& axis, const std::vector<Vector3>& points) {
   return minimal_ball(across).centre;
 }
 
+/// One side of the rectangle, in the making.
 struct Interval {
   double first{kUnreached};
   double last{-kUnreached};

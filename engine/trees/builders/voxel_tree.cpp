@@ -32,6 +32,7 @@ int cube_root_of(int branching) {
   return root;
 }
 
+/// Builds one tree, level by level.
 class VoxelBuilder {
  public:
   VoxelBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
