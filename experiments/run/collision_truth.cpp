@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/ball_distance.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 
 namespace impetus::inline run {

@@ -16,6 +16,7 @@ namespace impetus::inline shapes {
 /// The most edges of a hole that is filled: beyond it, what was there is anybody's guess.
 inline constexpr std::int64_t kLargestHole = 64;
 
+/// How many holes were filled, and with what.
 struct HoleFilling {
   std::int64_t holes{0};        ///< filled
   std::int64_t edges{0};        ///< of the holes filled, together

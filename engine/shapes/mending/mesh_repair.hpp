@@ -27,6 +27,7 @@ enum class RepairObstacle {
   kStuckHoles,    ///< `obstacles` holes that nothing closes without a new defect
 };
 
+/// The mended mesh, and what was done to it.
 struct MeshRepair {
   TriangleMesh mesh;                   ///< as far as the repair came; no unused vertices
   std::int64_t vertices_welded{0};     ///< vertices that another now stands for

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "engine/numerics/bits.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/settings/input_error.hpp"
 

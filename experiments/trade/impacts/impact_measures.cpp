@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/dynamics/net_contact.hpp"
-#include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/first_touch.hpp"
+#include "engine/dynamics/impulse.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/shapes/mesh_distance.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/trade/impacts/level_touch.hpp"
