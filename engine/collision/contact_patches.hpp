@@ -66,21 +66,25 @@ class ContactPatches {
   mutable std::vector<Patch> whole_;  ///< memory for patches that are one again
 };
 
-// Pre-processed grouping: one mean for each pair of nearly plane pieces of surface that meet.
-// (Dingliana 2002, sec. 4.2.3)
-
-/// Sums of the reduction `groups`.
-class GroupedContacts final : public ContactSums {
+/// What the sums of reductions by patches have in common: they leave a contact for each patch.
+class PatchSums : public ContactSums {
  public:
   void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
-
-  void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
   void reduce_to(std::vector<TouchPoint>& contacts) const override {
     patches_.add_contacts_to(contacts);
   }
 
- private:
+ protected:
   ContactPatches patches_;
+};
+
+// Pre-processed grouping: one mean for each pair of nearly plane pieces of surface that meet.
+// (Dingliana 2002, sec. 4.2.3)
+
+/// Sums of the reduction `groups`.
+class GroupedContacts final : public PatchSums {
+ public:
+  void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
 };
 
 // Groups whose normals come from the density gradients of the two nodes.
@@ -100,40 +104,24 @@ inline Vector3 density_contact_normal(const NodeContact& contact) {
 }
 
 /// Sums of the reduction `density`.
-class DensityContacts final : public ContactSums {
+class DensityContacts final : public PatchSums {
  public:
-  void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
-
   void add(const NodeContact& contact) override {
     NodeContact faced = contact;
     faced.touch.normal = density_contact_normal(contact);
     patches_.add(faced, /*weight=*/1.0);
   }
-  void reduce_to(std::vector<TouchPoint>& contacts) const override {
-    patches_.add_contacts_to(contacts);
-  }
-
- private:
-  ContactPatches patches_;
 };
 
 // Groups weighted by the probability that the solids meet, P = κ ρ_a ρ_b.
 // (Dingliana 2002, sec. 4.2.5, eq. 4.6, 4.11 and 4.12, corrected)
 
 /// Sums of the reduction `weighted`.
-class WeightedContacts final : public ContactSums {
+class WeightedContacts final : public PatchSums {
  public:
-  void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
-
   void add(const NodeContact& contact) override {
     patches_.add(contact, collision_probability(contact));
   }
-  void reduce_to(std::vector<TouchPoint>& contacts) const override {
-    patches_.add_contacts_to(contacts);
-  }
-
- private:
-  ContactPatches patches_;
 };
 
 }  // namespace impetus::inline collision

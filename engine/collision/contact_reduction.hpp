@@ -9,7 +9,8 @@
 //
 //   nodes --one by one--> ContactSums --reduce_to()--> few --those that span the torque--> response
 //
-// A reduction is a class of sums in a file of its own and a line of the table in the source.
+// A reduction is a class of sums and a line of the table in the source; those that gather patches
+// are in contact_patches.hpp.
 // (Dingliana 2002, sec. 4.2)
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -17,7 +17,8 @@
 
 namespace impetus::inline dynamics {
 
-/// Indices of the contacts, island by island in the order of each island's first contact, rising
+/// Groups contacts that can affect each other, those connected through bodies that can move:
+/// indices of the contacts, island by island in the order of each island's first contact, rising
 /// within an island. Bodies that nothing moves, and walls, connect nothing; a contact of none but
 /// those is in no island. Keeps its arrays from one step to the next.
 class Islands {

@@ -1,18 +1,13 @@
-// Where hinges must not turn further: at their limits, and where neighbours are folded together.
-//
-// Each is a contact that turns: an angular impulse of the child against the parent, never pulling,
-// found among the impulses of all other contacts.
-//
-// The bodies at the contacts of a step in which there are figures: whoever pushes a part moves the
-// whole figure.
-//
-// What a push does to all parts is found once for each contact that pushes, with the impulses of
-// the hinges in it. So a contact with a part is as stiff as the figure is there, and no push pulls
-// a hinge apart.
-//
 // The response to the contacts of a step in which there are figures, and to the limits of their
 // hinges: by impulses in turn, as Responder does without.
-// SPDX-License-Identifier: MIT
+//
+// Whoever pushes a part moves the whole figure: what a push does to all parts is found once for
+// each contact that pushes, with the impulses of the hinges in it. So a contact with a part is as
+// stiff as the figure is there, and no push pulls a hinge apart.
+//
+// Where hinges must not turn further, at their limits and where neighbours are folded together, are
+// contacts that turn: an angular impulse of the child against the parent, never pulling, found
+// among the impulses of all other contacts. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

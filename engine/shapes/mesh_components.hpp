@@ -3,7 +3,7 @@
 //   two cubes that share a vertex: 2 components, 1 pinched vertex
 //   two cubes that share an edge:  1 component, 1 crowded edge (see MeshDefects)
 //
-// Which way round the components of a closed mesh must be for it to bound a solid.
+// And which way round they must be for a closed mesh to bound a solid.
 //
 //   +-----------+   A component inside an even number of others is a body and looks outward; inside
 //   | +---+     |   an odd number it is a cavity and looks inward. Then every point is inside once

@@ -1,11 +1,3 @@
-// The volumes of a tree's nodes, each kind in an array of its own: what a kind does not use is not
-// stored.
-//
-//   one kind      node i is element i of that kind's array
-//   voxels        node i is a cell number; its place and edge follow from its level
-//   several       `slots` says for each node the kind (three low bits) and the element
-//
-//
 // The volume tree: bounds of an object at growing levels of detail.
 //
 //   level 0   [ root ]
@@ -16,6 +8,13 @@
 // its children. A node without children keeps standing for its part at every deeper level.
 // Each attribute has an array of its own, so a descent reads volumes and links alone.
 // (Dingliana 2002, sec. 2.2.1 and 3.1.1)
+//
+// The volumes of its nodes lie each kind in an array of its own: what a kind does not use is not
+// stored.
+//
+//   one kind      node i is element i of that kind's array
+//   voxels        node i is a cell number; its place and edge follow from its level
+//   several       `slots` says for each node the kind (three low bits) and the element
 // SPDX-License-Identifier: MIT
 #pragma once
 

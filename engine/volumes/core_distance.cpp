@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numerics/few.hpp"
+
 namespace impetus::inline volumes {
 namespace {
 
@@ -98,25 +100,18 @@ Vector3 corner(const Core& core, int index) {
 }
 
 /// The edges of a core: `1 << (dimension - 1)` along each axis.
-class Edges {
- public:
-  explicit Edges(const Core& core) {
-    for (int axis = 0; axis < core.dimension; ++axis) {
-      const Vector3 half = core.half_m[axis] * core.axes.col(axis);
-      for (int index = 0; index < 1 << core.dimension; ++index) {
-        if ((index >> axis & 1) == 0) {
-          edges_[count_++] = {corner(core, index) + half, half};
-        }
+Few<Edge, 12> edges_of(const Core& core) {
+  Few<Edge, 12> edges;
+  for (int axis = 0; axis < core.dimension; ++axis) {
+    const Vector3 half = core.half_m[axis] * core.axes.col(axis);
+    for (int index = 0; index < 1 << core.dimension; ++index) {
+      if ((index >> axis & 1) == 0) {
+        edges.add({corner(core, index) + half, half});
       }
     }
   }
-  [[nodiscard]] const Edge* begin() const { return edges_; }
-  [[nodiscard]] const Edge* end() const { return edges_ + count_; }
-
- private:
-  Edge edges_[12];
-  int count_{0};
-};
+  return edges;
+}
 
 /// Keeps the closest of the pairs of points it is offered.
 class Search {
@@ -171,8 +166,8 @@ ClosestOfCores closest_features(const Core& a, const Core& b, double enough_m) {
   }
   Search search(enough_m);
   try_corners(a, b, search);
-  const Edges of_b(b);
-  for (const Edge& edge_a : Edges(a)) {
+  const Few<Edge, 12> of_b = edges_of(b);
+  for (const Edge& edge_a : edges_of(a)) {
     for (const Edge& edge_b : of_b) {
       if (search.done()) {
         return search.best();

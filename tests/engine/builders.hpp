@@ -153,6 +153,18 @@ inline double total_energy(const World& world) {
   return sum;
 }
 
+/// What total_energy() would be after a step in which nobody met anybody: the momenta are the same,
+/// but bodies that turn have other energies by the integrator's.
+inline double energy_after_free_flight(const World& world, double dt_s) {
+  std::vector<BodyState> free = world.states();
+  double sum = 0.0;
+  for (std::size_t body = 0; body < free.size(); ++body) {
+    advance(world.models()[body], free[body], dt_s);
+    sum += kinetic_energy(world.models()[body], free[body]);
+  }
+  return sum;
+}
+
 /// A tree of random spheres in which every child lies within its parent, of at most `levels`
 /// levels. A quarter of the inner nodes end early, so that leaves meet inner nodes.
 inline VolumeTree random_tree(RandomStream& random, int levels) {

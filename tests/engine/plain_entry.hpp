@@ -41,10 +41,10 @@ class EntrySearch {
     if (stretches_.empty()) {
       return std::nullopt;
     }
-    place(stretches_.front().begin);
+    place(stretches_[0].begin);
     measure_depth({0, 0}, 0);
     if (capped()) {
-      return unless_nearly_there(stretches_.front().begin, slow_m_);
+      return unless_nearly_there(stretches_[0].begin, slow_m_);
     }
     if (overlapped_at_start_) {
       hair_m_ *= kDeeperShare;

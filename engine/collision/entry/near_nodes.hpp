@@ -1,6 +1,5 @@
-// How far two nodes are apart, and in which direction.
-//
-// Which spheres of two bodies on their ways could touch within a time, without asking when.
+// How far two nodes are apart, and in which direction; and which spheres of two bodies on their
+// ways could touch within a time, without asking when.
 //
 //   |<-- gap -->|         a and b approach by no more than speed · time + turning · time: what is
 //  (a)         (b)        further apart does not touch

@@ -35,8 +35,8 @@ Station station_at(double radius_m, double turn) {
           along.normalized().cross(across)};
 }
 
-}  // namespace
-
+/// 2 · rings · sides outward triangles over `vertices`, `sides` of them for each ring in turn.
+/// Preconditions: sides ≥ 3, at least three rings, no ring left over.
 TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides) {
   const auto count = static_cast<std::uint32_t>(vertices.size());
   const auto corners = static_cast<std::uint32_t>(sides);
@@ -52,6 +52,8 @@ TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides) {
   }
   return mesh;
 }
+
+}  // namespace
 
 TriangleMesh torus_mesh(double radius_m, double tube_m, int segments, int sides) {
   assert(0.0 < tube_m && tube_m < radius_m && segments >= 3 && sides >= 3);

@@ -20,10 +20,6 @@
 
 namespace impetus::inline shapes {
 
-/// 2 · rings · sides outward triangles over `vertices`, `sides` of them for each ring in turn.
-/// Preconditions: sides ≥ 3, at least three rings, no ring left over.
-TriangleMesh closed_tube(std::vector<Vector3> vertices, int sides);
-
 /// 2 · segments · sides outward triangles about the origin: `segments` sections along the circle of
 /// `radius_m`, each a regular polygon of `sides` corners on the circle of `tube_m`. Preconditions:
 /// 0 < tube_m < radius_m; segments, sides ≥ 3.

@@ -25,7 +25,7 @@ namespace {
 // on it (fitted_tree.cpp), so mixed volumes must reach sqrt(kMixedTestCost) times less.
 
 /// One test of mixed volumes, 12 to 29 units as measured, over one of blocks of spheres, .15 to .4.
-inline constexpr double kMixedTestCost = 60.0;
+constexpr double kMixedTestCost = 60.0;
 
 double finest_reach_m(const VolumeTree& tree) { return tree.fit_error_m(tree.level_count() - 1); }
 
