@@ -2,7 +2,7 @@
 // scene has been as full as it gets.
 //
 // Nothing here decides anything: each part is filled anew before it is read. A copy of a world
-// starts with an empty memory, and so does a world that is assigned to.
+// starts with an empty memory; a world that is assigned to keeps its own, but for what it lends.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -50,7 +50,10 @@ struct StepMemory {
   StepMemory() = default;
   StepMemory(const StepMemory& /*other*/) : StepMemory() {}
   StepMemory(StepMemory&&) = default;
-  StepMemory& operator=(const StepMemory& /*other*/) { return *this; }
+  StepMemory& operator=(const StepMemory& /*other*/) {
+    pairs.clear();
+    return *this;
+  }
   StepMemory& operator=(StepMemory&&) = default;
   ~StepMemory() = default;
 
@@ -59,6 +62,7 @@ struct StepMemory {
   std::vector<PairBounds> stoppable;  ///< where there are figures: those that are of no part
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
   StepOrder order;
+  std::vector<ScheduledPair> pairs;  ///< by list and priority; only when they are watched
   RefinedPairs refined;
   ListRefinement refinement;
   ContactModelling modelling;

@@ -57,9 +57,23 @@ std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,
                                                            const Measuring& by) {
   places_.resize(waiting > 0 ? pairs_.size() : 0);
   std::iota(places_.begin(), places_.end(), std::size_t{0});
-  if (waiting == 0 || (waiting == 1 && by.schedule.lists.size() == 1)) {
-    return places_;
+  if (waiting > 1 || (waiting == 1 && by.schedule.lists.size() > 1)) {
+    sort_places(by);
   }
+  return places_;
+}
+
+void StepOrder::list_pairs(const Measuring& by, std::vector<ScheduledPair>& listed) {
+  places_.resize(pairs_.size());
+  std::iota(places_.begin(), places_.end(), std::size_t{0});
+  sort_places(by);
+  listed.clear();
+  for (const std::size_t place : places_) {
+    listed.push_back(pairs_[place].scheduled);
+  }
+}
+
+void StepOrder::sort_places(const Measuring& by) {
   if (!are_measured_) {
     const PriorityMetric& metric = metric_of(by.schedule);
     for (MeasuredPair& pair : pairs_) {
@@ -69,7 +83,6 @@ std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,
   }
   std::sort(places_.begin(), places_.end(),
             [this](std::size_t x, std::size_t y) { return goes_before(pairs_[x], pairs_[y]); });
-  return places_;
 }
 
 double StepOrder::measured(std::size_t place, const Measuring& by) {

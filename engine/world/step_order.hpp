@@ -41,10 +41,15 @@ class StepOrder {
   /// the next call.
   std::span<const std::size_t> places_by_priority(std::size_t waiting, const Measuring& by);
 
+  /// All pairs as they are scheduled, by list and by falling priority within each, instead of what
+  /// `listed` held. To be asked for once work was done by places_by_priority().
+  void list_pairs(const Measuring& by, std::vector<ScheduledPair>& listed);
+
   /// What the metric says of the pair at that place, in its unit.
   double measured(std::size_t place, const Measuring& by);
 
  private:
+  void sort_places(const Measuring& by);
   [[nodiscard]] double measure(std::int32_t candidate, const Measuring& by);
 
   std::vector<PairBounds>* candidates_{nullptr};

@@ -147,6 +147,10 @@ void World::refine(const StepInput& input, WorkMeter& meter) {
   const std::span<const std::size_t> order =
       memory_.order.places_by_priority(waiting, measuring(input));
   report_work(memory_.refinement.refine(pairs, schedule.lists, order, meter, settings), report);
+  memory_.pairs.clear();
+  if (watches_pairs_) {
+    memory_.order.list_pairs(measuring(input), memory_.pairs);
+  }
 }
 
 void World::begin_refining(const ScheduledPair& pair, const StepInput& input) {

@@ -70,6 +70,14 @@ class World {
   /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.
   void watch_node_contacts(bool watch) { watches_node_contacts_ = watch; }
 
+  /// Whether the world lends the pairs of its steps, for drawing: changes nothing else.
+  void watch_pairs(bool watch) { watches_pairs_ = watch; }
+
+  /// The pairs that the last step looked at, as it shared its work among them: by list, where
+  /// persistence had them, and by falling priority within each. None when they were not watched.
+  /// They stay until the next step.
+  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return memory_.pairs; }
+
   /// How many nodes of the bodies' trees all steps so far have transformed into the world.
   [[nodiscard]] std::int64_t nodes_transformed() const;
 
@@ -112,6 +120,7 @@ class World {
   ValuePointer<Figures> figures_;  ///< none: nothing
   SweepAndPrune broad_phase_;
   bool watches_node_contacts_{false};
+  bool watches_pairs_{false};
   std::vector<TouchingPair> touching_;  ///< in contact after the last step, sorted by bodies
   PriorityMemory priorities_;
   LevelMemory levels_;

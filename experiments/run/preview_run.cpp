@@ -45,6 +45,8 @@ PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
       before_(scene_.world.states()),
       latest_(before_.size(), scene_.step_hz) {
   regions_.set_rule(settings_.region);
+  start_.world.watch_pairs(true);
+  scene_.world.watch_pairs(true);
 }
 
 void PreviewRun::advance(double real_s) {
@@ -63,7 +65,6 @@ void PreviewRun::advance(double real_s) {
     pace_ += std::min(1.0, real_s / kPaceAveraged_s) * (share - pace_);
   }
   position_ = reached;
-  find_pairs();
 }
 
 void PreviewRun::step() {
@@ -72,7 +73,6 @@ void PreviewRun::step() {
     step_once();
   }
   position_ = static_cast<double>(step_);
-  find_pairs();
 }
 
 void PreviewRun::restart() {
@@ -89,7 +89,6 @@ void PreviewRun::restart() {
   step_ = 0;
   pace_ = 1.0;
   collision_count_ = 0;
-  pairs_.clear();
   contacts_.clear();
   node_contacts_.clear();
   pop_count_ = stopped_count_ = 0;
@@ -209,12 +208,6 @@ void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& 
   }
 }
 
-void PreviewRun::find_pairs() {
-  if (step_ > 0) {
-    pairs_ = pairs_of_step(scene_.world, before_, input_);
-  }
-}
-
 void PreviewRun::forget_old() {
   while (!contacts_.empty() && freshness(contacts_.front()) <= 0.0) {
     contacts_.pop_front();
@@ -258,7 +251,7 @@ std::vector<BodyDetail> PreviewRun::details() const {
   for (BodyDetail& detail : details) {
     detail.list = -1;  // of a pair, which need not collide
   }
-  for (const ScheduledPair& pair : pairs_) {
+  for (const ScheduledPair& pair : pairs()) {
     for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
       if (!is_wall(body)) {
         BodyDetail& detail = details[static_cast<std::size_t>(body)];

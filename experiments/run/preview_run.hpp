@@ -17,7 +17,6 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/run/body_detail.hpp"
 #include "experiments/run/deadline_work.hpp"
-#include "experiments/run/pairs_of_step.hpp"
 #include "experiments/run/preview_settings.hpp"
 
 namespace impetus::inline run {
@@ -87,7 +86,7 @@ class PreviewRun {
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
   /// The last step's, by list.
-  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return pairs_; }
+  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return scene_.world.pairs(); }
   /// What is still in view, oldest first.
   [[nodiscard]] const std::deque<ShownContact>& contacts() const { return contacts_; }
   /// The same of overlapping nodes, before the reduction; at most 500 of a pair.
@@ -113,7 +112,6 @@ class PreviewRun {
   void apply_settings();
   void keep(const StepReport& report);
   void keep_contacts(const StepReport& report, const CollisionReport& collision);
-  void find_pairs();
   void forget_old();
 
   const Clock* clock_;
@@ -138,7 +136,6 @@ class PreviewRun {
 
   std::vector<BodyState> before_;
   StepInput input_;
-  std::vector<ScheduledPair> pairs_;
   LatestDetail latest_;
   std::deque<ShownContact> contacts_;
   std::deque<ShownContact> node_contacts_;
