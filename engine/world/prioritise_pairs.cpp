@@ -1,10 +1,10 @@
+// The third phase of a step: which pair is in which list, and before whom.
 // SPDX-License-Identifier: MIT
-#include "engine/world/step_order.hpp"
-
 #include <algorithm>
 #include <numeric>
 
 #include "engine/numerics/at.hpp"
+#include "engine/world/phases.hpp"
 
 namespace impetus::inline world {
 namespace {
@@ -96,6 +96,13 @@ double StepOrder::measure(std::int32_t candidate, const Measuring& by) {
   PairBounds& pair = (*candidates_)[at(candidate)];
   find_terms(metric.terms(), pair, by);
   return metric.measure(pair, by.input.viewer, by.input.fixation);
+}
+
+void prioritise_pairs(const Step& step) {
+  const Schedule& schedule = step.settings.schedule;
+  step.memory.order.put_into_lists(step.memory.candidates,
+                                   {schedule, step.input, step.world.models, step.world.states});
+  step.world.priorities.raise(step.memory.order.pairs(), schedule.persistence_steps);
 }
 
 }  // namespace impetus::inline world
