@@ -14,9 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/record/steady_clock.hpp"
 #include "experiments/run/playback.hpp"
 #include "experiments/viewers/preview_view.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/collision/broad_phase.hpp"
 
-#include "engine/collision/all_pairs.hpp"
-
 namespace impetus::inline collision {
 
 bool could_meet(const MovedBound& a, const MovedBound& b) {

@@ -24,4 +24,7 @@ bool could_meet(const MovedBound& a, const MovedBound& b);
 /// (Dingliana 2002, sec. 5.3.2: space-time bounds)
 std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies);
 
+/// What candidate_pairs(bodies) returns, in place of what `pairs` held.
+void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs);
+
 }  // namespace impetus::inline collision

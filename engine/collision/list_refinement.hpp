@@ -65,8 +65,4 @@ class ListRefinement {
   WorkDone done_;
 };
 
-/// The same once, of pairs that come in their order.
-WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings = {});
-
 }  // namespace impetus::inline collision

@@ -11,8 +11,8 @@
 
 #include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/enclosure.hpp"
-#include "engine/volumes/pair_procedures.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
+#include "engine/volumes/volume.hpp"
 
 namespace impetus::inline collision {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/trees/builders/part_shape.hpp"
 
 namespace impetus::inline dynamics {

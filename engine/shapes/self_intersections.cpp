@@ -12,25 +12,9 @@ namespace {
 
 constexpr std::size_t kTrianglesPerLeaf = 4;
 
-struct Bounds {
-  Vector3 least;
-  Vector3 most;
-
-  [[nodiscard]] bool overlaps(const Bounds& other) const {
-    return (least.array() <= other.most.array()).all() &&
-           (other.least.array() <= most.array()).all();
-  }
-  void include(const Bounds& other) {
-    least = least.cwiseMin(other.least);
-    most = most.cwiseMax(other.most);
-  }
-};
-
 Bounds box_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const Vector3& a = mesh.vertices[triangle[0]];
-  const Vector3& b = mesh.vertices[triangle[1]];
-  const Vector3& c = mesh.vertices[triangle[2]];
-  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+  const auto& [a, b, c] = triangle;
+  return bounds_of(std::array{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
 }
 
 void count(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, SelfIntersections& found) {
@@ -77,7 +61,7 @@ class BoxTree {
       return;
     }
     int axis = 0;
-    (box.most - box.least).maxCoeff(&axis);
+    box.sides().maxCoeff(&axis);
     const std::size_t middle = begin + (end - begin) / 2;
     const auto place = [this, axis](std::uint32_t triangle) {
       return boxes_[triangle].least[axis] + boxes_[triangle].most[axis];
@@ -142,17 +126,6 @@ class BoxTree {
 
 SelfIntersections find_self_intersections(const TriangleMesh& mesh) {
   return mesh.triangles.empty() ? SelfIntersections{} : BoxTree(mesh).search();
-}
-
-SelfIntersections find_self_intersections_by_brute_force(const TriangleMesh& mesh) {
-  SelfIntersections found;
-  const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size());
-  for (std::uint32_t a = 0; a < triangles; ++a) {
-    for (std::uint32_t b = a + 1; b < triangles; ++b) {
-      count(mesh, a, b, found);
-    }
-  }
-  return found;
 }
 
 }  // namespace impetus::inline shapes

@@ -23,7 +23,4 @@ struct SelfIntersections {
 /// overlap. See meeting().
 SelfIntersections find_self_intersections(const TriangleMesh& mesh);
 
-/// The same by trying every pair: the oracle of the search above.
-SelfIntersections find_self_intersections_by_brute_force(const TriangleMesh& mesh);
-
 }  // namespace impetus::inline shapes

@@ -82,4 +82,9 @@ class SurfaceDistance {
   std::vector<Vector3> vertex_normals_;               ///< of any length
 };
 
+/// Whether a point lies inside the solid that a closed mesh bounds. by the winding number, the sum
+/// of the triangles' solid angles over 4π (Van Oosterom and Strackee 1983). Points of the surface
+/// itself may fall either way.
+bool contains(const TriangleMesh& solid, const Vector3& point);
+
 }  // namespace impetus::inline shapes

@@ -1,4 +1,5 @@
-// The exact distance between two triangles, and where they are closest.
+// The exact distance between two triangles, where they are closest, and whether one reaches into a
+// box.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -40,5 +41,9 @@ ClosestPoints triangle_distance(const Triangle& a, const Triangle& b);
 
 /// Whether an edge of one passes through the other. Coplanar triangles never cross.
 bool triangles_cross(const Triangle& a, const Triangle& b);
+
+/// Whether the triangle meets the box |x_i| ≤ half_extents_m[i], by the thirteen separating axes
+/// (Akenine-Möller 2001): false is certain up to rounding, true where they touch.
+bool meets_box(const Triangle& triangle, const Vector3& half_extents_m);
 
 }  // namespace impetus::inline shapes

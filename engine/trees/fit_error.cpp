@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/triangle_in_box.hpp"
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/trees/fit_cell.hpp"
 #include "engine/volumes/rounded_box.hpp"
 

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/outside_points.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "engine/numerics/cube_root.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline trees {
 
 OutsidePoints::OutsidePoints(const SurfaceDistance& surface, const std::vector<Vector3>& points,
                              std::size_t count) {
-  Vector3 least = points.front();
-  Vector3 most = points.front();
-  for (const Vector3& point : points) {
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
-  }
-  const Vector3 half = Vector3::Constant(0.75 * (most - least).maxCoeff());
-  const Vector3 middle = 0.5 * (least + most);
-  least = middle - half;
-  most = middle + half;
+  const Bounds bounds = bounds_of(points);
+  const Vector3 half = Vector3::Constant(0.75 * bounds.sides().maxCoeff());
+  const Vector3 least = bounds.middle() - half;
+  const Vector3 most = bounds.middle() + half;
   const double edge_m = cube_root((most - least).prod() / static_cast<double>(count));
   each_m3_ = edge_m * edge_m * edge_m;
   Vector3 point;

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <iterator>
 
-#include "engine/collision/all_pairs.hpp"
+#include "engine/collision/broad_phase.hpp"
 #include "engine/numerics/at.hpp"
-#include "engine/volumes/wall_reach.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "engine/world/phases.hpp"
 
 namespace impetus::inline world {

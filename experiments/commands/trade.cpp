@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"

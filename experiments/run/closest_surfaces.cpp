@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/shapes/ball_distance.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 
 namespace impetus::inline run {

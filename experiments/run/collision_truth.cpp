@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/closest_surfaces.hpp"
 
 namespace impetus::inline run {

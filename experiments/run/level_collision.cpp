@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "engine/numerics/at.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/settings/input_error.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 

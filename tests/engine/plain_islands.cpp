@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/dynamics/body_sets.hpp"
+#include "engine/numerics/disjoint_sets.hpp"
 
 namespace impetus::plain {
 std::vector<std::vector<std::size_t>> islands_of(const std::vector<Contact>& contacts,

@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/useless_triangles.hpp"
-
 namespace impetus::inline shapes {
 namespace {
 

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/mending/component_orientation.hpp"
-#include "engine/shapes/useless_triangles.hpp"
+#include "engine/shapes/mesh_components.hpp"
 
 namespace impetus::inline shapes {
 namespace {
@@ -21,16 +20,6 @@ using Cell = std::array<std::int64_t, 3>;
 constexpr std::uint32_t kUnnumbered = std::numeric_limits<std::uint32_t>::max();
 
 void turn(Corners& triangle) { std::swap(triangle[1], triangle[2]); }
-
-double diagonal_of(const TriangleMesh& mesh) {
-  Vector3 least = mesh.vertices.front();
-  Vector3 most = least;
-  for (const Vector3& vertex : mesh.vertices) {
-    least = least.cwiseMin(vertex);
-    most = most.cwiseMax(vertex);
-  }
-  return (most - least).norm();
-}
 
 /// The vertices met so far, by cells as wide as the welding distance.
 class NearVertices {
@@ -66,7 +55,7 @@ class NearVertices {
 };
 
 std::int64_t weld(TriangleMesh& mesh) {
-  const double distance_m = kWeldingDistance * diagonal_of(mesh);
+  const double distance_m = kWeldingDistance * bounds_of(mesh.vertices).sides().norm();
   if (distance_m == 0.0) {
     return 0;
   }

@@ -6,13 +6,73 @@
 #include <iterator>
 #include <utility>
 
-#include "engine/trees/builders/kind_choice.hpp"
 #include "engine/trees/builders/part_halving.hpp"
-#include "engine/trees/node_description.hpp"
-#include "engine/trees/solid_requirement.hpp"
+#include "engine/trees/builders/reach_beyond.hpp"
+#include "engine/trees/builders/volume_fits.hpp"
 
 namespace impetus::inline trees {
 namespace {
+
+// Which kind of volume a node gets.
+//
+//   kind        cost    one overlap test of two such volumes, relative to 4 for two spheres
+//   sphere         4
+//   line           9
+//   box           25
+//   rectangle     30
+//
+// `swept` takes what reaches least beyond the object, the cheapest of those within 2 %.
+// `heterogeneous` takes the least reach × √cost. A tree refined by one level costs about eight
+// times the tests and errs about a third as much, so an error falls as the square root of what is
+// spent on it: a dearer volume is worth its tests when it does better than that.
+// (after Dingliana 2002, sec. 7.3)
+
+struct Row {
+  Fit (*fit)(const FitTask& task);
+  double cost;
+};
+
+// From the cheapest to the dearest: the first wins among equals.
+constexpr Row kRows[] = {
+    {fit_sphere, 4.0}, {fit_line, 9.0}, {fit_box, 25.0}, {fit_rectangle, 30.0}};
+
+bool belongs(const Row& row, TreeKind kind) {
+  return kind == TreeKind::kHeterogeneous || (row.fit == fit_box) == (kind == TreeKind::kBox);
+}
+
+constexpr double kNearTie = 1.02;
+
+/// How many times less a kind of `cost` must reach than a sphere.
+double price(TreeKind kind, double cost) {
+  return kind == TreeKind::kHeterogeneous ? std::sqrt(cost) : 1.0;
+}
+
+/// The fit of the kind of volume that suits `kind` best, round the part that `shape` is of. A reach
+/// below `negligible_m` counts as that. Precondition: `kind` is kBox, kSwept or kHeterogeneous.
+Fit best_fit(TreeKind kind, const PartShape& shape, const RoughDistance& solid,
+             const Matrix3& parent_frame, Effort effort, double negligible_m) {
+  const FitTask task{&shape, DistanceToUse(solid, bounds_of(shape.points).sides().maxCoeff()),
+                     frames_worth_trying(shape, parent_frame, effort), effort};
+  Fit best;
+  double least = 0.0;
+  bool any = false;
+  for (const Row& row : kRows) {
+    if (!belongs(row, kind)) {
+      continue;
+    }
+    Fit fit = row.fit(task);
+    if (effort == Effort::kCareful) {
+      fit.reach_m = reach_beyond_m(fit.volume, DistanceToUse(solid));
+    }
+    const double got = std::max(fit.reach_m, negligible_m) * price(kind, row.cost);
+    if (!any || got * kNearTie < least) {
+      best = fit;
+      least = got;
+      any = true;
+    }
+  }
+  return best;
+}
 
 /// Shares of the solid's size.
 constexpr double kFitMargin = 1e-12;
@@ -46,8 +106,8 @@ class FittedBuilder {
         progress_(&progress),
         description_(solid),
         bounds_(bounds_of(solid)),
-        size_m_((bounds_.most - bounds_.least).maxCoeff()),
-        distance_(description_.distance(), bounds_.least, bounds_.most, rough_cells(settings)) {}
+        size_m_(bounds_.sides().maxCoeff()),
+        distance_(description_.distance(), bounds_, rough_cells(settings)) {}
 
   BuiltTree build() {
     std::vector<FittedPiece> level;
@@ -168,7 +228,7 @@ class FittedBuilder {
   const TreeSettings* settings_;
   const Progress* progress_;
   NodeDescription description_;
-  MeshBounds bounds_;
+  Bounds bounds_;
   double size_m_;
   RoughDistance distance_;
   int level_{0};

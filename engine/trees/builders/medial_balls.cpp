@@ -1,13 +1,99 @@
 // SPDX-License-Identifier: MIT
 #include "engine/trees/builders/medial_balls.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "engine/shapes/triangle_distance.hpp"
+
 namespace impetus::inline trees {
 namespace {
+
+/// The middles of the n² equal triangles that a triangle splits into.
+void add_grid(const Triangle& triangle, int n, SurfaceSample sample,
+              std::vector<SurfaceSample>& samples) {
+  const Vector3 u = (triangle[1] - triangle[0]) / n;
+  const Vector3 v = (triangle[2] - triangle[0]) / n;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; i + j < n; ++j) {
+      const Vector3 corner = triangle[0] + i * u + j * v;
+      sample.point = corner + (u + v) / 3.0;
+      samples.push_back(sample);
+      if (i + j + 1 < n) {
+        sample.point = corner + 2.0 * (u + v) / 3.0;
+        samples.push_back(sample);
+      }
+    }
+  }
+}
+
+/// Of each small cube of space the corner farthest from the middle of them all.
+void add_corners(const SurfacePart& part, double edge_m, std::vector<SurfaceSample>& samples) {
+  Vector3 middle = Vector3::Zero();
+  std::size_t count = 0;
+  for (const Facet& facet : part) {
+    for (const Vector3& corner : facet.corners) {
+      middle += corner;
+      ++count;
+    }
+  }
+  middle /= static_cast<double>(count);
+  std::map<std::array<std::int64_t, 3>, SurfaceSample> farthest;
+  for (const Facet& facet : part) {
+    for (const Vector3& corner : facet.corners) {
+      std::array<std::int64_t, 3> cell{};
+      for (int axis = 0; axis < 3; ++axis) {
+        cell[static_cast<std::size_t>(axis)] = std::llround((corner[axis] - middle[axis]) / edge_m);
+      }
+      const SurfaceSample sample{corner, facet.normal.normalized(), facet.triangle};
+      const auto [found, is_new] = farthest.try_emplace(cell, sample);
+      if (!is_new &&
+          (corner - middle).squaredNorm() > (found->second.point - middle).squaredNorm()) {
+        found->second = sample;
+      }
+    }
+  }
+  for (const auto& [cell, sample] : farthest) {
+    samples.push_back(sample);
+  }
+}
 
 constexpr int kMostShrinkings = 12;
 constexpr double kSettled = 1e-3;  ///< share of the radius
 
 }  // namespace
+
+std::vector<SurfaceSample> samples_of(const SurfacePart& part, std::size_t count) {
+  std::vector<SurfaceSample> samples;
+  const double each_m2 = area_m2(part) / static_cast<double>(std::max<std::size_t>(count, 1));
+  double owed_m2 = 0.0;
+  for (const Facet& facet : part) {
+    for (std::size_t i = 1; i + 1 < facet.corners.size(); ++i) {
+      const Triangle triangle{facet.corners[0], facet.corners[i], facet.corners[i + 1]};
+      const Vector3 doubled = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+      const double area = 0.5 * doubled.norm();
+      owed_m2 += area;
+      if (!(area > 0.0) || (owed_m2 < each_m2 && !samples.empty())) {
+        continue;
+      }
+      add_grid(triangle, std::max(1, static_cast<int>(std::lround(std::sqrt(area / each_m2)))),
+               {Vector3::Zero(), doubled.normalized(), facet.triangle}, samples);
+      owed_m2 = 0.0;
+    }
+  }
+  return samples;
+}
+
+std::vector<SurfaceSample> samples_and_corners_of(const SurfacePart& part, std::size_t count) {
+  std::vector<SurfaceSample> samples = samples_of(part, count);
+  const double edge_m = std::sqrt(area_m2(part) / static_cast<double>(count));
+  if (edge_m > 0.0) {
+    add_corners(part, edge_m, samples);
+  }
+  return samples;
+}
 
 InnerPoint inner_point(const SurfaceDistance& surface, const Vector3& point, std::uint32_t near) {
   const SignedDistance found = surface.signed_distance(point, near);

@@ -100,7 +100,8 @@ std::vector<HalfSpace> planes_worth_trying(const SurfacePart& part, const PartSh
 
 double cost_of(const SurfacePart& half, const QuickFit& fit) {
   const PartShape shape = shape_of(half);
-  const double reach_m = fit(shape).reach_m + kHalfExtentShare * extent_m(shape.points);
+  const double reach_m =
+      fit(shape).reach_m + kHalfExtentShare * bounds_of(shape.points).sides().maxCoeff();
   return reach_m * reach_m * area_m2(half);
 }
 

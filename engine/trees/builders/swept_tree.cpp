@@ -5,7 +5,7 @@
 
 #include "engine/numerics/rounding.hpp"
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/swept_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
 
 namespace impetus::inline trees {

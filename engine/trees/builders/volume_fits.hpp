@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/trees/builders/fitted_frames.hpp"
 #include "engine/trees/builders/part_shape.hpp"
-#include "engine/trees/builders/rough_distance.hpp"
+#include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/volumes/volume.hpp"
 
 namespace impetus::inline trees {
@@ -24,14 +23,6 @@ struct FitTask {
   Effort effort;
 };
 
-/// Distances to ask for when fits are compared.
-inline int questions_of(Effort effort) { return effort == Effort::kQuick ? 20 : 60; }
-
-/// Of two volumes that reach as far, the smaller: a reach is worth this share of the extent.
-inline constexpr double kExtentShare = 0.01;
-/// The first turn that a search of frames tries (of small_turn()).
-inline constexpr double kFirstTurn = 0.1;
-
 Fit fit_sphere(const FitTask& task);
 Fit fit_line(const FitTask& task);
 Fit fit_rectangle(const FitTask& task);
@@ -40,11 +31,5 @@ Fit fit_box(const FitTask& task);
 /// The same core or orientation, with the radius or the extents that hold `corners`, and as much
 /// more as rounding asks for: `margin_m` or a power of two of it. holds() is true of every corner.
 Volume grown_to_hold(const Volume& volume, const std::vector<Vector3>& corners, double margin_m);
-
-/// The rotation by the unit quaternion of (1, x, y, z).
-Matrix3 small_turn(double x, double y, double z);
-
-/// The greatest extent of points (metres).
-double extent_m(const std::vector<Vector3>& points);
 
 }  // namespace impetus::inline trees

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/shapes/first_touch.hpp"
+#include "engine/shapes/mesh_distance.hpp"
 #include "experiments/run/closest_surfaces.hpp"
 
 namespace impetus::inline trade {

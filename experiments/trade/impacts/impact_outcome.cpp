@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/dynamics/net_contact.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/dynamics/impulse.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline trade {
 

@@ -7,6 +7,7 @@
 
 #include "engine/collision/sweep_and_prune.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/shots.hpp"
 
 namespace impetus::entry_limit_test {

@@ -1,6 +1,6 @@
 // Intervals compared by the block against intervals one by one.
 // SPDX-License-Identifier: MIT
-#include "engine/collision/swept_intervals.hpp"
+#include "engine/collision/sweep_and_prune.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/world/starting_overlaps.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/random_volumes.hpp"
 
 namespace impetus::volume_collision_test {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/mesh_writer.hpp"

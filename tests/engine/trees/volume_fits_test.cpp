@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/compass_search.hpp"
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/minimal_ball.hpp"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_writer.hpp"

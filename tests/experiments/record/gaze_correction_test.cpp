@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/session/calibration_run.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/playback.hpp"
 #include "tests/experiments/fakes.hpp"

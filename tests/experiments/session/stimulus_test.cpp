@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/playback.hpp"
 #include "tests/experiments/fakes.hpp"
 
