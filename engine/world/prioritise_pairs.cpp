@@ -39,18 +39,14 @@ void find_terms(unsigned terms, PairBounds& pair, const Measuring& by) {
 void StepOrder::put_into_lists(std::vector<PairBounds>& candidates, const Measuring& by) {
   candidates_ = &candidates;
   are_measured_ = metric_decides_lists(by.schedule);
-  if (!are_measured_) {
-    impetus::put_into_lists(candidates, by.schedule, by.input.viewer, by.input.region, pairs_);
-    return;
-  }
-  const unsigned terms = metric_of(by.schedule).terms();
-  if (terms != 0) {
+  const unsigned terms = are_measured_ ? metric_of(by.schedule).terms() : 0;
+  if ((terms & (kMotionTerm | kFitErrorTerm)) != 0) {
     for (PairBounds& pair : candidates) {
       find_terms(terms, pair, by);
     }
   }
-  impetus::measure(candidates, by.schedule, by.input.viewer, by.input.fixation, by.input.region,
-                   pairs_);
+  impetus::put_into_lists(candidates, by.schedule, by.input.viewer, by.input.fixation,
+                          by.input.region, pairs_);
 }
 
 std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,

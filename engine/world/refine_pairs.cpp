@@ -1,5 +1,5 @@
 // The fourth phase of a step: the roots of all pairs are tested, and then finer nodes for as long
-// as work is granted. How it is shared among the lists is told in list_refinement.hpp.
+// as work is granted. How it is shared among the lists is told in work_sharing.hpp.
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <optional>
@@ -7,7 +7,6 @@
 
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
-#include "engine/scheduling/relative_acuity.hpp"
 #include "engine/world/phases.hpp"
 
 namespace impetus::inline world {
@@ -51,10 +50,10 @@ int walls_in_reach(const Step& step, std::size_t body) {
   return count;
 }
 
-/// For orders of work that go by what is seen of a pair.
+/// For traversals that go by what is seen of a pair.
 void find_sight(const Step& step, RefinedPair& pair) {
-  const Traversal traversal = step.settings.schedule.traversal;
-  if (traversal != Traversal::kBestFirst && traversal != Traversal::kVisibleFirst) {
+  const unsigned terms = step.settings.schedule.traversal->terms();
+  if ((terms & (kEyeDistanceTerm | kAcuityTerm)) == 0) {
     return;
   }
   const BodyPair bodies = pair.bodies;
@@ -64,7 +63,7 @@ void find_sight(const Step& step, RefinedPair& pair) {
   };
   const PairBounds bounds{bodies, bound(bodies.a), bound(is_wall(bodies.b) ? bodies.a : bodies.b)};
   pair.eye_distance_m = (collision_place(bounds) - step.input.viewer.eye).norm();
-  if (traversal == Traversal::kVisibleFirst) {
+  if ((terms & kAcuityTerm) != 0) {
     pair.acuity = relative_acuity(eccentricity_deg(bounds, step.input.viewer, step.input.fixation,
                                                    /*point=*/std::nullopt));
   }
@@ -128,10 +127,9 @@ void refine_pairs(const Step& step, WorkMeter& meter) {
   const std::span<RefinedPair> pairs = memory.refined.all();
   const RefinementSettings settings{schedule.traversal, step.settings.costs, step.settings.contacts,
                                     memory.report.work_floor};
-  const std::size_t waiting = memory.refinement.do_floor(pairs, schedule.lists, settings);
+  const std::size_t waiting = memory.sharing.do_floor(pairs, schedule.lists, settings);
   const std::span<const std::size_t> order = memory.order.places_by_priority(waiting, measuring);
-  report_work(memory.refinement.refine(pairs, schedule.lists, order, meter, settings),
-              memory.report);
+  report_work(memory.sharing.refine(pairs, schedule.lists, order, meter, settings), memory.report);
   memory.pairs.clear();
   if (step.world.watches_pairs) {
     memory.order.list_pairs(measuring, memory.pairs);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/collision/broad_phase.hpp"
-#include "engine/collision/list_refinement.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
@@ -135,7 +135,7 @@ struct StepMemory {
   StepOrder order;
   // refine
   RefinedPairs refined;
-  ListRefinement refinement;
+  WorkSharing sharing;
   std::int64_t work_of_folds{0};     ///< of figures, which the floor pays for
   std::vector<ScheduledPair> pairs;  ///< by list and priority; only when they are watched
   // model

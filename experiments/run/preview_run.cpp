@@ -127,7 +127,7 @@ void PreviewRun::change(const PreviewSettings& settings) {
 }
 
 std::optional<GazeRegion> PreviewRun::region() const {
-  if (scene_.world.settings().schedule.rule != ListRule::kRegion) {
+  if (!follows_region(scene_.world.settings().schedule)) {
     return std::nullopt;
   }
   if (settings_.region.kind == RegionKind::kTracked) {
@@ -140,8 +140,7 @@ ScreenPoint PreviewRun::looked_at() const { return gaze_.value_or(ScreenPoint{})
 
 std::optional<GazeRegion> PreviewRun::region_of_step() {
   const std::optional<GazeRegion> region = regions_.at(step_ + 1, looked_at());
-  const bool by_region = scene_.world.settings().schedule.rule == ListRule::kRegion;
-  return by_region ? region : std::nullopt;
+  return follows_region(scene_.world.settings().schedule) ? region : std::nullopt;
 }
 
 void PreviewRun::step_once() {

@@ -16,7 +16,7 @@ Schedule three_lists(std::string_view metric, double first, double second) {
   Schedule schedule;
   schedule.metric = make_metric(metric);
   schedule.lists = {{}, {}, {}};
-  schedule.thresholds = {first, second};
+  schedule.limits = {first, second};
   return schedule;
 }
 
@@ -51,7 +51,7 @@ TEST(LentPairs, HoldEveryCollisionInItsOwnListWhateverPersists) {
           lists.insert(collision.list);
         }
       }
-      EXPECT_GE(lists.size(), 2U) << "thresholds that part nothing: " << schedule.thresholds[0];
+      EXPECT_GE(lists.size(), 2U) << "thresholds that part nothing: " << schedule.limits[0];
     }
   }
 }

@@ -88,7 +88,7 @@ TEST(Phases, PrioritiseGivesAPairTheListThatItsMetricSays) {
   WorldSettings settings;
   settings.schedule.lists = {{}, {}};
   for (const double threshold_m : {9.0, 11.0}) {  // the eye is 10 m away
-    settings.schedule.thresholds = {threshold_m};
+    settings.schedule.limits = {threshold_m};
     StepOf balls = two_paired_balls(0.19, settings);
     prioritise_pairs(balls.step());
     ASSERT_EQ(balls.memory.order.pairs().size(), 1U);
