@@ -45,4 +45,15 @@ double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q
   return degrees(atan2_rad(u.cross(w).norm(), u.dot(w)));
 }
 
+Vector3 seen_velocity(const Viewer& viewer, const Vector3& place, const Vector3& velocity) {
+  const Vector3 from_eye = place - viewer.eye;
+  return velocity - viewer.velocity - viewer.turning.cross(from_eye);
+}
+
+double angular_speed_deg_s(const Viewer& viewer, const Vector3& place, const Vector3& velocity) {
+  const Vector3 from_eye = place - viewer.eye;
+  const Vector3 seen = seen_velocity(viewer, place, velocity);
+  return degrees(from_eye.cross(seen).norm() / from_eye.squaredNorm());
+}
+
 }  // namespace impetus::inline scheduling

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/setting_changes.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_region.hpp"
@@ -88,6 +91,16 @@ std::string listed_keys() {
   return text;
 }
 
+/// The first few of the names that a value can be.
+std::string list_some(const std::vector<std::string_view>& names) {
+  constexpr std::size_t kFew = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kFew, names.size()); ++i) {
+    text += std::string(names[i]) + ", ";
+  }
+  return text + "...";
+}
+
 [[noreturn]] void refuse_change(const std::string& given, const std::string& message) {
   throw InputError("--with " + given + ": " + message);
 }
@@ -141,6 +154,7 @@ bool follows_another(const json& engine) {
 }  // namespace
 
 const std::vector<SettingKey>& setting_keys() {
+  static const std::string traversals = list_some(traversal_names());
   static const std::vector<SettingKey> keys{
       {"branching", "/engine/tree/branching", "children of a node, at most", nullptr},
       {"budget", "/engine/budget", "units of work a step, or unlimited", put_budget},
@@ -163,8 +177,7 @@ const std::vector<SettingKey>& setting_keys() {
        "    shares of the pairs; of region the finest inside, the\n"
        "    coarsest outside",
        put_scheduler},
-      {"traversal", "/engine/schedule/traversal", "depth-first, breadth-first, best-first, ...",
-       nullptr},
+      {"traversal", "/engine/schedule/traversal", traversals.c_str(), nullptr},
       {"tree", "/engine/tree", "kind of the volume trees: octree, medial, ...", put_tree},
       {"tunnelling", "/engine/tunnelling", "ignored, capped, stop-at-entry", nullptr}};
   return keys;

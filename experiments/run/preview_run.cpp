@@ -43,6 +43,7 @@ PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
       start_energy_J_(energy_J(start_.world)),
       latest_(start_.looks.size(), start_.step_hz) {
   run_.set_region_rule(settings_.region);
+  run_.world().watch_pairs(true);
 }
 
 void PreviewRun::advance(double real_s) {
@@ -62,7 +63,6 @@ void PreviewRun::advance(double real_s) {
     pace_ += std::min(1.0, real_s / kPaceAveraged_s) * (share - pace_);
   }
   position_ = reached;
-  find_pairs();
 }
 
 void PreviewRun::step() {
@@ -71,19 +71,18 @@ void PreviewRun::step() {
     step_once();
   }
   position_ = static_cast<double>(run_.number());
-  find_pairs();
 }
 
 void PreviewRun::restart() {
   const Schedule schedule = run_.world().settings().schedule;
   run_ = SceneRun(start_, kPlacesSeed, clock_);
+  run_.world().watch_pairs(true);
   run_.world().set_schedule(schedule);
   apply_settings();
   latest_ = LatestDetail(start_.looks.size(), start_.step_hz);
   position_ = 0.0;
   pace_ = 1.0;
   collision_count_ = 0;
-  pairs_.clear();
   contacts_.clear();
   node_contacts_.clear();
   pop_count_ = stopped_count_ = 0;
@@ -123,7 +122,7 @@ void PreviewRun::change(const PreviewSettings& settings) {
 }
 
 std::optional<GazeRegion> PreviewRun::region() const {
-  if (run_.world().settings().schedule.rule != ListRule::kRegion) {
+  if (!follows_region(run_.world().settings().schedule)) {
     return std::nullopt;
   }
   if (settings_.region.kind == RegionKind::kTracked) {
@@ -136,8 +135,7 @@ ScreenPoint PreviewRun::looked_at() const { return gaze_.value_or(ScreenPoint{})
 
 std::optional<GazeRegion> PreviewRun::region_of_step() {
   const std::optional<GazeRegion> region = run_.next_region(looked_at());
-  const bool by_region = run_.world().settings().schedule.rule == ListRule::kRegion;
-  return by_region ? region : std::nullopt;
+  return follows_region(run_.world().settings().schedule) ? region : std::nullopt;
 }
 
 void PreviewRun::step_once() {
@@ -184,12 +182,6 @@ void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& 
   }
 }
 
-void PreviewRun::find_pairs() {
-  if (run_.number() > 0) {
-    pairs_ = pairs_of_step(run_.world(), run_.before(), run_.input());
-  }
-}
-
 void PreviewRun::forget_old() {
   while (!contacts_.empty() && freshness(contacts_.front()) <= 0.0) {
     contacts_.pop_front();
@@ -233,7 +225,7 @@ std::vector<BodyDetail> PreviewRun::details() const {
   for (BodyDetail& detail : details) {
     detail.list = -1;  // of a pair, which need not collide
   }
-  for (const ScheduledPair& pair : pairs_) {
+  for (const ScheduledPair& pair : pairs()) {
     for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
       if (!is_wall(body)) {
         BodyDetail& detail = details[static_cast<std::size_t>(body)];

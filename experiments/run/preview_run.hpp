@@ -15,7 +15,6 @@
 
 #include "experiments/record/ports.hpp"
 #include "experiments/run/body_detail.hpp"
-#include "experiments/run/pairs_of_step.hpp"
 #include "experiments/run/preview_settings.hpp"
 #include "experiments/run/scene_run.hpp"
 
@@ -87,7 +86,7 @@ class PreviewRun {
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
   /// The last step's, by list.
-  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return pairs_; }
+  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return run_.world().pairs(); }
   /// What is still in view, oldest first.
   [[nodiscard]] const std::deque<ShownContact>& contacts() const { return contacts_; }
   /// The same of overlapping nodes, before the reduction; at most 500 of a pair.
@@ -112,7 +111,6 @@ class PreviewRun {
   void apply_settings();
   void keep(const StepReport& report);
   void keep_contacts(const StepReport& report, const CollisionReport& collision);
-  void find_pairs();
   void forget_old();
 
   const Clock* clock_;
@@ -133,7 +131,6 @@ class PreviewRun {
   std::int64_t stopped_count_{0};
   bool watches_node_contacts_{false};
 
-  std::vector<ScheduledPair> pairs_;
   LatestDetail latest_;
   std::deque<ShownContact> contacts_;
   std::deque<ShownContact> node_contacts_;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,7 @@ struct PreviewSettings {
   double ms_per_step{0.2};
   bool all_phases{false};  ///< work counts contacts and response too
   bool by_pair_shares{false};
-  Traversal traversal{Traversal::kDepthFirst};
+  std::shared_ptr<const Traversal> traversal = make_traversal("depth-first");
   int persistence_steps{0};
   MetricOptions metric_options{};    ///< the scene's own; its terms for the scheduler "weighted"
   std::string reduction{"average"};  ///< one of reduction_names()

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/scheduling/relative_acuity.hpp"
+#include "engine/scheduling/eccentricity_metric.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/seen_apart.hpp"
 

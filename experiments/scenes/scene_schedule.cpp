@@ -23,32 +23,31 @@ PriorityList list_from(const json& entry) {
   return list;
 }
 
-Traversal traversal_of(const json& schedule) {
-  const auto name = schedule.value("traversal", std::string("depth-first"));
-  return name == "breadth-first"   ? Traversal::kBreadthFirst
-         : name == "best-first"    ? Traversal::kBestFirst
-         : name == "visible-first" ? Traversal::kVisibleFirst
-                                   : Traversal::kDepthFirst;
+std::shared_ptr<const Traversal> traversal_in(const json& schedule) {
+  return schedule.contains("traversal") ? make_traversal(schedule["traversal"].get<std::string>())
+                                        : Schedule().traversal;
 }
 
 void set_rule(const json& schedule, Schedule& result) {
   if (schedule["scheduler"].get<std::string>() == kRegionScheduler) {
-    result.rule = ListRule::kRegion;
-  } else if (schedule.contains("pair_shares")) {
-    result.rule = ListRule::kPairShares;
-    result.pair_shares = schedule["pair_shares"].get<std::vector<double>>();
-  } else {
-    result.thresholds = schedule.value("thresholds", std::vector<double>{});
+    result.rule = make_list_rule(kRegionScheduler);
+    return;
   }
+  const std::string name = limits_key(schedule);
+  result.rule = make_list_rule(name);
+  result.limits = schedule.value(name, std::vector<double>{});
 }
 
-/// The metrics that take part in a schedule's decisions.
-std::set<std::string> metrics_in(const json& schedule) {
+/// Whether any of the metrics that take part in a schedule's decisions looks at the fixation.
+bool measures_from_fixation(const json& schedule) {
   std::set<std::string> names{schedule["scheduler"].get<std::string>()};
   for (const json& term : schedule.value("terms", json::array())) {
     names.insert(term["metric"].get<std::string>());
   }
-  return names;
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return name != kRegionScheduler && !needs_terms(name) &&
+           (make_metric(name)->terms() & kFixationTerm) != 0;
+  });
 }
 
 }  // namespace
@@ -60,6 +59,24 @@ std::string scheduler_of(const json& engine) {
 ScreenPoint screen_point_of(const json& point_deg, double metres_per_degree) {
   return {metres_per_degree * point_deg[0].get<double>(),
           metres_per_degree * point_deg[1].get<double>()};
+}
+
+std::vector<std::string> limits_keys() {
+  std::vector<std::string> keys;
+  for (const std::string_view name : list_rule_names()) {
+    if (make_list_rule(name)->has_limits()) {
+      keys.emplace_back(name);
+    }
+  }
+  return keys;
+}
+
+std::string limits_key(const json& schedule) {
+  const std::vector<std::string> keys = limits_keys();
+  const auto said = std::find_if(keys.rbegin(), keys.rend(), [&schedule](const std::string& key) {
+    return schedule.contains(key);
+  });
+  return said == keys.rend() ? keys.front() : *said;
 }
 
 double steps_of(double duration_ms, const json& engine) {
@@ -84,10 +101,10 @@ Schedule schedule_of(const json& engine, double metres_per_degree) {
     result.lists.push_back(list_from(entry));
   }
   set_rule(schedule, result);
-  if (result.rule != ListRule::kRegion) {
+  if (!follows_region(result)) {
     result.metric = make_metric(scheduler_of(engine), metric_options_of(engine, metres_per_degree));
   }
-  result.traversal = traversal_of(schedule);
+  result.traversal = traversal_in(schedule);
   result.persistence_steps = std::llround(steps_of(schedule.value("persistence_ms", 0.0), engine));
   return result;
 }
@@ -127,14 +144,13 @@ bool depends_on_gaze(const json& engine) {
   if (!engine.contains("schedule")) {
     return false;
   }
-  if (traversal_of(engine["schedule"]) == Traversal::kVisibleFirst) {
+  if ((traversal_in(engine["schedule"])->terms() & kAcuityTerm) != 0) {
     return true;
   }
   if (engine["schedule"].contains("point_deg")) {
     return false;
   }
-  const std::set<std::string> metrics = metrics_in(engine["schedule"]);
-  return metrics.contains("eccentricity") || metrics.contains("visible-frequency");
+  return measures_from_fixation(engine["schedule"]);
 }
 
 std::vector<SceneProblem> schedule_problems(const json& engine) {

@@ -15,6 +15,11 @@ namespace impetus::inline scenes {
 /// What decides a pair's list in `engine`: a metric's name, "region", or "" without a schedule.
 std::string scheduler_of(const nlohmann::json& engine);
 
+/// The keys of a schedule that say what its lists are parted by, each the name of a list rule. Of
+/// several that a schedule says, the last is its key; of none, the first.
+std::vector<std::string> limits_keys();
+std::string limits_key(const nlohmann::json& schedule);
+
 /// The schedule that `engine` asks for: one list to the finest level, or to `level`, when it asks
 /// for none. Precondition: schedule_problems() is empty.
 Schedule schedule_of(const nlohmann::json& engine, double metres_per_degree);

@@ -37,7 +37,7 @@ void add_list_problems(const json& engine, Problems& problems) {
   }
 }
 
-void refuse_schedule_key(const json& schedule, const char* key, const std::string& why,
+void refuse_schedule_key(const json& schedule, const std::string& key, const std::string& why,
                          Problems& problems) {
   if (schedule.contains(key)) {
     problems.push_back({std::string(kPlace) + "/" + key,
@@ -52,7 +52,7 @@ void add_region_rule_problems(const json& schedule, Problems& problems) {
         {std::string(kPlace) + "/lists",
          "expected two lists, inside and outside the region, got " + std::to_string(lists)});
   }
-  for (const char* key : {"thresholds", "pair_shares"}) {
+  for (const std::string& key : limits_keys()) {
     if (!schedule.value(key, json::array()).empty()) {
       refuse_schedule_key(schedule, key, "with the scheduler region", problems);
     }
@@ -60,10 +60,12 @@ void add_region_rule_problems(const json& schedule, Problems& problems) {
 }
 
 void add_metric_rule_problems(const json& schedule, Problems& problems) {
-  if (schedule.contains("pair_shares")) {
-    refuse_schedule_key(schedule, "thresholds", "beside pair_shares", problems);
+  const std::string key = limits_key(schedule);
+  for (const std::string& other : limits_keys()) {
+    if (other != key) {
+      refuse_schedule_key(schedule, other, "beside " + key, problems);
+    }
   }
-  const char* key = schedule.contains("pair_shares") ? "pair_shares" : "thresholds";
   const std::size_t needed = schedule["lists"].size() - 1;
   const std::size_t given = schedule.value(key, json::array()).size();
   if (given != needed) {

@@ -36,7 +36,7 @@ TradeRow row_of(const PartingSetting& setting, const std::string& subject) {
     row.level = setting.level;
   }
   row.scheduler = setting.order.scheduler;
-  row.traversal = traversal_name(setting.order.traversal);
+  row.traversal = setting.order.traversal;
   row.budget = setting.budget;
   row.reference = "finest";
   return row;

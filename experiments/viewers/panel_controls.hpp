@@ -33,10 +33,9 @@ struct NamedValue {
   const char* name;
 };
 
-/// A labelled list of which one value is chosen.
-template <typename Value, std::size_t kCount>
-bool chosen_of(const char* label, Value& value,
-               const std::array<NamedValue<Value>, kCount>& choices, const char* tooltip) {
+/// A labelled list of which one value is chosen: of an array or vector of NamedValue.
+template <typename Value, typename Choices>
+bool chosen_of(const char* label, Value& value, const Choices& choices, const char* tooltip) {
   const char* current = "";
   for (const NamedValue<Value>& choice : choices) {
     current = choice.value == value ? choice.name : current;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/viewers/panel_controls.hpp"
@@ -21,11 +23,16 @@ constexpr std::array<NamedValue<RegionKind>, 5> kRegions{{{RegionKind::kTracked,
                                                           {RegionKind::kAllBad, "all-bad"}}};
 constexpr std::array<NamedValue<bool>, 2> kLimits{
     {{false, "thresholds of the metric"}, {true, "shares of the pairs"}}};
-constexpr std::array<NamedValue<Traversal>, 4> kTraversals{
-    {{Traversal::kDepthFirst, "depth-first"},
-     {Traversal::kBreadthFirst, "breadth-first"},
-     {Traversal::kBestFirst, "best-first"},
-     {Traversal::kVisibleFirst, "visible-first"}}};
+
+using SharedTraversal = std::shared_ptr<const Traversal>;
+
+std::vector<NamedValue<SharedTraversal>> named_traversals() {
+  std::vector<NamedValue<SharedTraversal>> named;
+  for (const std::string_view name : traversal_names()) {
+    named.push_back({make_traversal(name), name.data()});  // of a literal
+  }
+  return named;
+}
 
 class SchedulerControls {
  public:
@@ -174,7 +181,7 @@ class SchedulerControls {
   }
 
   void draw_order() {
-    changed_ |= chosen_of("within a list", settings_.traversal, kTraversals,
+    changed_ |= chosen_of("within a list", settings_.traversal, named_traversals(),
                           "depth-first: one pair after the other. breadth-first: level after "
                           "level. best-first: where the next level should take away most of the "
                           "visible gap for its work. visible-first: where finer levels should "

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/collision/list_refinement.hpp"
 #include "engine/collision/torque_span.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "engine/dynamics/nearest_velocities.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
@@ -42,11 +42,11 @@ inline std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> cont
   return contacts;
 }
 
-/// See ListRefinement, of pairs that come in their order.
+/// See WorkSharing, of pairs that come in their order.
 inline WorkDone refine_by_lists(std::span<RefinedPair> pairs,
                                 const std::vector<PriorityList>& lists, WorkMeter& meter,
                                 const RefinementSettings& settings = {}) {
-  ListRefinement refinement;
+  WorkSharing refinement;
   refinement.do_floor(pairs, lists, settings);
   std::vector<std::size_t> as_they_come(pairs.size());
   std::iota(as_they_come.begin(), as_they_come.end(), std::size_t{0});

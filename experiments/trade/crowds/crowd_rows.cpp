@@ -81,7 +81,7 @@ class Rows {
  private:
   void name(const TriedOrder& order) {
     row_.scheduler = order.scheduler;
-    row_.traversal = traversal_name(order.traversal);
+    row_.traversal = order.traversal;
   }
 
   void add(const std::string& measure, const char* unit, const char* reference,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "engine/world/world_checks.hpp"
+#include "engine/world/world_state.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 
-#include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/limits.hpp"
 
 namespace impetus::inline world {
@@ -71,6 +72,37 @@ std::string problem_of(const std::vector<BodyModel>& models, const std::vector<B
     }
   }
   return "";
+}
+
+WorldState::WorldState(std::vector<BodyModel> bodies, std::vector<BodyState> begun,
+                       const WorldSettings& settings)
+    : models(std::move(bodies)), states(std::move(begun)), finite(states) {
+  const std::string of_figures = problem_of(settings.figures, models);
+  for (const std::string& problem : {problem_of(models, states), problem_of(settings),
+                                     of_figures.empty() ? of_figures : "world: " + of_figures}) {
+    if (!problem.empty()) {
+      throw std::invalid_argument(problem);
+    }
+  }
+  for (BodyModel& body : models) {
+    if (body.inverse_mass == 0.0) {
+      body.inverse_inertia.setZero();
+    }
+    placed.emplace_back(*body.tree);
+  }
+  if (!settings.figures.empty()) {
+    figures = ValuePointer(Figures(settings.figures, models));
+    figures->begin(settings.figures, states);
+  }
+}
+
+const TouchingPair* WorldState::touched_before(BodyPair bodies) const {
+  const auto found = std::lower_bound(touching.begin(), touching.end(), bodies,
+                                      [](const TouchingPair& pair, const BodyPair& wanted) {
+                                        return std::pair(pair.bodies.a, pair.bodies.b) <
+                                               std::pair(wanted.a, wanted.b);
+                                      });
+  return found != touching.end() && found->bodies == bodies ? &*found : nullptr;
 }
 
 }  // namespace impetus::inline world

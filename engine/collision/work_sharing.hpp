@@ -1,8 +1,8 @@
-// Refining all pairs of a step within its budget, each priority list by its share.
+// Sharing a step's work: all its pairs are refined within its budget, each list by its share.
 //
 //   floor     level 0 of every pair and its list's least level, whatever the budget
-//   rounds    the list furthest behind its share (ListShares): its next pair
-//             (waiting_pairs.hpp), one block of node-pair tests
+//   rounds    the list furthest behind its share (ListShares): its most urgent pair by the
+//             traversal (WaitingPairs), one block of node-pair tests
 //
 // A block starts only when its tests, and what modelling and response could cost after it, are
 // granted (work_ledger.hpp), so always spent + reserved ≤ max(granted, floor). The order of blocks
@@ -13,11 +13,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "engine/collision/waiting_pairs.hpp"
 #include "engine/collision/work_ledger.hpp"
 #include "engine/scheduling/priority_lists.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -36,14 +37,51 @@ struct WorkDone {
 
 /// What the work is counted by, and in which order each list's pairs get it.
 struct RefinementSettings {
-  Traversal traversal{Traversal::kDepthFirst};
+  std::shared_ptr<const Traversal> traversal = make_traversal("depth-first");
   WorkCosts costs{};
   ContactModel contacts{};      ///< what modelling and response will get
   std::int64_t work_before{0};  ///< done already in this step, part of the floor
 };
 
-/// Refines step after step in memory that it keeps.
-class ListRefinement {
+/// How soon a pair comes by the traversal, larger sooner.
+double urgency(const RefinedPair& pair, const Traversal& traversal, const PhaseCosts& costs);
+
+/// The pairs of one priority list that wait for work, and which of them is next: the most urgent,
+/// of equally urgent ones that of the highest rank. A pair's urgency changes only when a level of
+/// it is complete, so one that was begun is finished first.
+class WaitingPairs {
+ public:
+  void clear() {
+    waiting_.clear();
+    first_ = 0;
+    is_queue_ = true;
+  }
+  [[nodiscard]] bool empty() const { return first_ == waiting_.size(); }
+
+  /// `index` is the pair's rank by priority.
+  void add(std::size_t index, double urgency);
+
+  /// Precondition: !empty().
+  [[nodiscard]] std::size_t next() const { return waiting_[first_].index; }
+  void remove_next();
+
+ private:
+  struct Waiting {
+    double urgency;
+    std::size_t index;
+  };
+  static bool comes_after(const Waiting& x, const Waiting& y);
+  void become_heap();
+
+  /// As long as each comes after the last: those from first_ on, in order. From then on a heap, and
+  /// first_ is 0.
+  std::vector<Waiting> waiting_;
+  std::size_t first_{0};
+  bool is_queue_{true};
+};
+
+/// Shares out work step after step in memory that it keeps.
+class WorkSharing {
  public:
   /// Brings every pair to its list's least level; which pair comes first does not matter here.
   /// `work_before` was done already and is part of the floor. Returns how many pairs are not

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "engine/collision/list_refinement.hpp"
+#include "engine/collision/work_sharing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 
 namespace impetus::inline collision {
 namespace {
 
-// Which priority list gets the next block of work: the one furthest behind its share.
-//
-// What a finished list leaves of its share flows on to the next list in order.
-// (Dingliana 2002, sec. 5.1.2)
-
-/// Which priority list gets the next block of work.
+/// Which priority list gets the next block of work: the one furthest behind its share. What a
+/// finished list leaves of its share flows on to the next list in order. (Dingliana 2002,
+/// sec. 5.1.2)
 class ListShares {
  public:
   /// `lists` must outlive this.
@@ -68,6 +66,34 @@ class ListShares {
   double sum_{0.0};
 };
 
+/// What a traversal may ask of a pair.
+class Progress final : public PairProgress {
+ public:
+  Progress(const RefinedPair& pair, const PhaseCosts& costs) : pair_(pair), costs_(costs) {}
+
+  [[nodiscard]] bool resolved() const override { return pair_.refinement.resolved(); }
+  [[nodiscard]] int level() const override { return pair_.refinement.level(); }
+  [[nodiscard]] int finest_level() const override { return pair_.refinement.finest_level(); }
+  [[nodiscard]] double fit_error_m(int level) const override {
+    return pair_.refinement.fit_error_m(level);
+  }
+  [[nodiscard]] double likeliest_collision() const override {
+    return pair_.refinement.likeliest_collision();
+  }
+  [[nodiscard]] double deepest_overlap_m() const override {
+    return pair_.refinement.deepest_overlap_m();
+  }
+  [[nodiscard]] std::int64_t work_of_next_level() const override {
+    return costs_.of_tests(pair_, pair_.refinement.tests_of_next_level());
+  }
+  [[nodiscard]] double eye_distance_m() const override { return pair_.eye_distance_m; }
+  [[nodiscard]] double acuity() const override { return pair_.acuity; }
+
+ private:
+  const RefinedPair& pair_;
+  const PhaseCosts& costs_;
+};
+
 /// Brings every pair to its list's least level; returns how many are not resolved yet.
 std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                            WorkLedger& ledger) {
@@ -94,7 +120,7 @@ class Rounds {
          const PhaseCosts& costs, WorkLedger& ledger, std::array<WaitingPairs, kMostLists>& waiting)
       : pairs_(pairs),
         order_(order),
-        settings_(settings),
+        traversal_(*settings.traversal),
         costs_(costs),
         ledger_(ledger),
         shares_(lists),
@@ -128,7 +154,7 @@ class Rounds {
         done.by_list[list] += costs_.of_tests(pairs_[index], tests);
       }
       // Where it is served by its place alone, a finer level changes nothing.
-      if (refinement.level() != level && settings_.traversal != Traversal::kDepthFirst) {
+      if (refinement.level() != level && looks_at_progress_) {
         dequeue(list);
         enqueue(rank);
       }
@@ -149,7 +175,7 @@ class Rounds {
   void enqueue(std::size_t rank) {
     const RefinedPair& pair = pairs_[order_[rank]];
     const auto list = static_cast<std::size_t>(pair.list);
-    waiting_[list].add(rank, urgency(pair, settings_.traversal, costs_));
+    waiting_[list].add(rank, urgency(pair, traversal_, costs_));
     waits_[list] = true;
     ++waiting_count_;
   }
@@ -162,10 +188,11 @@ class Rounds {
 
   std::span<RefinedPair> pairs_;
   std::span<const std::size_t> order_;
-  const RefinementSettings& settings_;
+  const Traversal& traversal_;
   const PhaseCosts& costs_;
   WorkLedger& ledger_;
   ListShares shares_;
+  bool looks_at_progress_{(traversal_.terms() & kProgressTerm) != 0};
   std::array<WaitingPairs, kMostLists>& waiting_;
   std::array<bool, kMostLists> waits_{};
   std::size_t waiting_count_{0};
@@ -173,18 +200,54 @@ class Rounds {
 
 }  // namespace
 
-std::size_t ListRefinement::do_floor(std::span<RefinedPair> pairs,
-                                     const std::vector<PriorityList>& lists,
-                                     const RefinementSettings& settings) {
+double urgency(const RefinedPair& pair, const Traversal& traversal, const PhaseCosts& costs) {
+  const double urgency = traversal.urgency(Progress(pair, costs));
+  return std::isnan(urgency) ? 0.0 : urgency;  // what is no number has no place in an order
+}
+
+bool WaitingPairs::comes_after(const Waiting& x, const Waiting& y) {
+  return x.urgency < y.urgency || (x.urgency == y.urgency && x.index > y.index);
+}
+
+void WaitingPairs::add(std::size_t index, double urgency) {
+  const Waiting added{urgency, index};
+  if (is_queue_ && !empty() && comes_after(waiting_.back(), added)) {
+    become_heap();
+  }
+  waiting_.push_back(added);
+  if (!is_queue_) {
+    std::push_heap(waiting_.begin(), waiting_.end(), comes_after);
+  }
+}
+
+void WaitingPairs::become_heap() {
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first_));
+  first_ = 0;
+  is_queue_ = false;
+  std::make_heap(waiting_.begin(), waiting_.end(), comes_after);
+}
+
+void WaitingPairs::remove_next() {
+  if (is_queue_) {
+    ++first_;
+    return;
+  }
+  std::pop_heap(waiting_.begin(), waiting_.end(), comes_after);
+  waiting_.pop_back();
+}
+
+std::size_t WorkSharing::do_floor(std::span<RefinedPair> pairs,
+                                  const std::vector<PriorityList>& lists,
+                                  const RefinementSettings& settings) {
   const PhaseCosts costs(settings.costs, settings.contacts);
   ledger_.begin(costs, pairs.size(), settings.work_before);
   return bring_to_least(pairs, lists, ledger_);
 }
 
-const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
-                                       const std::vector<PriorityList>& lists,
-                                       std::span<const std::size_t> order, WorkMeter& meter,
-                                       const RefinementSettings& settings) {
+const WorkDone& WorkSharing::refine(std::span<RefinedPair> pairs,
+                                    const std::vector<PriorityList>& lists,
+                                    std::span<const std::size_t> order, WorkMeter& meter,
+                                    const RefinementSettings& settings) {
   done_.floor = ledger_.total();
   done_.peak = done_.floor;
   done_.granted = meter.request(ledger_.total(), ledger_.reserved());
