@@ -17,7 +17,7 @@
 #include "engine/shapes/solids/box_mesh.hpp"
 #include "engine/shapes/solids/icosphere_mesh.hpp"
 #include "engine/shapes/solids/l_block_mesh.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/run/playback.hpp"
 #include "experiments/viewers/preview_view.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"

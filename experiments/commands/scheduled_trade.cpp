@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
 #include "experiments/trade/parting_rows.hpp"

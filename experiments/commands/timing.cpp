@@ -22,7 +22,7 @@
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/timing/timing_json.hpp"
 #include "experiments/timing/timing_page.hpp"
-#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/timing_run.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 #endif
 

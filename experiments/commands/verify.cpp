@@ -7,7 +7,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replay_check.hpp"
 #include "experiments/study/study_verification.hpp"
-#include "experiments/study/verification_words.hpp"
+#include "experiments/study/verification.hpp"
 
 namespace impetus::inline commands {
 namespace {

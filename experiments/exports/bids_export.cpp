@@ -3,14 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/exports/bids_events.hpp"
-#include "experiments/exports/bids_gaze.hpp"
+#include "experiments/exports/bids_tables.hpp"
 #include "experiments/exports/bids_session.hpp"
-#include "experiments/exports/output_file.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/exports/row_query.hpp"
+#include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/gzip.hpp"
 #include "experiments/tables/plain_text.hpp"
-#include "experiments/tables/tsv_line.hpp"
 
 namespace impetus::inline exports {
 namespace {

@@ -4,11 +4,15 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/exports/row_query.hpp"
 
 namespace impetus::inline exports {
+
+/// "ms" of "delay_ms", "deg/s" of "speed_deg_s"; "" when the name states none.
+std::string unit_of(std::string_view column);
 
 struct CodebookColumn {
   std::string name;

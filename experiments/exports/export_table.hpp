@@ -7,6 +7,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <SQLiteCpp/Database.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -33,5 +35,11 @@ const std::map<std::string, std::string>& computed_meanings();
 /// The query of a table; `factors` are factor names in the order of its parameters ?1, ?2, ...:
 /// each becomes a column "factor_NAME". Only trials have factors.
 std::string export_query(const ExportTable& table, const std::vector<std::string>& factors);
+
+/// Label by name; "" where no protocol has one.
+using FactorLabels = std::map<std::string, std::string>;
+
+/// Of all trials of the study. Throws StoreError.
+FactorLabels factor_labels(SQLite::Database& database);
 
 }  // namespace impetus::inline exports

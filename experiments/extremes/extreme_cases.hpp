@@ -2,11 +2,44 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "experiments/extremes/extreme_case.hpp"
+#include "experiments/extremes/course.hpp"
+#include "experiments/extremes/extreme_scene.hpp"
 
 namespace impetus::inline extremes {
+
+/// How long a case may take: all quick ones together half a minute, the usual ones two minutes;
+/// long ones as long as they need.
+enum class Length { kQuick, kUsual, kLong };
+
+struct ExtremePromise {
+  std::string sentence;  ///< which `at_most` completes
+  double at_most{0.0};
+  std::string unit{};                              ///< "" of shares and counts
+  std::function<double(const Course&)> measure{};  ///< of a scene: the worst scene counts
+};
+
+struct ExtremeCase {
+  std::string family;  ///< such as "sizes"
+  std::string name;    ///< of its own among all cases, such as "sizes-balls"
+  std::vector<ExtremePromise> promises;
+  std::function<std::vector<ExtremeScene>(Length)> scenes{};
+  /// In place of scenes: the figure of each promise.
+  std::function<std::vector<double>(Length, const Progress&)> ask{};
+};
+
+struct ExtremeResult {
+  double measured{0.0};
+  std::string worst_at{};  ///< the scene that it was measured in; "" where there are none
+  bool kept{false};        ///< never, when what was measured is no number
+};
+
+/// Runs the case in this engine: a result for each of its promises. `progress` may be empty.
+std::vector<ExtremeResult> run_case(const ExtremeCase& extreme, Length length,
+                                    const Progress& progress = {});
 
 /// In the order in which they are reported: families together.
 const std::vector<ExtremeCase>& extreme_cases();

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -151,6 +152,16 @@ class Recorder {
 
   /// Waits until everything handed over is committed to disk. Throws when it could not be.
   virtual void await_saved() = 0;
+};
+
+/// CLOCK_MONOTONIC in nanoseconds.
+class SteadyClock final : public Clock {
+ public:
+  [[nodiscard]] std::int64_t now_ns() const override {
+    std::timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  }
 };
 
 }  // namespace impetus::inline record

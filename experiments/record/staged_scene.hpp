@@ -3,18 +3,52 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/scheduling/metrics.hpp"
+#include "engine/scheduling/viewer.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
 #include "engine/world/world.hpp"
-#include "experiments/record/drawn_levels.hpp"
-#include "experiments/record/gaze_path.hpp"
-#include "experiments/record/turning_viewer.hpp"
+#include "experiments/record/gaze.hpp"
 
 namespace impetus::inline record {
+
+struct ViewerTurn {
+  double azimuth_deg{0.0};  ///< at time zero
+  double rate_deg_s{0.0};   ///< anticlockwise from above; 0: the viewer stays
+};
+
+/// The viewer `time_s` after `start`, which is as it was when nothing turns. The same bits on every
+/// machine: a step's viewer follows from its number.
+Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s);
+
+/// A picture of more bodies is a crowd's.
+inline constexpr std::size_t kFewBodies = 20;
+
+/// How far from its place the surface of one of a crowd may be drawn, on average, in pixels.
+inline constexpr double kMostDeviation_px = 0.5;
+
+/// A mesh that stands for a finer one.
+struct DrawnLevel {
+  std::shared_ptr<const TriangleMesh> mesh;
+  /// Of either surface from the other: the root of the mean squared distance, the greater of both.
+  double deviation_m{0.0};
+};
+
+/// From the finest to the coarsest, deviations rising.
+using DrawnLevels = std::vector<DrawnLevel>;
+
+[[nodiscard]] inline bool is_crowd(std::size_t bodies) { return bodies > kFewBodies; }
+
+/// The mesh to draw of a body that has `mesh` and perhaps `coarser` ones, where a metre across the
+/// line of sight takes `px_per_metre` pixels.
+[[nodiscard]] const std::shared_ptr<const TriangleMesh>& mesh_as_seen(
+    const std::shared_ptr<const TriangleMesh>& mesh, const DrawnLevels* coarser,
+    double px_per_metre);
 
 /// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
 /// none; colour sRGB, 0–1.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/design/whole_frames.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/run/playback.hpp"
 
 namespace impetus::inline session {

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
-#include "experiments/gaze/region_coverage.hpp"
+#include "experiments/gaze/region_source.hpp"
+#include "experiments/record/frame_grid.hpp"
 
 namespace impetus::inline session {
 namespace {

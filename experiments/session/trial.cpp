@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_latency.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/session/stimulus.hpp"
 

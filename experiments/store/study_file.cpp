@@ -2,25 +2,51 @@
 #include "experiments/store/study_file.hpp"
 
 #include <SQLiteCpp/Backup.h>
+#include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/migration.hpp"
-#include "experiments/store/present_file.hpp"
 #include "experiments/store/read_only_file.hpp"
 
 namespace impetus::inline store {
 namespace {
+
+/// Whether `path` still names the file that is open as `descriptor`.
+bool is_present(const std::filesystem::path& path, int descriptor) {
+  struct stat named {};
+  struct stat open {};
+  return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &open) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
+/// Writes the whole study beside where it was, as "study.rescued.sqlite" or, where there is such a
+/// file, "study.rescued-2.sqlite", ...; returns that path. Throws SQLite::Exception.
+std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::path& path) {
+  std::filesystem::path rescued = path;
+  rescued.replace_extension(".rescued" + path.extension().string());
+  for (int number = 2; std::filesystem::exists(rescued); ++number) {
+    rescued = path;
+    rescued.replace_extension(".rescued-" + std::to_string(number) + path.extension().string());
+  }
+  SQLite::Statement copy(database, "VACUUM INTO ?");
+  copy.bind(1, rescued.string());
+  copy.exec();
+  return rescued;
+}
 
 /// How long another program, such as a viewer of databases or a backup, may hold the file while a
 /// session runs, before the session ends for that.

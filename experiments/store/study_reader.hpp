@@ -10,6 +10,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
+#include "experiments/run/collision_truth.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 
@@ -75,5 +76,26 @@ struct LateFrame {
 };
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
                                         std::int64_t interval = 1);
+
+/// A recorded collision; bodies by their index in the scene, b a wall where it is one.
+struct StoredCollision {
+  std::int64_t id{0};
+  std::int64_t step{0};
+  BodyPair bodies;
+};
+
+struct MeasuredCollision {
+  std::int64_t collision_id{0};
+  CollisionTruth truth;
+};
+
+/// The collisions of an attempt's interval between bodies of `names` and walls, in order; others
+/// are left out.
+std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
+                                             const std::vector<std::string>& names,
+                                             std::int64_t interval = 1);
+
+/// Stores them in one transaction, in place of what was measured before. Throws StoreError.
+void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions);
 
 }  // namespace impetus::inline store

@@ -32,4 +32,11 @@ struct Verification {
   }
 };
 
+/// A line for each check, each failure and each remark; the last line alone says whether the study
+/// `name` can be published, and if not, the first reason.
+std::string verification_words(const std::string& name, const Verification& verification);
+
+/// The same as one JSON object.
+std::string verification_json(const std::string& name, const Verification& verification);
+
 }  // namespace impetus::inline study

@@ -28,4 +28,10 @@ std::string bits_text(std::int64_t value);
 /// The letter x and two hexadecimal digits for each byte.
 std::string bytes_text(std::string_view bytes);
 
+/// The cells as one line, its end included; an empty cell becomes "n/a".
+std::string tsv_line(const std::vector<std::string>& cells);
+
+/// The text in UTF-8 on one line without tabs: there is no way to quote them.
+std::string tsv_text(std::string_view text);
+
 }  // namespace impetus::inline tables

@@ -13,9 +13,31 @@
 #include "experiments/record/photodiode_patch.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/record/sent_input.hpp"
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/timing/timing_report.hpp"
 
 namespace impetus::inline timing {
+
+/// The trial that shows so many bodies.
+PlannedTrial timing_trial(int bodies);
+
+class TimingScenes final : public Scenes {
+ public:
+  /// Every scene lasts so long. `shapes` must outlive this.
+  TimingScenes(double duration_s, ShapeLibrary& shapes)
+      : duration_s_(duration_s), shapes_(&shapes) {}
+
+  /// The scene of a timing_trial().
+  [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
+                                  const ScreenGeometry& screen) const override;
+  /// There are none: throws std::logic_error.
+  [[nodiscard]] StagedScene stage_demonstration(const std::string& id,
+                                                const ScreenGeometry& screen) const override;
+
+ private:
+  double duration_s_;
+  ShapeLibrary* shapes_;
+};
 
 class TimingLab {
  public:

@@ -37,4 +37,10 @@ std::string pictured(int bodies);
 /// "key presses put into the window system".
 std::string described(const InputDelay& input);
 
+/// One paragraph, bad results included. The report has at least the blank run.
+std::string methods_paragraph(const TimingReport& report);
+
+/// A sentence for everything that software cannot know of itself.
+std::vector<std::string> what_is_not_known(const TimingReport& report);
+
 }  // namespace impetus::inline timing

@@ -9,7 +9,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/run/collision_truth.hpp"
-#include "experiments/store/truth_rows.hpp"
+#include "experiments/store/study_reader.hpp"
 
 namespace impetus::inline commands {
 namespace {

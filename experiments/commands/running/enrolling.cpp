@@ -10,8 +10,7 @@
 #include "experiments/commands/running/yoking.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/record/lab_screen.hpp"
-#include "experiments/store/resumption_rows.hpp"
-#include "experiments/store/screen_rows.hpp"
+#include "experiments/store/session_rows.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline commands {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/timing/timing_run.hpp"
 #include "experiments/window/input_self_test.hpp"
 #include "experiments/window/shown_patch.hpp"

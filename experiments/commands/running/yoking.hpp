@@ -9,7 +9,7 @@
 
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/gaze.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline commands {

@@ -14,7 +14,6 @@
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/study_integrity.hpp"
-#include "experiments/store/study_schema.hpp"
 
 namespace impetus::inline store {
 namespace {

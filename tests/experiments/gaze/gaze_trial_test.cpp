@@ -7,7 +7,7 @@
 
 #include "experiments/gaze/gaze_latency.hpp"
 #include "experiments/gaze/recorded_gaze.hpp"
-#include "experiments/record/enclosure_image.hpp"
+#include "experiments/gaze/region_source.hpp"
 #include "experiments/run/replay.hpp"
 #include "experiments/session/trial.hpp"
 #include "tests/experiments/fakes.hpp"
