@@ -151,6 +151,17 @@ std::vector<Row> load_as(SQLite::Database& database, const std::string& sql,
   return rows;
 }
 
+/// The only row of a query; where there is none, that is a SQLite::Exception, too.
+template <typename... Columns, typename... Values>
+std::tuple<Columns...> load_row(SQLite::Database& database, const std::string& sql,
+                                const Values&... values) {
+  auto rows = load_rows<Columns...>(database, sql, values...);
+  if (rows.empty()) {
+    throw SQLite::Exception("No row to get a column from.");
+  }
+  return std::move(rows.front());
+}
+
 /// The only column of all rows of a query.
 template <typename Column, typename... Values>
 std::vector<Column> load_column(SQLite::Database& database, const std::string& sql,

@@ -1,5 +1,5 @@
-// Whether a study's tables and views are those that this build makes: nothing was added, dropped
-// or loosened by hand.
+// Whether a study file is whole: as a file, as a database, and with the tables and views that this
+// build makes, none of them added, dropped or loosened by hand.
 //
 // Tables are compared by what they mean (columns, keys, checks), for a migrated one has other
 // words; views and indexes by their words.

@@ -54,10 +54,11 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
 }
 
 ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
-  return load_as<ProtocolTexts, std::string, std::string, std::string, std::string>(
-             study.database(),
-             "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?", protocol_id)
-      .at(0);
+  const auto [name, hash, protocol, scene] =
+      load_row<std::string, std::string, std::string, std::string>(
+          study.database(),
+          "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?", protocol_id);
+  return {name, hash, protocol, scene};
 }
 
 std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {

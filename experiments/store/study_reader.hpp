@@ -1,4 +1,5 @@
-// What a replay needs of a study: every attempt with the inputs that decided it.
+// What a replay needs of a study: every attempt with the inputs that decided it. And what it adds:
+// the truth of recorded collisions, kept apart from the record.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,6 +17,7 @@
 
 namespace impetus::inline store {
 
+/// One showing of a trial, under what it was recorded.
 struct StoredAttempt {
   std::int64_t id{0};
   std::int64_t trial_id{0};
@@ -84,6 +86,7 @@ struct StoredCollision {
   BodyPair bodies;
 };
 
+/// What a replay measured of one.
 struct MeasuredCollision {
   std::int64_t collision_id{0};
   CollisionTruth truth;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/study/protocol_check.hpp"
 
-#include <SQLiteCpp/Statement.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -18,20 +16,12 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/store/enrolment.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline study {
 namespace {
-
-std::vector<std::int64_t> protocol_ids(StudyFile& study) {
-  SQLite::Statement query(study.database(), "SELECT id FROM protocol ORDER BY id");
-  std::vector<std::int64_t> ids;
-  while (query.executeStep()) {
-    ids.push_back(query.getColumn(0).getInt64());
-  }
-  return ids;
-}
 
 /// A completed attempt and the answers that stand beside it.
 struct AnsweredAttempt {
@@ -41,28 +31,17 @@ struct AnsweredAttempt {
   std::int64_t rating_timeouts{0};              ///< responses of kind rating
   std::map<std::string, std::int64_t> answers;  ///< other responses, by kind
   std::int64_t clicks{0};
-  std::int64_t gaze_samples{0};
+  bool has_gaze{false};
 };
-
-/// "rating 1, yes_no 1" as the query groups them, by kind.
-std::map<std::string, std::int64_t> responses_of(SQLite::Database& database, std::int64_t attempt) {
-  SQLite::Statement query(database,
-                          "SELECT kind, count(*) FROM response WHERE attempt_id = ? GROUP BY kind");
-  query.bind(1, attempt);
-  std::map<std::string, std::int64_t> counts;
-  while (query.executeStep()) {
-    counts[query.getColumn(0).getString()] = query.getColumn(1).getInt64();
-  }
-  return counts;
-}
 
 std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
   SQLite::Statement query(
       database,
       "SELECT attempt.id, protocol_id, pseudonym || ', ' || name || ', slot ' || slot || "
-      "', attempt ' || number, rating, minimum, maximum, best, low_anchor, high_anchor, "
+      "', attempt ' || number, "
       "(SELECT count(*) FROM click WHERE click.attempt_id = attempt.id), "
-      "EXISTS (SELECT 1 FROM gaze WHERE gaze.attempt_id = attempt.id) "
+      "EXISTS (SELECT 1 FROM gaze WHERE gaze.attempt_id = attempt.id), "
+      "rating IS NOT NULL, minimum, maximum, best, low_anchor, high_anchor "
       "FROM attempt JOIN trial ON trial.id = trial_id "
       "JOIN enrolment ON enrolment.id = enrolment_id "
       "JOIN participant ON participant.id = participant_id "
@@ -71,23 +50,21 @@ std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
       "WHERE outcome <> 'interrupted' ORDER BY attempt.id");
   std::vector<AnsweredAttempt> attempts;
   while (query.executeStep()) {
-    AnsweredAttempt attempt;
-    attempt.protocol_id = query.getColumn(1).getInt64();
-    attempt.place = query.getColumn(2).getString();
-    if (!query.getColumn(3).isNull()) {
-      attempt.rated_on = RatingScale{"",
-                                     query.getColumn(4).getInt64(),
-                                     query.getColumn(5).getInt64(),
-                                     query.getColumn(6).getInt64(),
-                                     query.getColumn(7).getString(),
-                                     query.getColumn(8).getString()};
+    AnsweredAttempt& attempt = attempts.emplace_back();
+    std::int64_t id = 0;
+    bool is_rated = false;
+    RatingScale scale;
+    NextColumn(query) >> id >> attempt.protocol_id >> attempt.place >> attempt.clicks >>
+        attempt.has_gaze >> is_rated >> scale.minimum >> scale.maximum >> scale.best >>
+        scale.low_anchor >> scale.high_anchor;
+    if (is_rated) {
+      attempt.rated_on = scale;
     }
-    attempt.answers = responses_of(database, query.getColumn(0).getInt64());
-    attempt.rating_timeouts = attempt.answers["rating"];
-    attempt.answers.erase("rating");
-    attempt.clicks = query.getColumn(9).getInt64();
-    attempt.gaze_samples = query.getColumn(10).getInt64();
-    attempts.push_back(std::move(attempt));
+    for (const auto& [kind, count] : load_rows<std::string, std::int64_t>(
+             database, "SELECT kind, count(*) FROM response WHERE attempt_id = ? GROUP BY kind",
+             id)) {
+      (kind == "rating" ? attempt.rating_timeouts : attempt.answers[kind]) = count;
+    }
   }
   return attempts;
 }
@@ -138,7 +115,7 @@ void check_attempt(const AnsweredAttempt& attempt, const Script& script, Failure
   if (!script.clicks && attempt.clicks > 0) {
     failures.push_back(attempt.place + ": has clicks, which its protocol does not ask for");
   }
-  if (!script.gaze && attempt.gaze_samples > 0) {
+  if (!script.gaze && attempt.has_gaze) {
     failures.push_back(attempt.place + ": has gaze samples, though its protocol follows no gaze");
   }
 }
@@ -191,26 +168,13 @@ std::string length_problem(ShownInterval shown, const std::string& condition,
 
 using nlohmann::json;
 
+/// Who was planned for, and by which seed.
 struct StoredEnrolment {
   std::int64_t id{0};
   std::int64_t protocol_id{0};
   std::string participant;
   std::uint64_t seed{0};
 };
-
-std::vector<StoredEnrolment> load_enrolments(SQLite::Database& database) {
-  SQLite::Statement query(database,
-                          "SELECT enrolment.id, protocol_id, pseudonym, seed FROM enrolment "
-                          "JOIN participant ON participant.id = participant_id "
-                          "ORDER BY enrolment.id");
-  std::vector<StoredEnrolment> enrolments;
-  while (query.executeStep()) {
-    enrolments.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getInt64(),
-                          query.getColumn(2).getString(),
-                          static_cast<std::uint64_t>(query.getColumn(3).getInt64())});
-  }
-  return enrolments;
-}
 
 /// The condition as it was planned: an adaptive level came later.
 std::string planned_condition(const StoredTrial& trial, const Design& design) {
@@ -280,7 +244,8 @@ std::optional<std::string> plan_problem(SQLite::Database& database,
 }  // namespace
 
 ProtocolShelf::ProtocolShelf(StudyFile& study) {
-  for (const std::int64_t id : protocol_ids(study)) {
+  for (const std::int64_t id :
+       load_column<std::int64_t>(study.database(), "SELECT id FROM protocol ORDER BY id")) {
     const ProtocolTexts texts = load_protocol_texts(study, id);
     const std::string place = "protocol " + texts.name;
     try {
@@ -330,17 +295,13 @@ Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf) {
       "GROUP BY attempt.id, frame.interval");
   Failures failures;
   while (query.executeStep()) {
-    const Protocol* protocol = shelf.find(query.getColumn(0).getInt64());
-    if (protocol == nullptr) {
-      continue;
-    }
     ShownInterval shown;
-    shown.place = query.getColumn(1).getString();
-    shown.interval = query.getColumn(2).getInt64();
-    shown.last_time_s = query.getColumn(3).getDouble();
-    shown.last_step = query.getColumn(4).getInt64();
-    shown.trial.seed = static_cast<std::uint64_t>(query.getColumn(6).getInt64());
-    const std::string problem = length_problem(shown, query.getColumn(5).getString(), *protocol);
+    std::string condition;
+    NextColumn(query) >> shown.protocol_id >> shown.place >> shown.interval >> shown.last_time_s >>
+        shown.last_step >> condition >> shown.trial.seed;
+    const Protocol* protocol = shelf.find(shown.protocol_id);
+    const std::string problem =
+        protocol == nullptr ? "" : length_problem(shown, condition, *protocol);
     if (!problem.empty()) {
       failures.push_back(shown.place + ": " + problem);
     }
@@ -350,7 +311,11 @@ Failures wrong_lengths(StudyFile& study, const ProtocolShelf& shelf) {
 
 Failures changed_plans(StudyFile& study, const ProtocolShelf& shelf) {
   Failures failures;
-  for (const StoredEnrolment& enrolment : load_enrolments(study.database())) {
+  for (const StoredEnrolment& enrolment :
+       load_as<StoredEnrolment, std::int64_t, std::int64_t, std::string, std::uint64_t>(
+           study.database(),
+           "SELECT enrolment.id, protocol_id, pseudonym, seed FROM enrolment "
+           "JOIN participant ON participant.id = participant_id ORDER BY enrolment.id")) {
     const Protocol* protocol = shelf.find(enrolment.protocol_id);
     if (protocol == nullptr) {
       continue;

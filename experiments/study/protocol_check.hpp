@@ -1,5 +1,6 @@
-// Whether each completed attempt holds what its protocol asks for, and no less of the simulation
-// than was shown.
+// Whether a study is what its protocols ask for: each plan the one that protocol, code and seed
+// give, and each completed attempt with the answers that were asked for, and no less of the
+// simulation than was shown.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,6 +13,7 @@
 
 namespace impetus::inline study {
 
+/// The protocols of a study, read anew from the texts that it keeps.
 class ProtocolShelf {
  public:
   /// Reads all of them. What cannot be read, or is not what its name and hash say, is a failure.

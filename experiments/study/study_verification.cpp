@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/study/study_verification.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
 #include <string>

@@ -1,4 +1,5 @@
-// What was found of a study that is to be published: checks that all must pass, and remarks.
+// What was found of a study that is to be published: checks that all must pass, and remarks; in
+// words for a terminal and as JSON for programs.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,12 +13,14 @@ namespace impetus::inline study {
 /// One sentence for each thing that is wrong; none when all is right.
 using Failures = std::vector<std::string>;
 
+/// One of the checks that a study must pass.
 struct VerificationCheck {
   std::string name;   ///< one word: "file", "plans", ...
   std::string found;  ///< what was looked at, and how much of it
   Failures failures;
 };
 
+/// All that was found of a study.
 struct Verification {
   std::vector<VerificationCheck> checks;  ///< in the order made; the first failure is the reason
   std::vector<std::string> remarks;       ///< what a reader should know, and forbids nothing

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/merging/study_merge.hpp"
 
-#include <SQLiteCpp/Database.h>
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
-#include <SQLiteCpp/VariadicBind.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <deque>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/merging/merge_part.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/study_integrity.hpp"
 
 namespace impetus::inline store {
@@ -45,12 +39,11 @@ std::int64_t largest_id(SQLite::Database& database, const std::string& table) {
 std::map<std::int64_t, std::int64_t> protocols_present(SQLite::Database& source,
                                                        SQLite::Database& destination) {
   std::map<std::int64_t, std::int64_t> present;
-  SQLite::Statement theirs(source, "SELECT id, hash FROM protocol");
-  while (theirs.executeStep()) {
-    SQLite::Statement ours(destination, "SELECT id FROM protocol WHERE hash = ?");
-    ours.bind(1, theirs.getColumn(1).getString());
-    if (ours.executeStep()) {
-      present[theirs.getColumn(0).getInt64()] = ours.getColumn(0).getInt64();
+  for (const auto& [theirs, hash] :
+       load_rows<std::int64_t, std::string>(source, "SELECT id, hash FROM protocol")) {
+    if (const auto ours =
+            load_value<std::int64_t>(destination, "SELECT id FROM protocol WHERE hash = ?", hash)) {
+      present[theirs] = *ours;
     }
   }
   return present;
@@ -76,6 +69,13 @@ void bind(SQLite::Statement& insert, int index, const SQLite::Column& value) {
   }
 }
 
+/// Puts all rows of one study into another, with ids of their own there.
+///
+///   id in the source ──+ largest id there before──> id in the destination; references go along
+///   a protocol that is there already ─────────────> that one's id
+///
+/// It knows tables by the schema alone: ids are columns called `id`, references are declared. Both
+/// studies are of the present schema.
 class RowCopy {
  public:
   RowCopy(SQLite::Database& source, SQLite::Database& destination)
@@ -89,6 +89,8 @@ class RowCopy {
     ids_["protocol"].present = protocols_present(source, destination);
   }
 
+  /// Copies every row but that of the table study; of a protocol only what the destination lacks.
+  /// References may be broken until the end of the destination's transaction, which must be open.
   void copy() {
     destination_.exec("PRAGMA defer_foreign_keys = ON");
     for (const std::string& table : tables_) {
@@ -96,6 +98,7 @@ class RowCopy {
     }
   }
 
+  /// The largest id of a participant that was there before: those beyond it are the source's.
   [[nodiscard]] std::int64_t participants_before() const { return ids_.at("participant").offset; }
 
  private:
@@ -105,8 +108,9 @@ class RowCopy {
     const std::string names = joined(columns, "\"");
     SQLite::Statement select(source_, "SELECT " + names + " FROM \"" + table + "\"" +
                                           (has_id(columns) ? " ORDER BY id" : ""));
-    SQLite::Statement insert(destination_, "INSERT INTO \"" + table + "\" (" + names +
-                                               ") VALUES (" + placeholders(columns.size()) + ")");
+    const std::string places = joined(std::vector<std::string>(columns.size(), "?"), "");
+    SQLite::Statement insert(
+        destination_, "INSERT INTO \"" + table + "\" (" + names + ") VALUES (" + places + ")");
     while (select.executeStep()) {
       if (!is_present(table, columns, select)) {
         bind_row(select, insert, changed);
@@ -157,25 +161,11 @@ class RowCopy {
     }
   }
 
-  static std::string placeholders(std::size_t count) {
-    return joined(std::vector<std::string>(count, "?"), "");
-  }
-
   SQLite::Database& source_;
   SQLite::Database& destination_;
   std::vector<std::string> tables_;
   std::map<std::string, NewIds> ids_;  ///< by table, of those that have ids
 };
-
-/// Copies every row of `source` but that of the table study; of a protocol only what `destination`
-/// lacks. References may be broken until the end of the destination's transaction, which must be
-/// open. Both are of the present schema. Returns the largest id of a participant that was there
-/// before: those beyond it are the source's. Throws SQLite::Exception.
-std::int64_t copy_rows(SQLite::Database& source, SQLite::Database& destination) {
-  RowCopy copy(source, destination);
-  copy.copy();
-  return copy.participants_before();
-}
 
 bool is_there(const std::filesystem::path& path) {
   std::error_code missing;
@@ -210,20 +200,20 @@ std::deque<MergePart> comparable_parts(const std::vector<std::filesystem::path>&
 /// Participants that came straight from the file's own sessions are the file's; others keep the
 /// file that they came from before.
 void add_part(MergePart& part, SQLite::Database& destination) {
-  const std::int64_t before = copy_rows(part.study.database(), destination);
-  SQLite::Statement origin(part.study.database(), "SELECT created_utc, build FROM study");
-  origin.executeStep();
-  SQLite::Statement file(destination,
-                         "INSERT INTO merged_file (name, hash, created_utc, build, merged_utc) "
-                         "VALUES (?, ?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))");
-  SQLite::bind(file, std::filesystem::path(part.study.name()).filename().string(), part.hash,
-               origin.getColumn(0).getString(), origin.getColumn(1).getString());
-  file.exec();
-  SQLite::Statement owner(destination,
-                          "UPDATE participant SET merged_file_id = ? "
-                          "WHERE id > ? AND merged_file_id IS NULL");
-  SQLite::bind(owner, destination.getLastInsertRowid(), before);
-  owner.exec();
+  RowCopy copy(part.study.database(), destination);
+  copy.copy();
+  const auto [created_utc, build] = load_row<std::string, std::string>(
+      part.study.database(), "SELECT created_utc, build FROM study");
+  const std::int64_t file =
+      insert_row(destination, "merged_file",
+                 {{"name", std::filesystem::path(part.study.name()).filename().string()},
+                  {"hash", part.hash},
+                  {"created_utc", created_utc},
+                  {"build", build},
+                  {"merged_utc", Now()}});
+  execute(destination,
+          "UPDATE participant SET merged_file_id = ? WHERE id > ? AND merged_file_id IS NULL", file,
+          copy.participants_before());
 }
 
 std::int64_t count(SQLite::Database& database, const std::string& what) {
