@@ -185,7 +185,7 @@ void move_away(ExtremeScene& scene, double distance_m) {
   scene.name = short_number(distance_m) + " m away" + scene.name;
 }
 
-std::vector<ExtremeScene> balls(Length /*length*/) {
+std::vector<ExtremeScene> balls_far_away(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const double distance_m : {0.0, 1e2, 1e4, 1e6, 1e8}) {
     for (const double speed_m_s : {1e-2, 1.0, 1e3, 1e6}) {
@@ -197,7 +197,7 @@ std::vector<ExtremeScene> balls(Length /*length*/) {
   return scenes;
 }
 
-std::vector<ExtremeScene> blocks(Length /*length*/) {
+std::vector<ExtremeScene> blocks_far_away(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const TreeKind kind : all_tree_kinds()) {
     ExtremeScene scene;
@@ -216,7 +216,7 @@ std::vector<ExtremeScene> blocks(Length /*length*/) {
 }
 
 /// Balls that meet off their centres.
-std::vector<ExtremeScene> glancing(Length /*length*/) {
+std::vector<ExtremeScene> glancing_far_away(Length /*length*/) {
   std::vector<ExtremeScene> scenes;
   for (const double distance_m : {1e4, 1e6, 1e8}) {
     scenes.push_back(head_on(0.1, 1.0, 1.0 / 240.0));
@@ -301,17 +301,17 @@ std::vector<ExtremeCase> far_place_cases() {
        "far-balls",
        {{"Balls of .1 m that meet up to 1e8 m from the origin part as fast, but for a share of",
          1e-9, "", rebound_error}},
-       balls},
+       balls_far_away},
       {family,
        "far-glancing",
        {{"and those that meet off their centres as they would at the origin, but for a share of",
          1e-5, "", differs_from_near}},
-       glancing},
+       glancing_far_away},
       {family,
        "far-blocks",
        {{"Blocks in trees of every kind that meet there gain of their energy at most", 1e-9, "",
          energy_gain_by_touching}},
-       blocks},
+       blocks_far_away},
   };
 }
 
