@@ -21,6 +21,7 @@
 
 namespace impetus::inline design {
 
+/// One adaptive track: the levels of its trials, each decided by the answers before it.
 class AdaptiveTrack {
  public:
   explicit AdaptiveTrack(std::variant<StaircaseTrack, QuestPlusTrack> method)
@@ -50,6 +51,7 @@ struct TrackPlan {
 /// The tracks of an adaptive design: every cell of the other factors, and in each every start.
 std::vector<TrackPlan> adaptive_tracks(const Design& design);
 
+/// All tracks of a design.
 class AdaptiveLevels {
  public:
   /// Every track at its beginning; none for a design that is not adaptive. Adaptive levels are
@@ -71,6 +73,9 @@ class AdaptiveLevels {
 
 /// The trial's level has been chosen.
 bool has_its_level(const PlannedTrial& trial, const Design& design);
+
+// A replay derives levels anew from the answers recorded before them, and compares them with what
+// was chosen then.
 
 /// An adaptive trial as it was recorded.
 struct RecordedLevel {

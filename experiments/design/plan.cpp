@@ -16,6 +16,14 @@
 namespace impetus::inline design {
 namespace {
 
+// Catch trials, spread among the main trials of each block.
+//
+//   block     | - - - - - - | - - - - - - | - - - - - - |     as many stretches as catch trials
+//   with them | - c - - - - - | - - - - c - - | - - - c - - - |   one place drawn in each
+//
+// The main trials keep their order. A catch trial counts in a longest run like any trial that is
+// shown.
+
 /// A block's catch trials, kind by kind.
 std::vector<PlannedTrial> catch_trials_of_block(const Design& design, std::int64_t block) {
   std::vector<PlannedTrial> trials;

@@ -3,10 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/exports/bids_tables.hpp"
 #include "experiments/exports/bids_session.hpp"
-#include "experiments/exports/whole_output.hpp"
+#include "experiments/exports/bids_tables.hpp"
 #include "experiments/exports/row_query.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/gzip.hpp"
 #include "experiments/tables/plain_text.hpp"

@@ -1,5 +1,6 @@
-// One sitting as BIDS has it: what its files are called, when its clock begins, its screen.
-// SPDX-License-Identifier: MIT
+// One sitting as BIDS has it: what its files are called, when its clock begins, its screen. Names
+// are labels of letters and digits alone, for what may be called anything. SPDX-License-Identifier:
+// MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -33,6 +34,7 @@ struct BidsNames {
 /// Throws StoreError.
 BidsNames bids_names(SQLite::Database& database);
 
+/// A session of a participant, in one task.
 struct BidsSession {
   std::int64_t id{0};
   std::int64_t protocol_id{0};

@@ -1,5 +1,6 @@
-// What happened in a sitting, as the events of BIDS: stimuli, answers, clicks, collisions.
-// SPDX-License-Identifier: MIT
+// What happened in a sitting, as tables of BIDS 1.11: events (stimuli, answers, clicks,
+// collisions), answers outside trials, and the gaze as physio of type "eyetrack". What stood in for
+// gaze is said in the sidecar: a mouse is no eye. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>

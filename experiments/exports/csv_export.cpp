@@ -10,13 +10,15 @@
 #include <string>
 
 #include "experiments/exports/export_table.hpp"
-#include "experiments/exports/whole_output.hpp"
 #include "experiments/exports/row_query.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline exports {
 namespace {
+
+// The protocols of a study and their scenes, as files again.
 
 /// "protocols/NAME-HASH": what the files of a protocol are called in an export, before their
 /// endings. Letters and digits alone, whatever name and hash hold; `id` keeps such names apart.

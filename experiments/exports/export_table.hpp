@@ -15,6 +15,7 @@
 
 namespace impetus::inline exports {
 
+/// One file of an export, and the query that fills it.
 struct ExportTable {
   std::string file;     ///< without ".csv"
   std::string base;     ///< the study's table whose rows these are
@@ -36,7 +37,7 @@ const std::map<std::string, std::string>& computed_meanings();
 /// each becomes a column "factor_NAME". Only trials have factors.
 std::string export_query(const ExportTable& table, const std::vector<std::string>& factors);
 
-/// Label by name; "" where no protocol has one.
+/// The factors of a study's conditions: label by name; "" where no protocol has one.
 using FactorLabels = std::map<std::string, std::string>;
 
 /// Of all trials of the study. Throws StoreError.

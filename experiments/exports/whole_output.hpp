@@ -1,4 +1,7 @@
-// A file that is written in parts, and a failure that does not pass unseen.
+// What an export writes: files whose failure does not pass unseen; a folder, or another study file,
+// that appears whole or not at all.
+//
+//   files ─> a folder beside it, "NAME.partial-XXXXXX" ─> renamed to NAME
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,6 +14,7 @@
 
 namespace impetus::inline exports {
 
+/// A file that is written in parts.
 class OutputFile {
  public:
   /// Makes the file, or empties it. Throws StoreError, here and below, naming the file.
@@ -34,6 +38,7 @@ void write_output_file(const std::filesystem::path& path, std::string_view text)
 /// Asked about a target that is a folder of files: throws InputError when that is to stay.
 using FolderCheck = std::function<void(const std::filesystem::path&)>;
 
+/// A folder that is put in place once all is written.
 class WholeFolder {
  public:
   /// `target` must not exist, or be an empty folder; with `replace` it may be an earlier export.

@@ -1,4 +1,7 @@
-// All cases at the extremes, by family.
+// Cases at the extremes, by family: what is promised of each, and how it is measured.
+//
+// Each promise is that one figure, the less the better, is at most a number. Most are figures of
+// the courses of scenes, which any engine can be put to; others are asked of this engine alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,6 +18,7 @@ namespace impetus::inline extremes {
 /// long ones as long as they need.
 enum class Length { kQuick, kUsual, kLong };
 
+/// That a figure is at most a number.
 struct ExtremePromise {
   std::string sentence;  ///< which `at_most` completes
   double at_most{0.0};
@@ -22,6 +26,7 @@ struct ExtremePromise {
   std::function<double(const Course&)> measure{};  ///< of a scene: the worst scene counts
 };
 
+/// Scenes, or a question to the engine, and what is promised of them.
 struct ExtremeCase {
   std::string family;  ///< such as "sizes"
   std::string name;    ///< of its own among all cases, such as "sizes-balls"
@@ -31,6 +36,7 @@ struct ExtremeCase {
   std::function<std::vector<double>(Length, const Progress&)> ask{};
 };
 
+/// What became of a promise.
 struct ExtremeResult {
   double measured{0.0};
   std::string worst_at{};  ///< the scene that it was measured in; "" where there are none

@@ -1,5 +1,5 @@
 // The region of high priority, step by step: about the gaze, at random or about a point, everywhere
-// or nowhere.
+// or nowhere; and how much of what is on show it covered.
 //
 //   all good   a region that holds all the view       all bad   none
 //   tracked    about the fixation                     random    about a place within the
@@ -22,6 +22,7 @@
 
 namespace impetus::inline gaze {
 
+/// The enclosure as the viewer sees it: the outline of its eight corners on the screen.
 class EnclosureImage {
  public:
   /// The whole screen when there is no enclosure, or when the eye is not before all of it.
@@ -48,6 +49,7 @@ class EnclosureImage {
 /// The radius of a region that holds all the view.
 inline constexpr double kWholeView_deg = 180.0;
 
+/// Says the region of each step.
 class RegionSource {
  public:
   /// Random places follow from `seed`, the trial's. A recorded region without a recording is none.

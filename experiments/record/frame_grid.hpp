@@ -25,6 +25,7 @@ struct Flip {
   [[nodiscard]] bool late() const { return missed_slots > 0; }
 };
 
+/// Which slots are taken, and when the next is due.
 class FrameGrid {
  public:
   /// `refresh_hz` must be positive.

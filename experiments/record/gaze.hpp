@@ -36,6 +36,7 @@ struct Picture;
 /// Why a sample has no place.
 enum class GazeLoss { kNone, kBlink, kOffScreen, kLost };
 
+/// Where the participant looked at one moment.
 struct GazeSample {
   std::int64_t taken_ns{0};  ///< of the session's clock
   Fixation at{};             ///< none: lost
@@ -43,6 +44,7 @@ struct GazeSample {
   std::int64_t interval{1};  ///< of a two-interval trial, during its first or second stimulus
 };
 
+/// A source of samples; see the top of this file.
 class Gaze {
  public:
   virtual ~Gaze() = default;
@@ -64,6 +66,7 @@ class Gaze {
   }
 };
 
+/// The gaze of a recorded trial, step by step: what a yoked region follows.
 struct GazePath {
   double viewing_distance_m{0.0};   ///< of the recording's screen
   std::vector<Fixation> fixations;  ///< used in each step, from step 0

@@ -29,6 +29,7 @@
 
 namespace impetus::inline record {
 
+/// When it is.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -60,6 +61,7 @@ struct Picture {
 Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress);
 
+/// The screen: what shows pictures, each at a flip.
 class Display {
  public:
   virtual ~Display() = default;
@@ -96,6 +98,7 @@ struct Answer {
   bool timed_out{false};                   ///< nothing came in the page's time; device is "none"
 };
 
+/// What the participant answers, and does meanwhile.
 class Input {
  public:
   virtual ~Input() = default;
@@ -120,6 +123,7 @@ class Input {
   }
 };
 
+/// What is on show under a condition.
 class Scenes {
  public:
   virtual ~Scenes() = default;
@@ -133,6 +137,7 @@ class Scenes {
                                                         const ScreenGeometry& screen) const = 0;
 };
 
+/// Keeps what happened.
 class Recorder {
  public:
   virtual ~Recorder() = default;
@@ -154,7 +159,7 @@ class Recorder {
   virtual void await_saved() = 0;
 };
 
-/// CLOCK_MONOTONIC in nanoseconds.
+/// The machine's own, which a change of date never moves: CLOCK_MONOTONIC.
 class SteadyClock final : public Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() const override {

@@ -9,6 +9,7 @@
 
 namespace impetus::inline record {
 
+/// Code points from the first to the last.
 struct LetterRange {
   std::uint16_t first{0};
   std::uint16_t last{0};

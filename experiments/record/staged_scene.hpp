@@ -17,6 +17,9 @@
 
 namespace impetus::inline record {
 
+/// A viewer who goes round the scene: the eye turns about the vertical at a constant rate, and
+/// looks at the world's origin all the time (Dingliana 2002, eq. 5.1: camera motion). The eye's
+/// velocity is ω × eye, ω being the rate about y.
 struct ViewerTurn {
   double azimuth_deg{0.0};  ///< at time zero
   double rate_deg_s{0.0};   ///< anticlockwise from above; 0: the viewer stays
@@ -25,6 +28,15 @@ struct ViewerTurn {
 /// The viewer `time_s` after `start`, which is as it was when nothing turns. The same bits on every
 /// machine: a step's viewer follows from its number.
 Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s);
+
+// How finely a body of a crowd is drawn: by the coarsest mesh that nobody could tell from its own.
+//
+//   mesh ──reduced──> level ──reduced──> level ...      each with its deviation in metres
+//                       │
+//    deviation, as seen from the eye, of half a pixel at most? ── yes ──> try the next
+//
+// Only crowds are drawn more coarsely than they are simulated: a picture of few bodies shows their
+// own meshes, triangle by triangle.
 
 /// A picture of more bodies is a crowd's.
 inline constexpr std::size_t kFewBodies = 20;
@@ -72,6 +84,7 @@ enum class RegionKind {
   kRecorded,  ///< about another participant's recorded gaze
 };
 
+/// Which region a schedule has, with what each kind of it needs.
 struct RegionRule {
   RegionKind kind{RegionKind::kNone};
   double radius_deg{0.0};
@@ -85,6 +98,7 @@ struct WorkBudget {
   std::int64_t ns_per_step{0};                   ///< by the clock; 0: none
 };
 
+/// The world at its start, and all that decides how it goes on and how it looks.
 struct StagedScene {
   World world;
   Viewer viewer;

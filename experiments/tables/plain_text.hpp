@@ -25,6 +25,7 @@ std::string markdown_code(std::string_view text);
 /// For a file's name: ASCII letters and digits stay, all else becomes '-'; at most `longest` bytes.
 std::string file_name_text(std::string_view text, std::size_t longest = 64);
 
+/// One character of a text, and how many bytes it takes there.
 struct CodePoint {
   std::uint32_t value{0};
   std::size_t bytes{0};

@@ -12,6 +12,8 @@
 namespace impetus::inline timing {
 namespace {
 
+// A run of flips as a small picture for the page: one dot per interval, over time.
+
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 96.0;
 constexpr double kMargin = 44.0;  // for the numbers on the left

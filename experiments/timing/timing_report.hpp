@@ -1,4 +1,15 @@
-// All that a timing report tells, measured values and raw ones, as plain data.
+// All that a timing report tells, measured values and raw ones, as plain data; and what raw values
+// say.
+//
+// The stamps of flips on an absolute grid: how even, how late, how fast the refresh runs.
+//
+//   stamp   |           .  ' /        slope       the true period: drift against the nominal one
+//           |      . ' /              distances   from the line: spread, which drift is no part of
+//           | . '/                    gaps        of two slots: a late frame, whatever the spread
+//           +---------------- slot
+//
+// Drift is not jitter: a display of 59.94 Hz that is called 60 would otherwise seem to spread more
+// the longer one looks.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,6 +24,7 @@
 
 namespace impetus::inline timing {
 
+/// What a list of measured values looks like: its middle, its tail, its spread.
 /// In the unit of the values; all zero without any.
 struct Distribution {
   std::int64_t count{0};
@@ -30,6 +42,7 @@ Distribution distribution_of(std::vector<double> values);
 /// The share of the values that are above the limit; 0 without values.
 double share_above(const std::vector<double>& values, double limit);
 
+/// What one run of flips says.
 struct FlipStatistics {
   std::int64_t flips{0};
   std::int64_t late{0};          ///< that came a slot or more too late
@@ -64,6 +77,7 @@ struct PatchSighting {
   std::optional<std::int64_t> seen{};  ///< none: it was no code, or could not be read
 };
 
+/// Whether every frame that was shown was the planned one, by its code.
 struct ContentCheck {
   std::int64_t frames{0};
   std::int64_t wrong{0};          ///< that showed another code than planned
@@ -76,6 +90,7 @@ struct ContentCheck {
 /// The frames in the order they were shown.
 ContentCheck check_content(const std::vector<PatchSighting>& frames);
 
+/// How long input that was sent took to arrive.
 struct InputDelay {
   InputDevice device{InputDevice::kKey};
   InputRoute route{InputRoute::kQueue};
@@ -108,12 +123,14 @@ struct GazeRun {
   double lost_share{0.0};            ///< of the run, time without a valid sample
 };
 
+/// A run of frames with a coded patch, and what was read back of them.
 struct ContentRun {
   std::string corner;
   bool readable{false};  ///< false: the window system cannot be asked for what it shows
   ContentCheck check;
 };
 
+/// What was measured on, and for how long.
 struct TimingFacts {
   std::string build;
   std::string machine;
@@ -126,6 +143,7 @@ struct TimingFacts {
   double seconds{0.0};  ///< that each part took
 };
 
+/// The whole report.
 struct TimingReport {
   TimingFacts facts;
   SyncTest sync;

@@ -21,6 +21,10 @@ namespace impetus::inline timing {
 /// The trial that shows so many bodies.
 PlannedTrial timing_trial(int bodies);
 
+/// The scenes that a timing report shows: shipped ones, at their own step rate.
+///
+///   up to 100 bodies   L-blocks bounce in a cube, detailed about the gaze
+///   more               creatures crowd a cube, by their own schedule and budget
 class TimingScenes final : public Scenes {
  public:
   /// Every scene lasts so long. `shapes` must outlive this.
@@ -39,6 +43,7 @@ class TimingScenes final : public Scenes {
   ShapeLibrary* shapes_;
 };
 
+/// What is measured, as interfaces: a window or a stand-in for one.
 class TimingLab {
  public:
   virtual ~TimingLab() = default;
@@ -60,6 +65,7 @@ class TimingLab {
   virtual std::optional<std::int64_t> read_patch() = 0;
 };
 
+/// What is asked of a run.
 struct TimingTask {
   double seconds{10.0};  ///< of each part
   ScreenCorner corner{ScreenCorner::kBottomLeft};
