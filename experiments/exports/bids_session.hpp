@@ -1,6 +1,6 @@
 // One sitting as BIDS has it: what its files are called, when its clock begins, its screen. Names
-// are labels of letters and digits alone, for what may be called anything. SPDX-License-Identifier:
-// MIT
+// are labels of letters and digits alone, for what may be called anything.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>

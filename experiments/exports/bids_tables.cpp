@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "experiments/exports/codebook.hpp"
+#include "experiments/exports/embedded_bids_events.hpp"
+#include "experiments/exports/embedded_bids_words.hpp"
 #include "experiments/exports/row_query.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
@@ -13,90 +15,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A column of a table, and what its sidecar says of it.
-struct Column {
-  const char* name;
-  const char* meaning;
-};
-
-const std::vector<Column>& event_columns() {
-  static const std::vector<Column> kColumns{
-      {"onset", "Start of the event, from the first instant that the sitting recorded"},
-      {"duration",
-       "Of a stimulus, what was shown of it; of an answer, how long it took; 0 of a "
-       "click, a collision or a calibration's start"},
-      {"trial_type", "What happened"},
-      {"trial", "Place of the trial in the participant's plan, from 1"},
-      {"phase", "practice or main; practice is never pooled"},
-      {"attempt", "Number of the trial's showing; more than 1: it was shown again"},
-      {"outcome",
-       "Of this showing: completed, interrupted or set aside; only completed ones count"},
-      {"interval", "Stimulus of a two-interval trial, 1 or 2; else 1"},
-      {"repetition", "Of the trial's condition"},
-      {"block", "In the order shown"},
-      {"catch", "1: a catch trial, outside the design"},
-      {"value", "The rating or the answer that was given"},
-      {"response_time", "Of an answer, from its question's flip; of a click, from the stimulus's"},
-      {"body_a", "Of a collision, the name of one body in the scene"},
-      {"body_b", "Of a collision, the name of the other, or of a wall"},
-      {"level", "Of a collision, level of detail that was used, 0 the coarsest"},
-      {"eccentricity_deg", "Of a collision, its distance from the screen's centre"},
-      {"gap_arcmin", "Of a collision, the gap that was visible; n/a: not measured"}};
-  return kColumns;
-}
-
-constexpr const char* kTrial =
-    "shown.slot, shown.phase, shown.number, shown.outcome, %interval, shown.repetition, "
-    "shown.block, shown.catch";
-constexpr const char* kNoCollision = "NULL, NULL, NULL, NULL, NULL";
-
-std::string trial_columns(const std::string& interval) {
-  std::string columns = kTrial;
-  return columns.replace(columns.find("%interval"), 9, interval);
-}
-
-/// In the order of event_columns(), onset in nanoseconds; then the trial's condition.
-std::string event_query() {
-  const std::string none = kNoCollision;
-  const auto answers = [&](const std::string& table, const std::string& type,
-                           const std::string& value) {
-    const std::string time = "(" + table + ".arrived_ns - " + table + ".question_shown_ns) / 1e9";
-    return "SELECT " + table + ".question_shown_ns, " + time + ", " + type + ", " +
-           trial_columns("NULL") + ", " + value + ", " + time + ", " + none +
-           ", shown.condition FROM " + table + " JOIN shown ON shown.id = " + table +
-           ".attempt_id ";
-  };
-  const std::string second_onset =
-      "(SELECT min(flipped_ns) FROM frame WHERE frame.attempt_id = shown.id AND frame.interval = 2 "
-      "AND frame.phase = 'stimulus')";
-  return "WITH shown AS (SELECT attempt.id, attempt.number, attempt.outcome, attempt.onset_ns, "
-         "trial.slot, trial.phase, trial.repetition, trial.block, trial.catch, trial.condition "
-         "FROM attempt JOIN trial ON trial.id = attempt.trial_id "
-         "WHERE attempt.session_id = ?1 AND attempt.onset_ns > 0) "
-         "SELECT shown.onset_ns AS at_ns, (SELECT max(shown_time_s) FROM frame WHERE "
-         "frame.attempt_id = shown.id AND frame.interval = 1) AS duration_s, 'stimulus' AS type, " +
-         trial_columns("1") + ", NULL, NULL, " + none +
-         ", shown.condition FROM shown "
-         "UNION ALL SELECT min(frame.flipped_ns), max(frame.shown_time_s), 'stimulus', " +
-         trial_columns("2") + ", NULL, NULL, " + none +
-         ", shown.condition FROM shown JOIN frame ON frame.attempt_id = shown.id AND "
-         "frame.interval = 2 AND frame.phase = 'stimulus' GROUP BY shown.id UNION ALL " +
-         answers("rating", "'rating'", "rating.rating") + "UNION ALL " +
-         answers("response", "response.kind", "response.answer") +
-         "UNION ALL SELECT click.arrived_ns, 0.0, 'click', " + trial_columns("click.interval") +
-         ", NULL, (click.arrived_ns - CASE click.interval WHEN 1 THEN shown.onset_ns ELSE " +
-         second_onset + " END) / 1e9, " + none +
-         ", shown.condition FROM click JOIN shown ON shown.id = click.attempt_id "
-         "UNION ALL SELECT CASE collision.interval WHEN 1 THEN shown.onset_ns ELSE " +
-         second_onset + " END + CAST(collision.time_s * 1e9 AS INTEGER), 0.0, 'collision', " +
-         trial_columns("collision.interval") +
-         ", NULL, NULL, collision.body_a, collision.body_b, collision.level, "
-         "collision.eccentricity_deg, collision_truth.gap_arcmin, shown.condition FROM collision "
-         "JOIN shown ON shown.id = collision.attempt_id LEFT JOIN collision_truth ON "
-         "collision_truth.collision_id = collision.id WHERE collision.time_s IS NOT NULL "
-         "UNION ALL SELECT began_ns, 0.0, kind, NULL, NULL, number, NULL, NULL, NULL, NULL, NULL, "
-         "accuracy_deg, NULL, " +
-         none + ", NULL FROM calibration WHERE session_id = ?1 ORDER BY at_ns, type";
+/// What the sidecars say, by table: bids_words.json.
+const ordered_json& table_words(const char* table) {
+  static const ordered_json kWords = ordered_json::parse(kBidsWordsText);
+  return kWords.at(table);
 }
 
 std::string cell_of(const RowQuery& query, int column) {
@@ -123,7 +45,7 @@ std::string level_of(const nlohmann::json& condition, const std::string& factor)
 
 std::string event_line(const RowQuery& query, const BidsSession& session,
                        const FactorLabels& factors) {
-  const auto count = static_cast<int>(event_columns().size());
+  const auto count = static_cast<int>(table_words("events").size());
   std::vector<std::string> cells{
       exact_number(static_cast<double>(query.integer(0) - session.zero_ns) / 1e9)};
   for (int i = 1; i < count; ++i) {
@@ -142,48 +64,26 @@ std::string dumped(const ordered_json& value) {
   return value.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-ordered_json described(const std::string& name, const std::string& meaning) {
-  ordered_json words{{"Description", meaning}};
-  const std::string unit =
-      name == "onset" || name == "duration" || name == "response_time" ? "s" : unit_of(name);
-  if (!unit.empty()) {
-    words["Units"] = unit;
-  }
-  return words;
-}
-
 /// Without the task's name, which the file's has: older validators take every key for a column.
 std::string event_sidecar(const BidsSession& session, const FactorLabels& factors) {
-  ordered_json sidecar = ordered_json::object();
-  for (const Column& column : event_columns()) {
-    sidecar[column.name] = described(column.name, column.meaning);
-  }
-  sidecar["trial_type"]["Levels"] = {
-      {"stimulus", "The simulated collisions were shown"},
-      {"rating", "A rating was asked for and given"},
-      {"yes_no", "Yes or no was asked for"},
-      {"two_interval", "Which of two stimuli was asked for"},
-      {"free_text", "Free words were asked for"},
-      {"click", "A click during the stimulus"},
-      {"collision", "Two bodies began to touch, or a body a wall"},
-      {"calibration", "A calibration of the gaze began; value is its accuracy in degrees"},
-      {"validation", "A validation of it began; value likewise"},
-      {"drift check", "A check of one point began; value likewise"}};
+  ordered_json sidecar = table_words("events");
   for (const auto& [name, label] : factors) {
-    sidecar["factor_" + tsv_text(name)] =
-        described(name, "Level of this factor of the trial's condition" +
-                            (label.empty() ? "" : ": " + as_utf8(label)));
+    ordered_json& words = sidecar["factor_" + tsv_text(name)];
+    words["Description"] = "Level of this factor of the trial's condition" +
+                           (label.empty() ? "" : ": " + as_utf8(label));
+    if (const std::string unit = unit_of(name); !unit.empty()) {
+      words["Units"] = unit;
+    }
   }
-  sidecar["stim_file"] = {
-      {"Description", "The scene, which the trial's factors change; within stimuli/"}};
+  sidecar["stim_file"] = table_words("stim_file");
   sidecar["StimulusPresentation"] = session.presentation;
   return dumped(sidecar);
 }
 
 std::string event_heading(const FactorLabels& factors) {
   std::vector<std::string> names;
-  for (const Column& column : event_columns()) {
-    names.emplace_back(column.name);
+  for (const auto& [name, words] : table_words("events").items()) {
+    names.push_back(name);
   }
   for (const auto& [name, label] : factors) {
     names.push_back("factor_" + tsv_text(name));
@@ -191,8 +91,6 @@ std::string event_heading(const FactorLabels& factors) {
   names.emplace_back("stim_file");
   return tsv_line(names);
 }
-
-using nlohmann::ordered_json;
 
 constexpr const char* kSamples =
     "SELECT gaze.taken_ns, gaze.x_m, gaze.y_m, trial.slot, attempt.number, gaze.loss, attempt.id "
@@ -263,48 +161,12 @@ void add_calibration(SQLite::Database& database, const BidsSession& session,
   }
 }
 
-ordered_json sidecar_of(const BidsSession& session, double sampling_hz, double start_s) {
-  return {{"PhysioType", "eyetrack"},
-          {"Description",
-           "Samples of the gaze during the stimuli, as they came, before the "
-           "correction by calibration. " +
-               source_words(session.gaze_source)},
-          {"GazeSource", session.gaze_source},
-          {"RecordedEye", "cyclopean"},
-          {"SampleCoordinateSystem", "gaze-on-screen"},
-          {"SamplingFrequency", sampling_hz},
-          {"StartTime", start_s},
-          {"Columns", {"timestamp", "x_coordinate", "y_coordinate", "trial", "attempt", "loss"}},
-          {"timestamp",
-           {{"Description",
-             "When the sample was taken, from the first instant that the sitting "
-             "recorded, as the onsets of its events; between stimuli there is none"},
-            {"Units", "s"},
-            {"Origin", "zero of the sitting's events"}}},
-          {"x_coordinate",
-           {{"LongName", "Gaze position (x)"},
-            {"Description", "Right of the screen's left edge; n/a: lost"},
-            {"Units", "pixel"}}},
-          {"y_coordinate",
-           {{"LongName", "Gaze position (y)"},
-            {"Description", "Below the screen's top edge; n/a: lost"},
-            {"Units", "pixel"}}},
-          {"trial", {{"Description", "Place of the trial in the participant's plan, from 1"}}},
-          {"attempt", {{"Description", "Number of the trial's showing"}}},
-          {"loss",
-           {{"Description", "Why there is no place; n/a: there is one"},
-            {"Levels",
-             {{"blink", "The eye was closed"},
-              {"off screen", "The gaze was outside of the window"},
-              {"lost", "The source knew no place"}}}}}};
-}
-
 }  // namespace
 
 BidsTable bids_events(SQLite::Database& database, const BidsSession& session,
                       const FactorLabels& factors) {
   BidsTable table{event_heading(factors), event_sidecar(session, factors), 0};
-  RowQuery query(database, event_query(), {std::to_string(session.id)});
+  RowQuery query(database, kBidsEventsSql, {std::to_string(session.id)});
   while (query.step()) {
     if (!query.is_null(0)) {  // without frames nothing tells when a second stimulus began
       table.tsv += event_line(query, session, factors);
@@ -325,12 +187,9 @@ BidsTable bids_answers(SQLite::Database& database, const BidsSession& session) {
         tsv_line({cell_of(query, 0), cell_of(query, 1), cell_of(query, 2), cell_of(query, 3)});
     ++table.rows;
   }
-  table.json =
-      dumped({{"TaskName", session.task_name},
-              {"kind", {{"Description", "Page that asked: consent, demographic, question"}}},
-              {"question", {{"Description", "Its id in the protocol"}}},
-              {"words", {{"Description", "As they were asked"}}},
-              {"answer", {{"Description", "As it was given; n/a: left empty"}}}});
+  ordered_json sidecar = table_words("answers");
+  sidecar["TaskName"] = session.task_name;
+  table.json = dumped(sidecar);
   return table;
 }
 
@@ -345,10 +204,14 @@ BidsTable bids_gaze(SQLite::Database& database, const BidsSession& session) {
     table.tsv += sample_line(query, session);
     ++table.rows;
   }
-  ordered_json sidecar =
-      sidecar_of(session, rate.hz(), static_cast<double>(first_ns - session.zero_ns) / 1e9);
+  ordered_json sidecar = table_words("gaze");
+  sidecar["Description"] =
+      sidecar["Description"].get<std::string>() + source_words(session.gaze_source);
+  sidecar["GazeSource"] = session.gaze_source;
+  sidecar["SamplingFrequency"] = rate.hz();
+  sidecar["StartTime"] = static_cast<double>(first_ns - session.zero_ns) / 1e9;
   add_calibration(database, session, sidecar);
-  table.json = sidecar.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  table.json = dumped(sidecar);
   return table;
 }
 

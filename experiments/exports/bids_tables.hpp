@@ -1,6 +1,7 @@
-// What happened in a sitting, as tables of BIDS 1.11: events (stimuli, answers, clicks,
+// What happened in a sitting, as tables of BIDS 1.11: events (stimuli, answers, clicks and
 // collisions), answers outside trials, and the gaze as physio of type "eyetrack". What stood in for
-// gaze is said in the sidecar: a mouse is no eye. SPDX-License-Identifier: MIT
+// gaze is said in the sidecar: a mouse is no eye.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>
