@@ -2,7 +2,6 @@
 #include "experiments/exports/bids_session.hpp"
 
 #include <cctype>
-#include <map>
 
 #include "experiments/exports/row_query.hpp"
 #include "experiments/tables/plain_text.hpp"

@@ -3,11 +3,8 @@
 
 #include <SQLiteCpp/Database.h>
 
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string>
 
 #include "experiments/exports/export_table.hpp"
 #include "experiments/exports/row_query.hpp"

@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "experiments/settings/input_error.hpp"
-#include "experiments/store/study_file.hpp"
 
 namespace impetus::inline exports {
 namespace {

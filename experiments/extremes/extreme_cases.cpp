@@ -33,6 +33,13 @@ void run_scenes(const ExtremeCase& extreme, Length length, const Progress& progr
 
 }  // namespace
 
+ExtremeCase single_promise(const std::string& family, const std::string& name,
+                           const std::string& sentence, double at_most, const std::string& unit,
+                           const std::function<double(const Course&)>& measure,
+                           const std::function<std::vector<ExtremeScene>(Length)>& scenes) {
+  return {family, name, {{sentence, at_most, unit, measure}}, scenes};
+}
+
 std::vector<ExtremeResult> run_case(const ExtremeCase& extreme, Length length,
                                     const Progress& progress) {
   std::vector<ExtremeResult> results(extreme.promises.size());

@@ -36,6 +36,12 @@ struct ExtremeCase {
   std::function<std::vector<double>(Length, const Progress&)> ask{};
 };
 
+/// A case of scenes of which one thing is promised.
+ExtremeCase single_promise(const std::string& family, const std::string& name,
+                           const std::string& sentence, double at_most, const std::string& unit,
+                           const std::function<double(const Course&)>& measure,
+                           const std::function<std::vector<ExtremeScene>(Length)>& scenes);
+
 /// What became of a promise.
 struct ExtremeResult {
   double measured{0.0};

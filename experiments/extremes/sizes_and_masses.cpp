@@ -249,69 +249,55 @@ double differs_from_near(const Course& course) {
 std::vector<ExtremeCase> size_cases() {
   const std::string family = "sizes";
   return {
-      {family,
-       "sizes-balls",
-       {{"Balls of 1e-6 to 1e6 m part as fast as they met, but for a share of", 1e-9, "",
-         rebound_error}},
-       balls_of_all_sizes},
-      {family,
-       "sizes-blocks",
-       {{"Blocks of 1e-6 to 1e6 m in trees of every kind meet, and gain of their energy at most",
-         1e-9, "", energy_gain_by_touching}},
-       blocks_of_all_sizes},
-      {family,
-       "sizes-mixed",
-       {{"Balls of 1e-6 to 1e5 m rebound from one of 1e6 m as fast as they met, but for a share of",
-         1e-9, "", mixed_rebound_error}},
-       mixed_sizes},
+      single_promise(family, "sizes-balls",
+                     "Balls of 1e-6 to 1e6 m part as fast as they met, but for a share of", 1e-9,
+                     "", rebound_error, balls_of_all_sizes),
+      single_promise(
+          family, "sizes-blocks",
+          "Blocks of 1e-6 to 1e6 m in trees of every kind meet, and gain of their energy at most",
+          1e-9, "", energy_gain_by_touching, blocks_of_all_sizes),
+      single_promise(family, "sizes-mixed",
+                     "Balls of 1e-6 to 1e5 m rebound from one of 1e6 m as fast as they met, but "
+                     "for a share of",
+                     1e-9, "", mixed_rebound_error, mixed_sizes),
   };
 }
 
 std::vector<ExtremeCase> mass_cases() {
   const std::string family = "masses and inertias";
   return {
-      {family,
-       "mass-ratios",
-       {{"Balls of mass ratios to 1e12 part as momentum and restitution have it, but for a share "
-         "of",
-         1e-9, "", impact_error}},
-       all_ratios},
-      {family,
-       "mass-between",
-       {{"A light ball between heavy ones that come together: energy gained at most", 1e-9, "",
-         energy_gain_by_touching}},
-       between_heavy_ones},
-      {family,
-       "inertias-tumble",
-       {{"Needles and plates of 1000 to 1 keep their energy at all times within a share of", 1e-4,
-         "", energy_swing}},
-       needles_and_plates},
-      {family,
-       "inertias-struck",
-       {{"Struck near their ends by a ball, the two gain of their energy at most", 1e-9, "",
-         energy_gain_by_touching}},
-       struck},
+      single_promise(
+          family, "mass-ratios",
+          "Balls of mass ratios to 1e12 part as momentum and restitution have it, but for a share "
+          "of",
+          1e-9, "", impact_error, all_ratios),
+      single_promise(family, "mass-between",
+                     "A light ball between heavy ones that come together: energy gained at most",
+                     1e-9, "", energy_gain_by_touching, between_heavy_ones),
+      single_promise(
+          family, "inertias-tumble",
+          "Needles and plates of 1000 to 1 keep their energy at all times within a share of", 1e-4,
+          "", energy_swing, needles_and_plates),
+      single_promise(family, "inertias-struck",
+                     "Struck near their ends by a ball, the two gain of their energy at most", 1e-9,
+                     "", energy_gain_by_touching, struck),
   };
 }
 
 std::vector<ExtremeCase> far_place_cases() {
   const std::string family = "far places";
   return {
-      {family,
-       "far-balls",
-       {{"Balls of .1 m that meet up to 1e8 m from the origin part as fast, but for a share of",
-         1e-9, "", rebound_error}},
-       balls_far_away},
-      {family,
-       "far-glancing",
-       {{"and those that meet off their centres as they would at the origin, but for a share of",
-         1e-5, "", differs_from_near}},
-       glancing_far_away},
-      {family,
-       "far-blocks",
-       {{"Blocks in trees of every kind that meet there gain of their energy at most", 1e-9, "",
-         energy_gain_by_touching}},
-       blocks_far_away},
+      single_promise(
+          family, "far-balls",
+          "Balls of .1 m that meet up to 1e8 m from the origin part as fast, but for a share of",
+          1e-9, "", rebound_error, balls_far_away),
+      single_promise(
+          family, "far-glancing",
+          "and those that meet off their centres as they would at the origin, but for a share of",
+          1e-5, "", differs_from_near, glancing_far_away),
+      single_promise(family, "far-blocks",
+                     "Blocks in trees of every kind that meet there gain of their energy at most",
+                     1e-9, "", energy_gain_by_touching, blocks_far_away),
   };
 }
 

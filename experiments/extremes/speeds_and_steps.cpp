@@ -195,11 +195,9 @@ std::vector<ExtremePromise> tumbling_promises(const std::string& how, double ene
 std::vector<ExtremeCase> speed_cases() {
   const std::string family = "speeds";
   return {
-      {family,
-       "speeds-rest",
-       {{"Bodies at rest that touch nothing go nowhere in 1,000 steps, by", 0.0, "m",
-         distance_gone_m}},
-       at_rest},
+      single_promise(family, "speeds-rest",
+                     "Bodies at rest that touch nothing go nowhere in 1,000 steps, by", 0.0, "m",
+                     distance_gone_m, at_rest),
       {family,
        "speeds-balls",
        {{"Balls that meet at 1e-6 to 1e6 m/s part at the restitution's share of it, but for", 1e-9,
@@ -224,32 +222,26 @@ std::vector<ExtremeCase> spin_cases() {
        {{"By the rule that keeps energy, within a share of", 1e-11, "", energy_swing},
         {"and the length of one of its orientation but for", 1e-15, "", unit_length_lost}},
        [](Length length) { return all_spins(length, Rotation::kEnergyKept); }},
-      {family,
-       "spins-hit",
-       {{"A ball flies into one, in trees of every kind: energy gained at most", 1e-9, "",
-         energy_gain_by_touching}},
-       hits},
+      single_promise(family, "spins-hit",
+                     "A ball flies into one, in trees of every kind: energy gained at most", 1e-9,
+                     "", energy_gain_by_touching, hits),
   };
 }
 
 std::vector<ExtremeCase> time_step_cases() {
   const std::string family = "time steps";
   return {
-      {family,
-       "steps-balls",
-       {{"At steps of 1e-6 to .1 s balls part at the restitution's share of the speed, but for",
-         1e-9, "", rebound_error}},
-       meetings},
-      {family,
-       "steps-parabola",
-       {{"A ball that is thrown leaves its parabola by at most", 1e-9, "m",
-         distance_from_parabola_m}},
-       throws},
-      {family,
-       "steps-settling",
-       {{"Ten balls that bounce and settle, at steps of 1e-4 to .1 s, gain of their energy at most",
-         1e-9, "", energy_gain_by_touching}},
-       settling},
+      single_promise(
+          family, "steps-balls",
+          "At steps of 1e-6 to .1 s balls part at the restitution's share of the speed, but for",
+          1e-9, "", rebound_error, meetings),
+      single_promise(family, "steps-parabola",
+                     "A ball that is thrown leaves its parabola by at most", 1e-9, "m",
+                     distance_from_parabola_m, throws),
+      single_promise(family, "steps-settling",
+                     "Ten balls that bounce and settle, at steps of 1e-4 to .1 s, gain of their "
+                     "energy at most",
+                     1e-9, "", energy_gain_by_touching, settling),
   };
 }
 
@@ -261,11 +253,10 @@ std::vector<ExtremeCase> long_run_cases() {
       {family, "long-body-energy-kept",
        tumbling_promises("by the rule that keeps energy, 1e7 steps, 1e6 as usual", 1e-9),
        tumbling_with_energy_kept},
-      {family,
-       "long-crowd",
-       {{"15 blocks in a cube (1e6 steps; 1e4 as usual) keep their energy within a share of", 1e-9,
-         "", energy_drift}},
-       crowd},
+      single_promise(
+          family, "long-crowd",
+          "15 blocks in a cube (1e6 steps; 1e4 as usual) keep their energy within a share of", 1e-9,
+          "", energy_drift, crowd),
   };
 }
 

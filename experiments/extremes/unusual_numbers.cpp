@@ -251,11 +251,10 @@ std::vector<ExtremeCase> not_finite_cases() {
 std::vector<ExtremeCase> small_number_cases() {
   const std::string family = "small numbers";
   return {
-      {family,
-       "denormals",
-       {{"Touching bodies with velocities, spins and offsets of 3e-310 go, in a second, at most",
-         1e-300, "m", distance_gone_m}},
-       denormals},
+      single_promise(
+          family, "denormals",
+          "Touching bodies with velocities, spins and offsets of 3e-310 go, in a second, at most",
+          1e-300, "m", distance_gone_m, denormals),
       {family,
        "signed-zeros",
        {{"Steps whose hashes change with the signs of zeros", 0.0}},

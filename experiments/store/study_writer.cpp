@@ -3,8 +3,6 @@
 
 #include <SQLiteCpp/Transaction.h>
 
-#include <utility>
-
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
 #include "experiments/store/rows.hpp"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "engine/world/world.hpp"
 #include "experiments/record/lab_screen.hpp"

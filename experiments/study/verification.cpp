@@ -2,7 +2,6 @@
 #include "experiments/study/verification.hpp"
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "experiments/tables/text_table.hpp"
 

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <string>
 #include <vector>
 
-#include "experiments/timing/timing_report.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 
 namespace impetus::inline timing {
