@@ -16,7 +16,7 @@
 
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/viewers/preview_view.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"

@@ -14,7 +14,7 @@
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/run/level_collision.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/viewers/collision_strip.hpp"

@@ -8,7 +8,7 @@
 
 #include "engine/scheduling/named_kinds.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
 #include "experiments/trade/parting.hpp"

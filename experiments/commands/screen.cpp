@@ -11,7 +11,7 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #endif
 

@@ -13,7 +13,6 @@
 #include "experiments/store/study_file.hpp"
 #include "experiments/study/study_verification.hpp"
 #include "experiments/study/verification.hpp"
-#include "experiments/study/verification_words.hpp"
 
 namespace impetus::inline commands {
 namespace {

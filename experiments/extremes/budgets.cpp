@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "experiments/extremes/building_blocks.hpp"
-#include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
 namespace impetus::inline extremes {

@@ -12,11 +12,13 @@
 
 namespace impetus::inline record {
 
+/// A title and what stands under it.
 struct Text {
   std::string title;
   std::vector<std::string> paragraphs;
 };
 
+/// A rating, after the stimulus.
 struct RatingScale {
   std::string question;
   std::int64_t minimum{1};
@@ -44,6 +46,7 @@ struct TrainingRule {
   std::int64_t most_trials{0};
 };
 
+/// What comes before a stimulus, and between trials.
 struct TrialTiming {
   double fixation_ms{500.0};
   double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
@@ -91,6 +94,7 @@ struct CalibrationTask {
 
 /// What becomes of a trial in which the gaze was lost for more than a share of the stimulus.
 struct GazeLossRule {
+  /// What becomes of it: it is kept, kept with a mark, or shown again.
   enum class Policy { kKeep, kMark, kRepeat };
   double most_lost_share{0.5};
   Policy policy{Policy::kMark};
@@ -119,6 +123,7 @@ struct Demonstration {
   Text text;
 };
 
+/// A question of the last page, answered in free words.
 struct FreeQuestion {
   std::string id;
   std::string text;
@@ -126,11 +131,13 @@ struct FreeQuestion {
 
 /// Where a session that was left goes on, and until when it may.
 struct ResumeRule {
+  /// The next trial, or the start of the block that it is in.
   enum class At { kTrial, kBlock };
   At at{At::kTrial};           ///< the next trial, or the start of its block
   double refuse_after_h{0.0};  ///< since anything was last recorded; 0: never
 };
 
+/// All of a session but its plan.
 struct Script {
   std::string title;
   Text welcome;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/questions/session_pages.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/record/script.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/session/practice.hpp"

@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_follower.hpp"
 #include "experiments/gaze/gaze_latency.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
-#include "experiments/gaze/region_coverage.hpp"
+#include "experiments/gaze/region_source.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/session/intervals.hpp"
 

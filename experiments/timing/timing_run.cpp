@@ -3,16 +3,22 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_latency.hpp"
+#include "experiments/record/frame_grid.hpp"
 #include "experiments/run/live_run.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/trial.hpp"
-#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/embedded_creatures.hpp"
+#include "experiments/timing/embedded_l_blocks.hpp"
 
 namespace impetus::inline timing {
 namespace {
+
+constexpr int kMostBlocks = 100;
 
 constexpr int kParts = 6;
 constexpr int kGazeBodies = 15;
@@ -188,6 +194,30 @@ class TimingRun {
 };
 
 }  // namespace
+
+PlannedTrial timing_trial(int bodies) {
+  PlannedTrial trial;
+  trial.slot = bodies;
+  trial.condition = {{"bodies", static_cast<double>(bodies)}};
+  trial.seed = 1;
+  return trial;
+}
+
+StagedScene TimingScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
+  const bool crowd = trial.slot > kMostBlocks;
+  nlohmann::json scene = nlohmann::json::parse(crowd ? kCreaturesSceneText : kLBlocksSceneText);
+  scene["crowd"]["count"] = trial.slot;
+  scene["duration_s"] = duration_s_;
+  if (!crowd) {
+    scene["engine"]["region"]["kind"] = "tracked";
+  }
+  return build_scene(scene, screen, kUnroundedHold, *shapes_, "timing", trial.seed);
+}
+
+StagedScene TimingScenes::stage_demonstration(const std::string& id,
+                                              const ScreenGeometry& /*screen*/) const {
+  throw std::logic_error("a timing report has no demonstration " + id);
+}
 
 std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, const TimingTask& task,
                                        const TellPart& tell) {

@@ -23,10 +23,10 @@
 
 #include "experiments/observers/simulated_eye.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/store/study_writer.hpp"
-#include "experiments/timing/flip_statistics.hpp"
-#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/timing_report.hpp"
+#include "experiments/timing/timing_run.hpp"
 #include "experiments/window/window.hpp"
 #include "tests/bench/memory_watch.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
 #include "tests/experiments/test_scenes.hpp"
 

@@ -20,7 +20,6 @@
 #include "experiments/commands/replays/replay_viewing.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/store/study_reader.hpp"
-#include "experiments/store/truth_rows.hpp"
 #endif
 
 namespace impetus::inline commands {

@@ -9,7 +9,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"
 #include "experiments/viewing/viewed_stimuli.hpp"
 

@@ -8,7 +8,7 @@
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/gaze.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 #include "experiments/store/study_writer.hpp"

@@ -9,7 +9,7 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/running/shown_observer.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #include "experiments/window/window.hpp"
 #endif

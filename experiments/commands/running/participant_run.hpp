@@ -9,7 +9,7 @@
 
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/design/plan.hpp"
-#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/gaze.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_writer.hpp"

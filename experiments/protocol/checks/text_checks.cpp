@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "experiments/record/shown_letters.hpp"
-#include "experiments/tables/utf8.hpp"
+#include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "experiments/record/enclosure_image.hpp"
+#include "experiments/gaze/region_source.hpp"
 #include "experiments/record/wall_names.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/run/replay.hpp"
