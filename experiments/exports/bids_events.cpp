@@ -5,6 +5,7 @@
 
 #include "experiments/exports/row_query.hpp"
 #include "experiments/exports/unit_of.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 #include "experiments/tables/tsv_line.hpp"
@@ -159,17 +160,15 @@ std::string event_sidecar(const BidsSession& session, const FactorLabels& factor
   for (const Column& column : event_columns()) {
     sidecar[column.name] = described(column.name, column.meaning);
   }
-  sidecar["trial_type"]["Levels"] = {
-      {"stimulus", "The simulated collisions were shown"},
-      {"rating", "A rating was asked for and given"},
-      {"yes_no", "Yes or no was asked for"},
-      {"two_interval", "Which of two stimuli was asked for"},
-      {"free_text", "Free words were asked for"},
-      {"click", "A click during the stimulus"},
-      {"collision", "Two bodies began to touch, or a body a wall"},
-      {"calibration", "A calibration of the gaze began; value is its accuracy in degrees"},
-      {"validation", "A validation of it began; value likewise"},
-      {"drift check", "A check of one point began; value likewise"}};
+  ordered_json& types = sidecar["trial_type"]["Levels"];
+  types["stimulus"] = "The simulated collisions were shown";
+  for (const ResponseKind& kind : listed_kinds()) {
+    types[kind.name] = kind.event;
+  }
+  types["collision"] = "Two bodies began to touch, or a body a wall";
+  types["calibration"] = "A calibration of the gaze began; value is its accuracy in degrees";
+  types["validation"] = "A validation of it began; value likewise";
+  types["drift check"] = "A check of one point began; value likewise";
   for (const auto& [name, label] : factors) {
     sidecar["factor_" + tsv_text(name)] =
         described(name, "Level of this factor of the trial's condition" +

@@ -25,4 +25,26 @@ double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*
   return seen_at(delay_ms);
 }
 
+const ObserverKind& causality_observer() {
+  static const ObserverKind kind{
+      .name = "causality",
+      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
+        auto read = std::make_shared<CausalityParameters>();
+        read_parameters(document, *read,
+                        {{"threshold_mean_ms", -kAny, kAny, &read->threshold_mean_ms},
+                         {"threshold_sd_ms", 0.0, kAny, &read->threshold_sd_ms},
+                         {"threshold_width_ms", 1e-3, kAny, &read->threshold_width_ms},
+                         {"guess_rate", 0.0, 1.0, &read->yes_guess_rate, true},
+                         {"miss_rate", 0.0, 1.0, &read->yes_miss_rate, true}});
+        return read;
+      },
+      .make = [](const RatingParameters& parameters,
+                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
+        return std::make_unique<CausalityObserver>(
+            static_cast<const CausalityParameters&>(parameters), birth.seed, birth.pseudonym,
+            birth.clock);
+      }};
+  return kind;
+}
+
 }  // namespace impetus::inline observers

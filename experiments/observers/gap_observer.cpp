@@ -9,6 +9,24 @@
 
 namespace impetus::inline observers {
 
+namespace {
+
+constexpr const char* kThresholds = "gap-thresholds";
+
+}  // namespace
+
+double visible_frequency_at(double speed_deg_s) {
+  if (speed_deg_s <= 0.825) {
+    return 60.0;
+  }
+  return speed_deg_s <= 118.3 ? 57.69 - 27.78 * std::log10(speed_deg_s) : 0.1;
+}
+
+double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, double speed_deg_s) {
+  return at_rest_arcmin * (1.0 + eccentricity_deg / 2.3) *
+         (60.0 / visible_frequency_at(speed_deg_s));
+}
+
 GapObserver::GapObserver(const GapParameters& parameters, std::uint64_t seed,
                          const std::string& pseudonym, VirtualClock& clock,
                          const std::string& study)
@@ -55,6 +73,49 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
                                            speed_deg_s, scene.looks.size()));
   }
   return clearest;
+}
+
+std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
+  return {{"threshold_arcmin", 1e-3, kAny, &gap.threshold_arcmin},
+          {"width_log10", 1e-3, kAny, &gap.width_log10},
+          {"guess_rate", 0.0, 1.0, &gap.guess_rate},
+          {"miss_rate", 0.0, 1.0, &gap.miss_rate}};
+}
+
+const ObserverKind& gap_observer() {
+  static const ObserverKind kind{
+      .name = "gap",
+      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
+        auto read = std::make_shared<GapParameters>();
+        read_parameters(document, *read, gap_entries(*read));
+        return read;
+      },
+      .make = [](const RatingParameters& parameters,
+                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
+        return std::make_unique<GapObserver>(static_cast<const GapParameters&>(parameters),
+                                             birth.seed, birth.pseudonym, birth.clock);
+      }};
+  return kind;
+}
+
+/// The same where thresholds are sought: crowd and t are in the file.
+const ObserverKind& gap_thresholds_observer() {
+  static const ObserverKind kind{
+      .name = kThresholds,
+      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
+        auto read = std::make_shared<GapParameters>();
+        std::vector<ParameterEntry> entries = gap_entries(*read);
+        entries.push_back({"crowding_per_body", 0.0, kAny, &read->crowding_per_body});
+        entries.push_back({"threshold_sd_log10", 0.0, kAny, &read->threshold_sd_log10});
+        read_parameters(document, *read, entries);
+        return read;
+      },
+      .make = [](const RatingParameters& parameters,
+                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
+        return std::make_unique<GapObserver>(static_cast<const GapParameters&>(parameters),
+                                             birth.seed, birth.pseudonym, birth.clock, kThresholds);
+      }};
+  return kind;
 }
 
 }  // namespace impetus::inline observers

@@ -19,11 +19,12 @@
 
 #include <utility>
 
-#include "experiments/observers/rating_observer.hpp"
+#include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/simulated_eye.hpp"
 
 namespace impetus::inline observers {
 
+/// What a participant of the gaze-contingent study is made of, its eye included.
 struct GazeObserverParameters : RatingParameters, EyeParameters {
   double threshold_arcmin{10.0};  ///< g₅₀ at the gaze, at rest, of two bodies
   double width_log10{0.2};
@@ -37,6 +38,7 @@ struct GazeObserverParameters : RatingParameters, EyeParameters {
   double events_per_s{1.0};  ///< the scale of badness
 };
 
+/// Clicks at what it saw, and judges how often that was.
 class GazeObserver final : public RatingObserver {
  public:
   /// `clock` is advanced by the answers; `flip_clock` is the one flips are stamped with. Both must

@@ -35,19 +35,6 @@ std::vector<double> RatingObserver::probabilities(double seen) const {
   return probabilities;
 }
 
-std::size_t RatingObserver::draw_disbelief() {
-  const std::vector<double> chances = probabilities(clearest());
-  const double draw = stream_.uniform();
-  double reached = 0.0;
-  for (std::size_t point = 0; point + 1 < chances.size(); ++point) {
-    reached += chances[point];
-    if (draw < reached) {
-      return point;
-    }
-  }
-  return chances.size() - 1;
-}
-
 void RatingObserver::witnessed(const AttemptRecord& shown, const StagedScene& scene) {
   const bool second = !shown.frames.empty() && shown.frames.back().interval == 2;
   if (!second) {
@@ -55,8 +42,6 @@ void RatingObserver::witnessed(const AttemptRecord& shown, const StagedScene& sc
   }
   seen_.push_back(seen(shown, scene));
 }
-
-double RatingObserver::clearest() const { return *std::max_element(seen_.begin(), seen_.end()); }
 
 double RatingObserver::yes_probability(double seen) const {
   const double guess = parameters_.yes_guess_rate;
@@ -67,35 +52,22 @@ double RatingObserver::first_probability(double seen_first, double seen_second) 
   return 0.5 + 0.5 * (1.0 - parameters_.lapse_rate) * (seen_first - seen_second);
 }
 
-std::optional<std::size_t> RatingObserver::draw_answer(const Page& page) {
-  if (page.layout == Page::Layout::kScale) {
-    const std::size_t disbelief = draw_disbelief();
-    return page.best_choice == 0 ? disbelief : page.best_choice - disbelief;
-  }
-  if (page.response == "yes_no") {
-    const bool yes = stream_.uniform() < yes_probability(clearest());
-    return yes ? page.positive_choice : 1 - page.positive_choice;
-  }
-  if (page.response == "two_interval") {
-    return stream_.uniform() < first_probability(seen_.front(), seen_.back()) ? 0 : 1;
-  }
-  return std::nullopt;
-}
-
 Answer RatingObserver::ask(const Page& page) {
   Answer answer;
   answer.device = "simulated";
   answer.shown_ns = clock_->now_ns();
   answer.fields.assign(page.fields.size(), "");
   double reaction_ms = parameters_.reaction_median_ms;
-  if (const auto choice = draw_answer(page)) {
-    answer.choice = *choice;
+  const ResponseKind* kind = find_kind(page.response);
+  if (kind != nullptr && kind->simulate != nullptr) {
+    kind->simulate(page, *this, answer);
     reaction_ms = draw_lognormal(stream_, reaction_ms, parameters_.reaction_sigma_log);
   }
   if (page.timeout_ms > 0.0 && reaction_ms > page.timeout_ms) {
     answer.timed_out = true;
     answer.device = "none";
     answer.choice = 0;
+    answer.fields.assign(page.fields.size(), "");
     reaction_ms = page.timeout_ms;
   }
   clock_->advance_by(std::llround(reaction_ms * 1e6));

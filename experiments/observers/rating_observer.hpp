@@ -25,17 +25,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/observers/draws.hpp"
 #include "experiments/observers/headless_lab.hpp"
-#include "experiments/record/ports.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline observers {
 
+/// What every simulated participant is made of; each kind adds its own.
 struct RatingParameters {
   double baseline{0.0};      ///< logits
   double effect{0.0};        ///< logits, of what was clearly seen
@@ -52,22 +52,20 @@ struct RatingParameters {
   [[nodiscard]] std::size_t points() const { return cuts.size() + 1; }
 };
 
-class RatingObserver : public Input {
+/// Judges what was shown and answers as the kind of each question says.
+class RatingObserver : public Input, public Judge {
  public:
   /// A scale must have as many choices as there are points().
   Answer ask(const Page& page) override;
   Interruption interruption() override { return Interruption::kNone; }
   void witnessed(const AttemptRecord& shown, const StagedScene& scene) override;
 
-  /// Probability of each point from the good end on, for what was seen, lapses included; adds up
-  /// to 1.
-  [[nodiscard]] std::vector<double> probabilities(double seen) const;
-
-  /// Probability of yes for what was seen.
-  [[nodiscard]] double yes_probability(double seen) const;
-
-  /// Probability that the first of two intervals is chosen, for what was seen in each.
-  [[nodiscard]] double first_probability(double seen_first, double seen_second) const;
+  /// Lapses included; they add up to 1.
+  [[nodiscard]] std::vector<double> probabilities(double seen) const override;
+  [[nodiscard]] double yes_probability(double seen) const override;
+  [[nodiscard]] double first_probability(double seen_first, double seen_second) const override;
+  [[nodiscard]] const std::vector<double>& seen_in_intervals() const override { return seen_; }
+  double uniform() override { return stream_.uniform(); }
 
   /// The eye of an observer that has one; it lives as long as the observer.
   virtual Gaze* eye() { return nullptr; }
@@ -87,11 +85,6 @@ class RatingObserver : public Input {
   double normal() { return draw_normal(stream_); }
 
  private:
-  [[nodiscard]] std::size_t draw_disbelief();
-  /// The answer to a page of a trial; none on other pages, which take their first choice.
-  [[nodiscard]] std::optional<std::size_t> draw_answer(const Page& page);
-  [[nodiscard]] double clearest() const;
-
   RatingParameters parameters_;
   VirtualClock* clock_;
   RandomStream stream_;

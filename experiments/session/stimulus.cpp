@@ -8,6 +8,7 @@
 #include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/gaze/region_coverage.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline session {
 namespace {
@@ -79,7 +80,7 @@ bool Stimulus::show_scene() {
   const std::int64_t last_frame = whole_frames(scene().duration_s, ports_.display.refresh_hz());
   fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
   follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
-  if (script_.clicks) {
+  if (takes_clicks(script_)) {
     static_cast<void>(ports_.input.take_clicks());
   }
   for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
@@ -125,7 +126,7 @@ Picture Stimulus::with_pointer(const std::vector<Pose>& poses, double time_s) co
 }
 
 void Stimulus::take_clicks() {
-  if (script_.clicks) {
+  if (takes_clicks(script_)) {
     for (ClickRecord& click : ports_.input.take_clicks()) {
       click.interval = interval_;
       record_.clicks.push_back(std::move(click));

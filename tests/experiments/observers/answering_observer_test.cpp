@@ -12,7 +12,8 @@ namespace impetus::answering_observer_test {
 
 CausalityParameters without_spread() {
   const auto file = source_file("experiments/observers/causality.json").string();
-  auto parameters = std::get<CausalityParameters>(load_observer(file, "x").parameters);
+  CausalityParameters parameters =
+      static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
   parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
   return parameters;
 }
@@ -128,9 +129,9 @@ TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
 TEST(AnsweringObserver, RatesOfGuessesAndMissesMayStandInItsFile) {
   const TemporaryFolder folder;
   json file = json::parse(shipped("experiments/observers/causality.json"));
-  const auto loaded = [&] {
-    return std::get<CausalityParameters>(
-        load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
+  const auto loaded = [&]() -> CausalityParameters {
+    return static_cast<const CausalityParameters&>(
+        *load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
   };
   EXPECT_EQ(loaded().yes_guess_rate, 0.0);
   file["parameters"]["guess_rate"] = {{"value", 0.03}, {"unit", "probability"}, {"source", "x"}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/observers/causality_observer.hpp"
+#include "experiments/observers/gap_observer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,12 @@ namespace impetus::observer_test {
 
 CausalityParameters shipped() {
   const auto file = source_file("experiments/observers/causality.json").string();
-  return std::get<CausalityParameters>(load_observer(file, "x").parameters);
+  return static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
 }
 
 GapParameters shipped_gap() {
   const auto file = source_file("experiments/observers/gap.json").string();
-  return std::get<GapParameters>(load_observer(file, "x").parameters);
+  return static_cast<const GapParameters&>(*load_observer(file, "x").parameters);
 }
 
 double mean_rating(const CausalityObserver& observer, double delay_ms) {
@@ -72,6 +73,7 @@ TEST(CausalityObserver, AnswersFollowFromSeedAndPseudonym) {
     CausalityObserver observer(shipped(), seed, name, clock);
     Page page;
     page.layout = Page::Layout::kScale;
+    page.response = "rating";
     std::string text;
     for (int i = 0; i < 60; ++i) {
       text += std::to_string(observer.ask(page).choice);
@@ -92,6 +94,7 @@ TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
   CausalityObserver observer(parameters, 1, "S01", clock);
   Page page;
   page.layout = Page::Layout::kScale;
+  page.response = "rating";
   AttemptRecord shown;
   shown.collisions.resize(1);
   const StagedScene scene{World({}, {}, {}), {}, {}};
@@ -108,6 +111,7 @@ std::vector<std::size_t> choices(const CausalityParameters& parameters, std::siz
   CausalityObserver observer(parameters, 1, "S01", clock);
   Page page;
   page.layout = Page::Layout::kScale;
+  page.response = "rating";
   page.best_choice = best;
   std::vector<std::size_t> choices(60);
   std::generate(choices.begin(), choices.end(), [&] { return observer.ask(page).choice; });

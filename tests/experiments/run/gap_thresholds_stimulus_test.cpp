@@ -170,7 +170,7 @@ Fitted fitted(const std::vector<std::pair<double, bool>>& answers, const GapPara
 
 TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   const ObserverFile file = load_observer("gap-thresholds", source_file("protocols/gap.json"));
-  auto planted = std::get<GapThresholdParameters>(file.parameters);
+  auto planted = static_cast<const GapParameters&>(*file.parameters);
   planted.threshold_sd_log10 = 0.0;
   VirtualClock clock;
   const GapObserver observer(planted, 1, "S01", clock, "gap-thresholds");
