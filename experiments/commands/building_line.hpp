@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/models/building_watch.hpp"
+#include "experiments/models/tree_cache.hpp"
 
 namespace impetus::inline commands {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "experiments/models/file_place.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/questions/rating.hpp"
 
 namespace impetus::inline protocol {

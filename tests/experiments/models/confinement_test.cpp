@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/shapes/solids/box_mesh.hpp"
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_writer.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "tests/experiments/command_lines.hpp"
