@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/playback.hpp"
