@@ -4,10 +4,20 @@
 #include <algorithm>
 
 namespace impetus::inline observers {
+namespace {
 
-CausalityObserver::CausalityObserver(const CausalityParameters& parameters, std::uint64_t seed,
-                                     const std::string& pseudonym, VirtualClock& clock)
-    : RatingObserver(parameters, RandomStream(seed, "observer/causality/" + pseudonym), clock),
+std::vector<ParameterEntry> causality_entries(CausalityParameters& own) {
+  return {{"threshold_mean_ms", -kAny, kAny, &own.threshold_mean_ms},
+          {"threshold_sd_ms", 0.0, kAny, &own.threshold_sd_ms},
+          {"threshold_width_ms", 1e-3, kAny, &own.threshold_width_ms},
+          {"guess_rate", 0.0, 1.0, &own.yes_guess_rate, true},
+          {"miss_rate", 0.0, 1.0, &own.yes_miss_rate, true}};
+}
+
+}  // namespace
+
+CausalityObserver::CausalityObserver(const CausalityParameters& parameters, const Birth& birth)
+    : RatingObserver(parameters, birth, "causality"),
       threshold_ms_(parameters.threshold_mean_ms + parameters.threshold_sd_ms * normal()),
       width_ms_(parameters.threshold_width_ms) {
   draw_traits();
@@ -26,24 +36,9 @@ double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*
 }
 
 const ObserverKind& causality_observer() {
-  static const ObserverKind kind{
-      .name = "causality",
-      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
-        auto read = std::make_shared<CausalityParameters>();
-        read_parameters(document, *read,
-                        {{"threshold_mean_ms", -kAny, kAny, &read->threshold_mean_ms},
-                         {"threshold_sd_ms", 0.0, kAny, &read->threshold_sd_ms},
-                         {"threshold_width_ms", 1e-3, kAny, &read->threshold_width_ms},
-                         {"guess_rate", 0.0, 1.0, &read->yes_guess_rate, true},
-                         {"miss_rate", 0.0, 1.0, &read->yes_miss_rate, true}});
-        return read;
-      },
-      .make = [](const RatingParameters& parameters,
-                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
-        return std::make_unique<CausalityObserver>(
-            static_cast<const CausalityParameters&>(parameters), birth.seed, birth.pseudonym,
-            birth.clock);
-      }};
+  static const ObserverKind kind{.name = "causality",
+                                 .read = read_own<CausalityParameters, causality_entries>,
+                                 .make = make_own<CausalityParameters, CausalityObserver>};
   return kind;
 }
 

@@ -21,8 +21,7 @@ struct CausalityParameters : RatingParameters {
 /// Judges the longest freeze of all that was shown.
 class CausalityObserver final : public RatingObserver {
  public:
-  CausalityObserver(const CausalityParameters& parameters, std::uint64_t seed,
-                    const std::string& pseudonym, VirtualClock& clock);
+  CausalityObserver(const CausalityParameters& parameters, const Birth& birth);
 
   /// Probability of each rating 1, 2, 3 for a delay.
   [[nodiscard]] std::vector<double> rating_probabilities(double delay_ms) const {

@@ -13,6 +13,20 @@ namespace {
 
 constexpr const char* kThresholds = "gap-thresholds";
 
+/// The same where thresholds are sought: crowd and t are in the file.
+class ThresholdsObserver final : public GapObserver {
+ public:
+  ThresholdsObserver(const GapParameters& parameters, const Birth& birth)
+      : GapObserver(parameters, birth, kThresholds) {}
+};
+
+std::vector<ParameterEntry> thresholds_entries(GapParameters& gap) {
+  std::vector<ParameterEntry> entries = gap_entries(gap);
+  entries.push_back({"crowding_per_body", 0.0, kAny, &gap.crowding_per_body});
+  entries.push_back({"threshold_sd_log10", 0.0, kAny, &gap.threshold_sd_log10});
+  return entries;
+}
+
 }  // namespace
 
 double visible_frequency_at(double speed_deg_s) {
@@ -27,11 +41,9 @@ double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, doub
          (60.0 / visible_frequency_at(speed_deg_s));
 }
 
-GapObserver::GapObserver(const GapParameters& parameters, std::uint64_t seed,
-                         const std::string& pseudonym, VirtualClock& clock,
+GapObserver::GapObserver(const GapParameters& parameters, const Birth& birth,
                          const std::string& study)
-    : RatingObserver(parameters, RandomStream(seed, "observer/" + study + "/" + pseudonym), clock),
-      parameters_(parameters) {
+    : RatingObserver(parameters, birth, study), parameters_(parameters) {
   draw_traits();
   if (parameters_.threshold_sd_log10 > 0.0) {
     threshold_log10_ = parameters_.threshold_sd_log10 * normal();
@@ -83,38 +95,16 @@ std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
 }
 
 const ObserverKind& gap_observer() {
-  static const ObserverKind kind{
-      .name = "gap",
-      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
-        auto read = std::make_shared<GapParameters>();
-        read_parameters(document, *read, gap_entries(*read));
-        return read;
-      },
-      .make = [](const RatingParameters& parameters,
-                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
-        return std::make_unique<GapObserver>(static_cast<const GapParameters&>(parameters),
-                                             birth.seed, birth.pseudonym, birth.clock);
-      }};
+  static const ObserverKind kind{.name = "gap",
+                                 .read = read_own<GapParameters, gap_entries>,
+                                 .make = make_own<GapParameters, GapObserver>};
   return kind;
 }
 
-/// The same where thresholds are sought: crowd and t are in the file.
 const ObserverKind& gap_thresholds_observer() {
-  static const ObserverKind kind{
-      .name = kThresholds,
-      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
-        auto read = std::make_shared<GapParameters>();
-        std::vector<ParameterEntry> entries = gap_entries(*read);
-        entries.push_back({"crowding_per_body", 0.0, kAny, &read->crowding_per_body});
-        entries.push_back({"threshold_sd_log10", 0.0, kAny, &read->threshold_sd_log10});
-        read_parameters(document, *read, entries);
-        return read;
-      },
-      .make = [](const RatingParameters& parameters,
-                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
-        return std::make_unique<GapObserver>(static_cast<const GapParameters&>(parameters),
-                                             birth.seed, birth.pseudonym, birth.clock, kThresholds);
-      }};
+  static const ObserverKind kind{.name = kThresholds,
+                                 .read = read_own<GapParameters, thresholds_entries>,
+                                 .make = make_own<GapParameters, ThresholdsObserver>};
   return kind;
 }
 

@@ -35,8 +35,8 @@ struct GapParameters : RatingParameters {
 /// Judges the clearest gap between two bodies of all that was shown.
 class GapObserver : public RatingObserver {
  public:
-  GapObserver(const GapParameters& parameters, std::uint64_t seed, const std::string& pseudonym,
-              VirtualClock& clock, const std::string& study = "gap");
+  GapObserver(const GapParameters& parameters, const Birth& birth,
+              const std::string& study = "gap");
 
   /// Probability that a gap is seen.
   [[nodiscard]] double seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,

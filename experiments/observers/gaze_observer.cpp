@@ -108,16 +108,20 @@ void require_range(const JsonDocument& document, const std::string& what) {
   }
 }
 
+std::shared_ptr<const RatingParameters> read_gaze(const JsonDocument& document) {
+  auto parameters = read_own<GazeObserverParameters, gaze_entries>(document);
+  require_range(document, "fixation");
+  require_range(document, "pursuit");
+  return parameters;
+}
+
 }  // namespace
 
-GazeObserver::GazeObserver(const GazeObserverParameters& parameters, std::uint64_t seed,
-                           const std::string& pseudonym, VirtualClock& clock,
-                           const Clock& flip_clock)
-    : RatingObserver(parameters, RandomStream(seed, "observer/gaze-contingent/" + pseudonym),
-                     clock),
+GazeObserver::GazeObserver(const GazeObserverParameters& parameters, const Birth& birth)
+    : RatingObserver(parameters, birth, "gaze-contingent"),
       parameters_(parameters),
-      click_stream_(seed, "observer/gaze-contingent/clicks/" + pseudonym),
-      eye_(parameters, seed, pseudonym, flip_clock) {
+      click_stream_(birth.seed, "observer/gaze-contingent/clicks/" + birth.pseudonym),
+      eye_(parameters, birth.seed, birth.pseudonym, birth.flip_clock) {
   draw_traits();
 }
 
@@ -212,23 +216,11 @@ double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) 
 }
 
 const ObserverKind& gaze_observer() {
-  static const ObserverKind kind{
-      .name = "gaze-contingent",
-      .clicks = true,
-      .has_eye = true,
-      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
-        auto read = std::make_shared<GazeObserverParameters>();
-        read_parameters(document, *read, gaze_entries(*read));
-        require_range(document, "fixation");
-        require_range(document, "pursuit");
-        return read;
-      },
-      .make = [](const RatingParameters& parameters,
-                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
-        return std::make_unique<GazeObserver>(
-            static_cast<const GazeObserverParameters&>(parameters), birth.seed, birth.pseudonym,
-            birth.clock, birth.flip_clock);
-      }};
+  static const ObserverKind kind{.name = "gaze-contingent",
+                                 .clicks = true,
+                                 .has_eye = true,
+                                 .read = read_gaze,
+                                 .make = make_own<GazeObserverParameters, GazeObserver>};
   return kind;
 }
 

@@ -41,10 +41,7 @@ struct GazeObserverParameters : RatingParameters, EyeParameters {
 /// Clicks at what it saw, and judges how often that was.
 class GazeObserver final : public RatingObserver {
  public:
-  /// `clock` is advanced by the answers; `flip_clock` is the one flips are stamped with. Both must
-  /// outlive this.
-  GazeObserver(const GazeObserverParameters& parameters, std::uint64_t seed,
-               const std::string& pseudonym, VirtualClock& clock, const Clock& flip_clock);
+  GazeObserver(const GazeObserverParameters& parameters, const Birth& birth);
 
   /// Nothing during the stimulus; after witnessed(), once, all clicks of the stimulus.
   std::vector<ClickRecord> take_clicks() override { return std::exchange(clicks_, {}); }

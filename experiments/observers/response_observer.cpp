@@ -32,8 +32,7 @@ struct ResponseParameters : GapParameters {
 class ResponseObserver final : public GapObserver {
  public:
   ResponseObserver(const ResponseParameters& parameters, const Birth& birth)
-      : GapObserver(parameters, birth.seed, birth.pseudonym, birth.clock, "response"),
-        parameters_(parameters) {}
+      : GapObserver(parameters, birth, "response"), parameters_(parameters) {}
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
@@ -73,27 +72,22 @@ double ResponseObserver::seen(const AttemptRecord& shown, const StagedScene& sce
                    met->report.approach_m_s / m_per_deg);
 }
 
+std::vector<ParameterEntry> response_entries(ResponseParameters& own) {
+  std::vector<ParameterEntry> entries = gap_entries(own);
+  entries.push_back({"spin_weight", 0.0, 1.0, &own.spin_weight});
+  entries.push_back({"spin_median_deg_s", 1e-3, kAny, &own.spin_median_deg_s});
+  entries.push_back({"spin_width_log10", 1e-3, kAny, &own.spin_width_log10});
+  entries.push_back({"speed_weight", 0.0, 1.0, &own.speed_weight});
+  entries.push_back({"speed_scale_deg_s", 1e-3, kAny, &own.speed_scale_deg_s});
+  return entries;
+}
+
 }  // namespace
 
 const ObserverKind& response_observer() {
-  static const ObserverKind kind{
-      .name = "response",
-      .read = [](const JsonDocument& document) -> std::shared_ptr<const RatingParameters> {
-        auto read = std::make_shared<ResponseParameters>();
-        std::vector<ParameterEntry> entries = gap_entries(*read);
-        entries.push_back({"spin_weight", 0.0, 1.0, &read->spin_weight});
-        entries.push_back({"spin_median_deg_s", 1e-3, kAny, &read->spin_median_deg_s});
-        entries.push_back({"spin_width_log10", 1e-3, kAny, &read->spin_width_log10});
-        entries.push_back({"speed_weight", 0.0, 1.0, &read->speed_weight});
-        entries.push_back({"speed_scale_deg_s", 1e-3, kAny, &read->speed_scale_deg_s});
-        read_parameters(document, *read, entries);
-        return read;
-      },
-      .make = [](const RatingParameters& parameters,
-                 const Birth& birth) -> std::unique_ptr<RatingObserver> {
-        return std::make_unique<ResponseObserver>(
-            static_cast<const ResponseParameters&>(parameters), birth);
-      }};
+  static const ObserverKind kind{.name = "response",
+                                 .read = read_own<ResponseParameters, response_entries>,
+                                 .make = make_own<ResponseParameters, ResponseObserver>};
   return kind;
 }
 

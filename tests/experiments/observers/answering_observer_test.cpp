@@ -41,7 +41,7 @@ double share_of_first(const CausalityParameters& parameters, const Page& page,
                       const std::vector<double>& delays_ms) {
   constexpr int kAnswers = 4000;
   VirtualClock clock;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   int first = 0;
   for (int i = 0; i < kAnswers; ++i) {
     std::int64_t interval = 0;
@@ -77,7 +77,7 @@ TEST(AnsweringObserver, YesIsThePositiveChoiceWhereverItStands) {
 // it is guessed.
 TEST(AnsweringObserver, ChoosesOfTwoAsTheHighThresholdObserverDoes) {
   VirtualClock clock;
-  const CausalityObserver observer(without_spread(), 1, "S01", clock);
+  const CausalityObserver observer(without_spread(), {1, "S01", clock, clock});
   for (double first = 0.0; first <= 1.0; first += 0.1) {
     for (double second = 0.0; second <= 1.0; second += 0.1) {
       double chosen = 0.0;
@@ -111,7 +111,7 @@ TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
   parameters.reaction_median_ms = 1000.0;
   parameters.reaction_sigma_log = 0.5;
   VirtualClock clock;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   Page page = question("yes_no");
   page.timeout_ms = 1000.0;
   int timed_out = 0;

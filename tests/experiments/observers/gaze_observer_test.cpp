@@ -77,7 +77,7 @@ AttemptRecord every_second(double gap_m, double eccentricity_deg = 0.0, double a
 
 struct Participant {
   explicit Participant(const GazeObserverParameters& parameters, const std::string& name = "S01")
-      : observer(parameters, 1, name, clock, clock) {}
+      : observer(parameters, {1, name, clock, clock}) {}
 
   /// Seconds from onset.
   std::vector<double> clicks(const AttemptRecord& shown, const StagedScene& scene) {

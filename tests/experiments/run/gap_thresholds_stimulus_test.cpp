@@ -174,7 +174,7 @@ TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   auto planted = static_cast<const GapParameters&>(*file.parameters);
   planted.threshold_sd_log10 = 0.0;
   VirtualClock clock;
-  const GapObserver observer(planted, 1, "S01", clock, "gap-thresholds");
+  const GapObserver observer(planted, {1, "S01", clock, clock}, "gap-thresholds");
   RandomStream stream(20'020, "answers");
   const std::vector<double> gaps{5, 8, 13, 20, 32, 50, 80, 125, 200, 250};
   for (const double above_deg : {0.0, 8.0}) {
