@@ -241,7 +241,7 @@ TEST(Arrows, PlantedViolationsAreCaught) {
       {"experiments/protocol/protocol_file.cpp", "#include <SQLiteCpp/Database.h>"},
       {"experiments/protocol/protocol_file.cpp", "#include <assimp/scene.h>"},
       {"experiments/window/window.cpp", "#include \"experiments/store/writer.hpp\""},
-      {"experiments/observers/headless_lab.cpp", "#include <SDL.h>"},
+      {"experiments/observers/headless_lab.hpp", "#include <SDL.h>"},
       {"experiments/store/writer.cpp", "#include \"experiments/commands/run.hpp\""},
       {"experiments/attic/anything.cpp", ""},
       {"engine/world/world.cpp", "#include \"engine/attic/anything.hpp\""},
