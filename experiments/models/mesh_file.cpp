@@ -85,7 +85,8 @@ class ErrorLog {
   [[nodiscard]] const std::string& first() const { return first_; }
 
  private:
-  class Line final : public Assimp::LogStream {  // owned by the logger
+  /// Keeps the first error that is written to it; owned by the logger.
+  class Line final : public Assimp::LogStream {
    public:
     explicit Line(std::string& first) : first_(&first) {}
     void write(const char* message) override {

@@ -125,6 +125,7 @@ class SeenBodies {
   [[nodiscard]] ScreenGeometry screen_at(std::int64_t instant_ns) const;
 
  private:
+  /// A picture as the eye keeps it.
   struct Seen {
     std::int64_t flipped_ns;
     Viewer viewer;

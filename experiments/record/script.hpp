@@ -42,6 +42,7 @@ struct TrainingRule {
   std::int64_t most_trials{0};
 };
 
+/// How long a trial takes besides its stimulus.
 struct TrialTiming {
   double fixation_ms{500.0};
   double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
@@ -57,6 +58,7 @@ struct CalibrationTask {
 
 /// What becomes of a trial in which the gaze was lost for more than a share of the stimulus.
 struct GazeLossRule {
+  /// It counts as any other, it counts and is marked, or it is shown again.
   enum class Policy { kKeep, kMark, kRepeat };
   double most_lost_share{0.5};
   Policy policy{Policy::kMark};
@@ -85,6 +87,7 @@ struct Demonstration {
   Text text;
 };
 
+/// A question at the end of the session, answered in free words.
 struct FreeQuestion {
   std::string id;
   std::string text;
@@ -92,11 +95,13 @@ struct FreeQuestion {
 
 /// Where a session that was left goes on, and until when it may.
 struct ResumeRule {
+  /// At the next trial, or at the start of its block.
   enum class At { kTrial, kBlock };
-  At at{At::kTrial};           ///< the next trial, or the start of its block
+  At at{At::kTrial};
   double refuse_after_h{0.0};  ///< since anything was last recorded; 0: never
 };
 
+/// Everything that a participant is shown and asked, from the welcome to the thanks.
 struct Script {
   std::string title;
   Text welcome;
