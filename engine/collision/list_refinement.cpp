@@ -2,15 +2,71 @@
 #include "engine/collision/list_refinement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 
-#include "engine/collision/list_shares.hpp"
-#include "engine/collision/waiting_pairs.hpp"
-
 namespace impetus::inline collision {
 namespace {
+
+// Which priority list gets the next block of work: the one furthest behind its share.
+//
+// What a finished list leaves of its share flows on to the next list in order.
+// (Dingliana 2002, sec. 5.1.2)
+
+/// Which priority list gets the next block of work.
+class ListShares {
+ public:
+  /// `lists` must outlive this.
+  explicit ListShares(const std::vector<PriorityList>& lists) : lists_(&lists) {
+    for (const PriorityList& list : lists) {
+      sum_ += list.share;
+    }
+  }
+
+  /// `waits` says of each list whether any of its pairs waits for work, `work` how much it has got;
+  /// `work` may be empty when there is one list. Precondition: some list waits.
+  [[nodiscard]] std::size_t next_list(const std::array<bool, kMostLists>& waits,
+                                      const std::vector<std::int64_t>& work) const {
+    const std::size_t count = lists_->size();
+    if (count == 1) {
+      return 0;
+    }
+    const std::array<double, kMostLists> behind = units_behind(waits, work);
+    const auto goes_before = [&](std::size_t list, std::size_t other) {
+      return behind[list] > behind[other] ||
+             (behind[list] == behind[other] && (*lists_)[list].share > (*lists_)[other].share);
+    };
+    std::size_t best = count;
+    for (std::size_t list = 0; list < count; ++list) {
+      if (waits[list] && (best == count || goes_before(list, best))) {
+        best = list;
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// What each list is owed: its share of what was spent, and what finished lists left.
+  [[nodiscard]] std::array<double, kMostLists> units_behind(
+      const std::array<bool, kMostLists>& waits, const std::vector<std::int64_t>& work) const {
+    const std::size_t count = lists_->size();
+    const auto in_all =
+        static_cast<double>(std::accumulate(work.begin(), work.end(), std::int64_t{0}));
+    std::array<double, kMostLists> behind{};
+    for (std::size_t list = 0; list < count; ++list) {
+      const double owed = (*lists_)[list].share / sum_ * in_all - static_cast<double>(work[list]);
+      std::size_t heir = list;
+      while (!waits[heir]) {
+        heir = (heir + 1) % count;
+      }
+      behind[heir] += owed;
+    }
+    return behind;
+  }
+
+  const std::vector<PriorityList>* lists_;
+  double sum_{0.0};
+};
 
 /// Brings every pair to its list's least level; returns how many are not resolved yet.
 std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
@@ -140,15 +196,6 @@ const WorkDone& ListRefinement::refine(std::span<RefinedPair> pairs,
   done_.spent = ledger_.spent();
   done_.reserved = ledger_.reserved();
   return done_;
-}
-
-WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings) {
-  ListRefinement refinement;
-  refinement.do_floor(pairs, lists, settings);
-  std::vector<std::size_t> as_they_come(pairs.size());
-  std::iota(as_they_come.begin(), as_they_come.end(), std::size_t{0});
-  return refinement.refine(pairs, lists, as_they_come, meter, settings);
 }
 
 }  // namespace impetus::inline collision

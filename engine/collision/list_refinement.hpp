@@ -1,7 +1,7 @@
 // Refining all pairs of a step within its budget, each priority list by its share.
 //
 //   floor     level 0 of every pair and its list's least level, whatever the budget
-//   rounds    the list furthest behind its share (list_shares.hpp): its next pair
+//   rounds    the list furthest behind its share (ListShares): its next pair
 //             (waiting_pairs.hpp), one block of node-pair tests
 //
 // A block starts only when its tests, and what modelling and response could cost after it, are
@@ -64,9 +64,5 @@ class ListRefinement {
   std::array<WaitingPairs, kMostLists> waiting_;
   WorkDone done_;
 };
-
-/// The same once, of pairs that come in their order.
-WorkDone refine_by_lists(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                         WorkMeter& meter, const RefinementSettings& settings = {});
 
 }  // namespace impetus::inline collision

@@ -35,6 +35,7 @@ namespace impetus::inline collision {
 /// How soon a pair comes, larger sooner; zero for depth-first.
 double urgency(const RefinedPair& pair, Traversal traversal, const PhaseCosts& costs);
 
+/// The pairs of one list that wait, the most urgent first.
 class WaitingPairs {
  public:
   void clear() {
@@ -52,6 +53,7 @@ class WaitingPairs {
   void remove_next();
 
  private:
+  /// A pair that waits.
   struct Waiting {
     double urgency;
     std::size_t index;

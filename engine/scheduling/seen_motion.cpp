@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/seen_motion.hpp"
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline scheduling {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/collision/entry/tunnelling.hpp"
+#include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/state_hash.hpp"

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/collision/broad_phase.hpp"
 #include "engine/collision/list_refinement.hpp"
-#include "engine/collision/sweep_and_prune.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"

@@ -32,7 +32,7 @@ namespace impetus::inline world {
 inline constexpr int kRecordingFormat = 2;
 
 /// Older recordings are tried, and their hashes tell whether they replay. Those of format 1 do,
-/// unless a body turned far in a step (dynamics/far_turn.hpp) or had a heterogeneous tree.
+/// unless a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
 inline constexpr int kOldestRecordingFormat = 1;
 
 /// What a world remembers of two bodies, or of a body and a wall, that touched in a step.

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <vector>
 
-#include "engine/collision/all_pairs.hpp"
+#include "engine/collision/broad_phase.hpp"
 #include "engine/numerics/at.hpp"
-#include "engine/volumes/wall_reach.hpp"
+#include "engine/volumes/enclosure.hpp"
 #include "engine/world/world.hpp"
 
 namespace impetus::inline world {

@@ -20,6 +20,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus tree show` was asked for.
 struct ShowOptions {
   std::string file;
   std::optional<int> level;

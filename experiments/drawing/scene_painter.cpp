@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/drawing/palette.hpp"
 #include "experiments/drawing/sphere_shader.hpp"
 

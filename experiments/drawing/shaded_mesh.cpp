@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline drawing {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/extremes/crowd_scene.hpp"
 
-#include "engine/numerics/cube_root.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/extremes/building_blocks.hpp"
 

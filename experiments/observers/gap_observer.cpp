@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/gap_observer.hpp"
 #include "experiments/run/collision_truth.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/record/turning_viewer.hpp"
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline record {
 

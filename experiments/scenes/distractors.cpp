@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 

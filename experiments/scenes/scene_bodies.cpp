@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 #include "experiments/scenes/scene_settings.hpp"

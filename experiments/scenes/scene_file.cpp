@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/world/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/distractors.hpp"

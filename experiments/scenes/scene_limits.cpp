@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/dynamics/limits.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/trees/builders/part_shape.hpp"
 #include "experiments/scenes/figures/figure_files.hpp"
 #include "experiments/scenes/figures/figure_parts.hpp"

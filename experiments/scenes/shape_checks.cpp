@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus::inline scenes {

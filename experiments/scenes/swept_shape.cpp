@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/shapes/solids/swept_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
 
 namespace impetus::inline scenes {
 namespace {

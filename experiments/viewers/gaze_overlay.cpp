@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/gaze/region_source.hpp"
 
 namespace impetus::inline viewers {

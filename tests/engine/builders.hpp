@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/octree.hpp"
 #include "engine/world/world.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

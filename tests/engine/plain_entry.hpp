@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 
@@ -19,12 +19,6 @@ inline constexpr double kRestShare = 0.25;
 /// Of that depth: how much deeper bodies may overlap that did at the start.
 inline constexpr double kDeeperShare = 0.25;
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
-
-/// What stands for a node one level deeper: its children, or itself.
-inline NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
-  const NodeLinks& links = tree.links(node);
-  return links.child_count > 0 ? links : NodeLinks{node, 1};
-}
 
 class EntrySearch {
  public:

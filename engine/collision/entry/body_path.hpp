@@ -15,6 +15,7 @@
 
 namespace impetus::inline collision {
 
+/// Where a body begins and ends its way, and between which shares of the step it moves.
 struct BodyPath {
   Pose start;
   Pose end;

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/figures/figure_files.hpp"
 #include "experiments/scenes/figures/figure_motion.hpp"
 #include "experiments/scenes/figures/figure_parts.hpp"

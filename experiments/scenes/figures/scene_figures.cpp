@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/figures/scene_figures.hpp"
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/figures/figure_files.hpp"
 #include "experiments/scenes/figures/figure_motion.hpp"
 #include "experiments/scenes/figures/figure_parts.hpp"

@@ -6,13 +6,14 @@
 #include <memory>
 #include <utility>
 
-#include "engine/numerics/bits.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline trade {
 namespace {
 
+/// A traversal by the name that scenes give it.
 struct NamedTraversal {
   Traversal traversal;
   std::string_view name;

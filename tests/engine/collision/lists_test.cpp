@@ -10,6 +10,7 @@
 #include "engine/collision/list_refinement.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::lists_test {
 

@@ -6,6 +6,7 @@
 
 #include "engine/collision/list_refinement.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::phase_budget_test {
 

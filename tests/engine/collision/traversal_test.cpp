@@ -6,10 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/list_refinement.hpp"
 #include "engine/collision/waiting_pairs.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::traversal_test {
 

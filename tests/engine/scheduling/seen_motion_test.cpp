@@ -8,8 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/numerics/logarithm.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 

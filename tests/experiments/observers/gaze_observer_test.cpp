@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
 
