@@ -17,30 +17,6 @@ struct EdgeUse {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Says of each triangle in turn whether its vertices have come before.
-class Duplicates {
- public:
-  bool operator()(Corners triangle) {
-    std::sort(triangle.begin(), triangle.end());
-    return !seen_.insert(triangle).second;
-  }
-
- private:
-  std::set<Corners> seen_;
-};
-
-template <typename IsUseless>
-std::int64_t drop(TriangleMesh& mesh, IsUseless is_useless) {
-  std::vector<Corners> kept;
-  for (const Corners& triangle : mesh.triangles) {
-    if (!is_useless(triangle)) {
-      kept.push_back(triangle);
-    }
-  }
-  kept.swap(mesh.triangles);
-  return static_cast<std::int64_t>(kept.size() - mesh.triangles.size());
-}
-
 }  // namespace
 
 Bounds bounds_of(std::span<const Vector3> points) {
@@ -96,17 +72,12 @@ bool is_degenerate(const TriangleMesh& mesh, const Corners& triangle) {
   return (b - a).cross(c - a).squaredNorm() == 0.0;
 }
 
-std::int64_t drop_degenerate(TriangleMesh& mesh) {
-  return drop(mesh, [&mesh](const Corners& triangle) { return is_degenerate(mesh, triangle); });
-}
-
-std::int64_t drop_duplicates(TriangleMesh& mesh) { return drop(mesh, Duplicates()); }
-
 std::int64_t count_duplicates(const TriangleMesh& mesh) {
+  std::set<Corners> seen;
   std::int64_t count = 0;
-  Duplicates is_duplicate;
-  for (const Corners& triangle : mesh.triangles) {
-    count += is_duplicate(triangle) ? 1 : 0;
+  for (Corners triangle : mesh.triangles) {
+    std::sort(triangle.begin(), triangle.end());
+    count += seen.insert(triangle).second ? 0 : 1;
   }
   return count;
 }

@@ -61,13 +61,7 @@ MeshDefects find_defects(const TriangleMesh& mesh);
 /// Whether the triangle has a repeated vertex or no area.
 bool is_degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
 
-/// Removes triangles that are degenerate; returns how many.
-std::int64_t drop_degenerate(TriangleMesh& mesh);
-
-/// Removes triangles with the vertices of an earlier one, either way round; returns how many.
-std::int64_t drop_duplicates(TriangleMesh& mesh);
-
-/// How many drop_duplicates() would remove.
+/// How many triangles have the vertices of an earlier one, either way round.
 std::int64_t count_duplicates(const TriangleMesh& mesh);
 
 }  // namespace impetus::inline shapes

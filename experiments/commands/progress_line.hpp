@@ -10,7 +10,7 @@
 #include <mutex>
 #include <string>
 
-#include "experiments/models/building_watch.hpp"
+#include "experiments/models/tree_cache.hpp"
 
 namespace impetus::inline commands {
 

@@ -7,6 +7,7 @@
 #include "experiments/exports/embedded_bids_events.hpp"
 #include "experiments/exports/embedded_bids_words.hpp"
 #include "experiments/exports/row_query.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 
@@ -19,6 +20,20 @@ using nlohmann::ordered_json;
 const ordered_json& table_words(const char* table) {
   static const ordered_json kWords = ordered_json::parse(kBidsWordsText);
   return kWords.at(table);
+}
+
+/// What can happen in a trial, by name: the stimulus, an answer of each kind, and what else there is.
+ordered_json event_types() {
+  ordered_json types;
+  for (const auto& [name, words] : table_words("events")["trial_type"]["Levels"].items()) {
+    types[name] = words;
+    if (name == "stimulus") {
+      for (const ResponseKind& kind : listed_kinds()) {
+        types[kind.name] = kind.event;
+      }
+    }
+  }
+  return types;
 }
 
 std::string cell_of(const RowQuery& query, int column) {
@@ -67,6 +82,7 @@ std::string dumped(const ordered_json& value) {
 /// Without the task's name, which the file's has: older validators take every key for a column.
 std::string event_sidecar(const BidsSession& session, const FactorLabels& factors) {
   ordered_json sidecar = table_words("events");
+  sidecar["trial_type"]["Levels"] = event_types();
   for (const auto& [name, label] : factors) {
     ordered_json& words = sidecar["factor_" + tsv_text(name)];
     words["Description"] = "Level of this factor of the trial's condition" +

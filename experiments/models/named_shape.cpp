@@ -15,6 +15,7 @@ namespace {
 constexpr int kLeastResolution = 4;
 constexpr int kGreatestResolution = 12;
 
+/// A shape, how fine it usually is, and who makes it.
 struct NamedShape {
   const char* name;
   int usual_resolution;  ///< 0: it takes none

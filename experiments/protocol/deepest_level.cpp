@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
-#include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -66,10 +66,8 @@ int deepest_of_demonstrations(const Protocol& protocol) {
 int deepest_level_of(const Protocol& protocol) {
   int deepest = deepest_of_demonstrations(protocol);
   const auto look_at = [&](const Condition& condition) {
-    deepest = std::max(deepest, deepest_level_under(protocol, condition));
-    if (protocol.script.two_interval) {
-      const Condition standard = standard_of(condition, *protocol.script.two_interval);
-      deepest = std::max(deepest, deepest_level_under(protocol, standard));
+    for (const Condition& shown : shown_conditions(protocol.script, condition)) {
+      deepest = std::max(deepest, deepest_level_under(protocol, shown));
     }
   };
   for (const Condition& cell : cells_of_engine(protocol)) {

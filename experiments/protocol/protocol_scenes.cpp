@@ -2,8 +2,8 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 
 #include "experiments/protocol/trial_scene.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
@@ -25,9 +25,8 @@ StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeomet
 
 void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   for (const Condition& cell : cells(protocol_->design)) {
-    static_cast<void>(stage(cell, screen));
-    if (protocol_->script.two_interval) {
-      static_cast<void>(stage(standard_of(cell, *protocol_->script.two_interval), screen));
+    for (const Condition& shown : shown_conditions(protocol_->script, cell)) {
+      static_cast<void>(stage(shown, screen));
     }
   }
   for (const CatchTrials& kind : protocol_->design.catch_trials) {

@@ -13,9 +13,9 @@
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/gaze/region_source.hpp"
 #include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/record/frame_grid.hpp"
 #include "experiments/run/live_run.hpp"
-#include "experiments/session/intervals.hpp"
 
 namespace impetus::inline session {
 namespace {
@@ -146,7 +146,7 @@ bool Stimulus::show_scene() {
   const std::int64_t last_frame = whole_frames(scene().duration_s, ports_.display.refresh_hz());
   fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
   follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
-  if (script_.clicks) {
+  if (takes_clicks(script_)) {
     static_cast<void>(ports_.input.take_clicks());
   }
   for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
@@ -192,7 +192,7 @@ Picture Stimulus::with_pointer(const std::vector<Pose>& poses, double time_s) co
 }
 
 void Stimulus::take_clicks() {
-  if (script_.clicks) {
+  if (takes_clicks(script_)) {
     for (ClickRecord& click : ports_.input.take_clicks()) {
       click.interval = interval_;
       record_.clicks.push_back(std::move(click));
@@ -267,8 +267,9 @@ class Attempt {
  public:
   Attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
           const SessionProgress& progress, const Ports& ports, bool may_be_repeated)
-      : progress_(progress),
-        asked_{script, trial, progress_, test_interval(script, trial)},
+      : script_(script),
+        progress_(progress),
+        asked_{trial, progress_, test_interval(script, trial)},
         ports_(ports),
         may_be_repeated_(may_be_repeated),
         follower_(script.gaze ? ports.gaze : nullptr, ports.clock, ports.gaze_correction) {
@@ -301,7 +302,7 @@ class Attempt {
  private:
   bool show_interval() {
     ports_.display.restart_grid();
-    if (!show_blank(asked_.script.timing.interval_ms)) {
+    if (!show_blank(script_.timing.interval_ms)) {
       return false;
     }
     progress_.gaze_was_lost = false;  // the mark is gone when the trial begins
@@ -326,7 +327,7 @@ class Attempt {
     ports_.display.restart_grid();
     for (std::size_t index = 0; index < stimuli_.size(); ++index) {
       if (index > 0) {
-        if (!show_blank(asked_.script.two_interval->between_ms)) {
+        if (!show_blank(find_two_interval(script_)->between_ms())) {
           return false;
         }
         stimuli_[index - 1].take_clicks();  // a late one belongs to what was seen
@@ -343,7 +344,7 @@ class Attempt {
   [[nodiscard]] bool gaze_suffices() const {
     return !may_be_repeated_ ||
            std::none_of(stimuli_.begin(), stimuli_.end(), [&](const Stimulus& stimulus) {
-             return gaze_was_lost(asked_.script, stimulus.gaze_lost_share());
+             return gaze_was_lost(script_, stimulus.gaze_lost_share());
            });
   }
 
@@ -354,17 +355,18 @@ class Attempt {
     for (Stimulus& stimulus : stimuli_) {
       stimulus.be_witnessed();
     }
-    for (const ResponseKind& kind : response_kinds()) {
-      if (!kind.is_asked(asked_.script) || kind.page == nullptr) {
+    for (const auto& question : script_.asked) {
+      const std::optional<Page> page = question->page(asked_);
+      if (!page) {
         continue;
       }
-      const Answer answer = ports_.input.ask(kind.page(asked_));
+      const Answer answer = ports_.input.ask(*page);
       result_.record.late_untimed_frames += answer.late_frames;
       result_.interruption = answer.interruption;
       if (answer.interruption != Interruption::kNone) {
         return false;
       }
-      kind.keep(asked_, answer, result_.record);
+      question->keep(asked_, answer, result_.record);
     }
     return true;
   }
@@ -386,6 +388,7 @@ class Attempt {
   /// The stimulus of the trial's own condition; the other is the standard.
   Stimulus& own() { return stimuli_[static_cast<std::size_t>(asked_.test_interval - 1)]; }
 
+  const Script& script_;
   SessionProgress progress_;  ///< before what refers to it
   AskedTrial asked_;
   const Ports& ports_;

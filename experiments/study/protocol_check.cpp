@@ -11,8 +11,9 @@
 
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
+#include "experiments/questions/rating.hpp"
 #include "experiments/questions/response_kinds.hpp"
-#include "experiments/session/intervals.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/rows.hpp"
 #include "experiments/store/study_reader.hpp"
@@ -67,29 +68,25 @@ std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
   return attempts;
 }
 
-bool same_scale(const RatingScale& a, const RatingScale& b) {
-  return a.minimum == b.minimum && a.maximum == b.maximum && a.best == b.best &&
-         a.low_anchor == b.low_anchor && a.high_anchor == b.high_anchor;
-}
-
 void check_rating(const AnsweredAttempt& attempt, const Script& script, Failures& failures) {
+  const RatingScale* scale = find_scale(script);
   const std::int64_t answers = (attempt.rated_on ? 1 : 0) + attempt.rating_timeouts;
-  if (script.scale && answers == 0) {
+  if (scale != nullptr && answers == 0) {
     failures.push_back(attempt.place + ": completed without the rating that was asked for");
-  } else if (!script.scale && answers > 0) {
+  } else if (scale == nullptr && answers > 0) {
     failures.push_back(attempt.place + ": has a rating, which its protocol does not ask for");
   } else if (answers > 1) {
     failures.push_back(attempt.place + ": has a rating, though the time for it was up");
-  } else if (attempt.rated_on && !same_scale(*attempt.rated_on, *script.scale)) {
+  } else if (attempt.rated_on && *attempt.rated_on != *scale) {
     failures.push_back(attempt.place + ": rated on another scale than the protocol's");
   }
 }
 
 void check_responses(const AnsweredAttempt& attempt, const Script& script, Failures& failures) {
   std::map<std::string, std::int64_t> expected;
-  for (const ResponseKind& kind : response_kinds()) {
-    if (kind.is_asked(script) && kind.keep != nullptr && kind.table == "response") {
-      expected[kind.name] = 1;
+  for (const auto& question : script.asked) {
+    if (question->kind().table == "response") {
+      expected[question->kind().name] = 1;
     }
   }
   for (const auto& [kind, count] : expected) {
@@ -110,7 +107,7 @@ void check_responses(const AnsweredAttempt& attempt, const Script& script, Failu
 void check_attempt(const AnsweredAttempt& attempt, const Script& script, Failures& failures) {
   check_rating(attempt, script, failures);
   check_responses(attempt, script, failures);
-  if (!script.clicks && attempt.clicks > 0) {
+  if (!takes_clicks(script) && attempt.clicks > 0) {
     failures.push_back(attempt.place + ": has clicks, which its protocol does not ask for");
   }
   if (!script.gaze && attempt.has_gaze) {

@@ -45,8 +45,8 @@ class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
       : display_(clock_, kHeadlessHz, assumed_screen()),
-        observer_(
-            make_observer(*options.observer, options.seed, options.participant, clock_, clock_)) {}
+        observer_(make_observer(*options.observer,
+                                {options.seed, options.participant, clock_, clock_})) {}
 
   Display& display() override { return display_; }
   Input& input() override { return *observer_; }

@@ -15,6 +15,7 @@
 #include "experiments/protocol/checks/threshold_checks.hpp"
 #include "experiments/protocol/checks/training_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -101,23 +102,6 @@ void check_runs(const JsonDocument& protocol) {
   }
 }
 
-void check_scale(const JsonDocument& protocol) {
-  if (!protocol.value.contains("rating")) {
-    return;
-  }
-  const json& rating = protocol.value["rating"];
-  if (rating["minimum"] >= rating["maximum"]) {
-    refuse(protocol, "/rating/maximum",
-           "expected more than the minimum " + rating["minimum"].dump() + ", got " +
-               rating["maximum"].dump());
-  }
-  if (rating["best"] != rating["minimum"] && rating["best"] != rating["maximum"]) {
-    refuse(protocol, "/rating/best",
-           "expected one end of the scale, " + rating["minimum"].dump() + " or " +
-               rating["maximum"].dump() + ", got " + rating["best"].dump());
-  }
-}
-
 void check_questions(const JsonDocument& protocol) {
   const json session = protocol.value.value("session", json::object());
   std::set<std::string> ids{"consent"};
@@ -155,7 +139,7 @@ void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
   check_planned_size(protocol);
   check_training_criterion(protocol);
   check_resume(protocol);
-  check_scale(protocol);
+  check_question_blocks(protocol);
   check_questions(protocol);
 }
 

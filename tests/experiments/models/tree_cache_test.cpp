@@ -12,7 +12,6 @@
 
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
-#include "experiments/models/building_watch.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/live_run.hpp"
@@ -170,10 +171,10 @@ Fitted fitted(const std::vector<std::pair<double, bool>>& answers, const GapPara
 
 TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   const ObserverFile file = load_observer("gap-thresholds", source_file("protocols/gap.json"));
-  auto planted = std::get<GapThresholdParameters>(file.parameters);
+  auto planted = static_cast<const GapParameters&>(*file.parameters);
   planted.threshold_sd_log10 = 0.0;
   VirtualClock clock;
-  const GapObserver observer(planted, 1, "S01", clock, "gap-thresholds");
+  const GapObserver observer(planted, {1, "S01", clock, clock}, "gap-thresholds");
   RandomStream stream(20'020, "answers");
   const std::vector<double> gaps{5, 8, 13, 20, 32, 50, 80, 125, 200, 250};
   for (const double above_deg : {0.0, 8.0}) {
