@@ -26,18 +26,6 @@ void reserve(unsigned buffer, GLenum format, int width, int height) {
 
 }  // namespace
 
-MultisampledTarget::MultisampledTarget() {
-  glGenFramebuffers(1, &framebuffer_);
-  glGenRenderbuffers(1, &colour_);
-  glGenRenderbuffers(1, &depth_);
-}
-
-MultisampledTarget::~MultisampledTarget() {
-  glDeleteFramebuffers(1, &framebuffer_);
-  glDeleteRenderbuffers(1, &colour_);
-  glDeleteRenderbuffers(1, &depth_);
-}
-
 void MultisampledTarget::allocate(int width, int height) {
   reserve(colour_, format_of_window(), width, height);
   reserve(depth_, GL_DEPTH_COMPONENT24, width, height);

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
+#include "experiments/drawing/shader_program.hpp"
 
 namespace impetus::inline drawing {
 
+/// Where a picture is drawn before it is averaged. Needs a current OpenGL 3.3 context, from its
+/// beginning and for every call; takes no memory until begin().
 class MultisampledTarget {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call; takes no memory until begin().
-  MultisampledTarget();
-  ~MultisampledTarget();
-  MultisampledTarget(const MultisampledTarget&) = delete;
-  MultisampledTarget& operator=(const MultisampledTarget&) = delete;
-
   /// Everything is drawn here from now on, at 0, 0 and in the given size (pixels). The memory is
   /// kept for the next picture of this size. Throws std::runtime_error when the driver refuses.
   void begin(int width, int height);
@@ -25,9 +22,9 @@ class MultisampledTarget {
  private:
   void allocate(int width, int height);
 
-  unsigned framebuffer_{0};
-  unsigned colour_{0};
-  unsigned depth_{0};
+  GlName framebuffer_{GlName::Kind::kFramebuffer};
+  GlName colour_{GlName::Kind::kRenderbuffer};
+  GlName depth_{GlName::Kind::kRenderbuffer};
   int width_{0};
   int height_{0};
 };

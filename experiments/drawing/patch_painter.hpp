@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/drawing/scene_painter.hpp"
 #include "experiments/record/photodiode_patch.hpp"
 

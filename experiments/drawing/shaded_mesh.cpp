@@ -118,7 +118,7 @@ std::array<float, 3> as_floats(const Vector3& v) {
 
 }  // namespace
 
-ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg) {
+ShadedMesh shaded_mesh(const TriangleMesh& mesh, double hard_edge_deg) {
   const std::vector<Vector3> normals = face_normals(mesh);
   Groups groups = joined_across_soft_edges(mesh, normals, hard_edge_deg);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "experiments/drawing/body_colours.hpp"
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/window/gui.hpp"
 
 namespace impetus::inline viewers {

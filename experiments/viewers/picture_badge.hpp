@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/window/gui.hpp"
 
 namespace impetus::inline viewers {

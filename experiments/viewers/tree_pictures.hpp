@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "experiments/drawing/tree_look.hpp"
+#include "experiments/drawing/tree_painter.hpp"
 #include "experiments/window/png_file.hpp"
 #include "experiments/window/readable_target.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/drawing/tree_look.hpp"
+#include "experiments/drawing/tree_painter.hpp"
 #include "experiments/window/window.hpp"
 
 namespace impetus::inline viewers {

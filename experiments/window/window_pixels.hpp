@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/window/png_file.hpp"
 
 namespace impetus::inline window {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/window/gui.hpp"
 
 namespace impetus::inline viewers {

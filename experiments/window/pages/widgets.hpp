@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline window {
 
