@@ -1,4 +1,5 @@
-// How a page is laid out: one column of comfortable width, its words, and its choices.
+// How a page is laid out: one column of comfortable width, its words, its choices, and a small map
+// of the screen.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -33,5 +34,9 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
 /// The choices as buttons in rows, as the points of a scale with its anchors, or large and side by
 /// side. Returns the one that was clicked.
 std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
+
+/// The points that were looked at and where the gaze was, from the cursor down; nothing without
+/// points.
+void draw_point_map(const Gui& gui, const PointMap& map);
 
 }  // namespace impetus::inline window

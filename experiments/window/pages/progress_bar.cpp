@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kBarShareOfHeight = 0.006F;
 
+/// The bar's inks.
 struct Colours {
   ImU32 track;
   ImU32 done;
@@ -27,7 +28,7 @@ Colours colours_on(Ground ground) {
 void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 colour) {
   const float radius = 0.3F * font.FontSize;
   draw.AddCircle(ImVec2(at.x + radius, at.y + 0.55F * font.FontSize), radius, colour, 0, 1.5F);
-  draw.AddText(&font, font.FontSize, ImVec2(at.x + 3.0F * radius, at.y), colour, "gaze lost");
+  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour, "gaze lost");
 }
 
 float bar_height(const Gui& gui) {
