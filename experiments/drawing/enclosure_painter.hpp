@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/volumes/enclosure.hpp"
-#include "experiments/drawing/shader_program.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
@@ -21,7 +21,6 @@ namespace impetus::inline drawing {
 /// Draws the walls that face the eye.
 class EnclosurePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   EnclosurePainter();
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with

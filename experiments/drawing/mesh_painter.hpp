@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "experiments/drawing/shader_program.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
@@ -48,7 +48,6 @@ class UploadedMeshes {
 /// Draws each body by itself, lit at every pixel.
 class MeshPainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   MeshPainter();
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
@@ -64,7 +63,6 @@ class MeshPainter {
 /// Draws a crowd: each body as coarsely as its distance allows, all of one mesh in one call.
 class CrowdPainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   CrowdPainter();
 
   /// As MeshPainter::paint(), into a viewport that is `height_px` high.

@@ -16,16 +16,15 @@
 #include <vector>
 
 #include "experiments/drawing/enclosure_painter.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/mesh_painter.hpp"
-#include "experiments/drawing/multisampled_target.hpp"
 #include "experiments/drawing/sphere_painter.hpp"
 #include "experiments/drawing/volume_painter.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
 
-/// Paints pictures and what is drawn over them. Needs a current OpenGL 3.3 context, from its
-/// beginning and for every call.
+/// Paints pictures and what is drawn over them.
 class ScenePainter {
  public:
   /// Fills the area with a grey (sRGB, 0–1).

@@ -1,13 +1,14 @@
 // Draws spheres in exact perspective, all in one call: every pixel of an image asks the sphere
-// itself. SPDX-License-Identifier: MIT
+// itself.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "engine/volumes/sphere.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/picture_map.hpp"
-#include "experiments/drawing/shader_program.hpp"
 
 namespace impetus::inline drawing {
 
@@ -24,7 +25,6 @@ enum class BallKind { kOpaque, kClear };
 /// Draws balls of one kind.
 class SpherePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   explicit SpherePainter(BallKind kind);
 
   /// Draws those that can be seen, farthest first, into the area of the current target, which the

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "engine/trees/level_quality.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/mesh_painter.hpp"
-#include "experiments/drawing/multisampled_target.hpp"
 #include "experiments/drawing/volume_painter.hpp"
 
 namespace impetus::inline drawing {
@@ -68,7 +68,7 @@ struct Orbit {
 /// Paints one tree, and only what has changed.
 class TreePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call; `shown` must outlive it.
+  /// `shown` must outlive it.
   explicit TreePainter(const ShownTree& shown);
 
   /// Paints the area of the window on a ground of a grey (sRGB, 0–1); what is as it was the last

@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/rounded_box_mesh.hpp"
-#include "experiments/drawing/shader_program.hpp"
 
 namespace impetus::inline drawing {
 
@@ -22,7 +22,6 @@ struct ColouredVolume {
 /// Draws rounded boxes, each by a mesh as fine as its size asks for.
 class VolumePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   VolumePainter();
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly and is

@@ -1,5 +1,6 @@
 // The controls of a preview's settings: what orders pairs, their lists, the region; what is done
-// with collisions: contacts, response, fast bodies, budget. SPDX-License-Identifier: MIT
+// with collisions: contacts, response, fast bodies, budget.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "experiments/run/preview_settings.hpp"

@@ -1,5 +1,6 @@
 // Shows a volume tree: in a window, its levels one by one, the mesh through them; or as pictures,
-// for figures and on machines without a display. SPDX-License-Identifier: MIT
+// for figures and on machines without a display.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <vector>

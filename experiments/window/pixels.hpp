@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/drawing/picture_map.hpp"
-#include "experiments/drawing/shader_program.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/window/window.hpp"
 
 namespace impetus::inline window {

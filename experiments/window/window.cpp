@@ -10,7 +10,7 @@
 #include "experiments/window/canvas.hpp"
 #include "experiments/window/display.hpp"
 #include "experiments/window/pages/asked_page.hpp"
-#include "experiments/window/pages/progress_bar.hpp"
+#include "experiments/window/pages/page_layout.hpp"
 #include "experiments/window/shown_patch.hpp"
 
 namespace impetus::inline window {

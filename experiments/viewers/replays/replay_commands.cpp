@@ -19,38 +19,39 @@ struct KeyOfCommand {
   Command command;
 };
 /// The first that fits counts.
-constexpr std::array<KeyOfCommand, 32> kKeys{{{SDLK_SPACE, 0, Command::kPlay},
-                                              {SDLK_LEFT, 0, Command::kStepBack},
-                                              {SDLK_COMMA, 0, Command::kStepBack},
-                                              {SDLK_RIGHT, 0, Command::kStepOn},
-                                              {SDLK_PERIOD, 0, Command::kStepOn},
-                                              {SDLK_UP, 0, Command::kFaster},
-                                              {SDLK_DOWN, 0, Command::kSlower},
-                                              {SDLK_HOME, 0, Command::kStart},
-                                              {SDLK_END, 0, Command::kEnd},
-                                              {SDLK_n, KMOD_CTRL, Command::kNextClick},
-                                              {SDLK_n, KMOD_SHIFT, Command::kNextLateFrame},
-                                              {SDLK_n, KMOD_ALT, Command::kNextAnswer},
-                                              {SDLK_n, 0, Command::kNextCollision},
-                                              {SDLK_p, KMOD_CTRL, Command::kPreviousClick},
-                                              {SDLK_p, KMOD_SHIFT, Command::kPreviousLateFrame},
-                                              {SDLK_p, KMOD_ALT, Command::kPreviousAnswer},
-                                              {SDLK_p, 0, Command::kPreviousCollision},
-                                              {SDLK_g, 0, Command::kGaze},
-                                              {SDLK_c, 0, Command::kContacts},
-                                              {SDLK_v, 0, Command::kVolumes},
-                                              {SDLK_l, 0, Command::kColours},
-                                              {SDLK_f, 0, Command::kFinest},
-                                              {SDLK_r, 0, Command::kOwnView},
-                                              {SDLK_s, 0, Command::kPicture},
-                                              {SDLK_t, 0, Command::kTrials},
-                                              {SDLK_PAGEUP, 0, Command::kPreviousTrial},
-                                              {SDLK_PAGEDOWN, 0, Command::kNextTrial},
-                                              {SDLK_F1, 0, Command::kHelp},
-                                              {SDLK_h, 0, Command::kHelp},
-                                              {SDLK_QUESTION, 0, Command::kHelp},
-                                              {SDLK_SLASH, KMOD_SHIFT, Command::kHelp},
-                                              {SDLK_ESCAPE, 0, Command::kClose}}};
+constexpr std::array<KeyOfCommand, 32> kCommandKeys{
+    {{SDLK_SPACE, 0, Command::kPlay},
+     {SDLK_LEFT, 0, Command::kStepBack},
+     {SDLK_COMMA, 0, Command::kStepBack},
+     {SDLK_RIGHT, 0, Command::kStepOn},
+     {SDLK_PERIOD, 0, Command::kStepOn},
+     {SDLK_UP, 0, Command::kFaster},
+     {SDLK_DOWN, 0, Command::kSlower},
+     {SDLK_HOME, 0, Command::kStart},
+     {SDLK_END, 0, Command::kEnd},
+     {SDLK_n, KMOD_CTRL, Command::kNextClick},
+     {SDLK_n, KMOD_SHIFT, Command::kNextLateFrame},
+     {SDLK_n, KMOD_ALT, Command::kNextAnswer},
+     {SDLK_n, 0, Command::kNextCollision},
+     {SDLK_p, KMOD_CTRL, Command::kPreviousClick},
+     {SDLK_p, KMOD_SHIFT, Command::kPreviousLateFrame},
+     {SDLK_p, KMOD_ALT, Command::kPreviousAnswer},
+     {SDLK_p, 0, Command::kPreviousCollision},
+     {SDLK_g, 0, Command::kGaze},
+     {SDLK_c, 0, Command::kContacts},
+     {SDLK_v, 0, Command::kVolumes},
+     {SDLK_l, 0, Command::kColours},
+     {SDLK_f, 0, Command::kFinest},
+     {SDLK_r, 0, Command::kOwnView},
+     {SDLK_s, 0, Command::kPicture},
+     {SDLK_t, 0, Command::kTrials},
+     {SDLK_PAGEUP, 0, Command::kPreviousTrial},
+     {SDLK_PAGEDOWN, 0, Command::kNextTrial},
+     {SDLK_F1, 0, Command::kHelp},
+     {SDLK_h, 0, Command::kHelp},
+     {SDLK_QUESTION, 0, Command::kHelp},
+     {SDLK_SLASH, KMOD_SHIFT, Command::kHelp},
+     {SDLK_ESCAPE, 0, Command::kClose}}};
 
 /// A line of the help.
 struct HelpLine {
@@ -97,10 +98,20 @@ constexpr std::array<Jump, 8> kJumps{{{Command::kPreviousCollision, JumpTarget::
                                       {Command::kPreviousAnswer, JumpTarget::kResponse, -1},
                                       {Command::kNextAnswer, JumpTarget::kResponse, 1}}};
 
+/// What a command shows or hides.
+struct Toggle {
+  Command command;
+  bool ReplayLook::*shown;
+};
+constexpr std::array<Toggle, 4> kToggles{{{Command::kGaze, &ReplayLook::gaze},
+                                          {Command::kContacts, &ReplayLook::contacts},
+                                          {Command::kVolumes, &ReplayLook::volumes},
+                                          {Command::kFinest, &ReplayLook::finest}}};
+
 }  // namespace
 
 std::optional<ReplayCommand> command_of(const SDL_Keysym& key) {
-  for (const KeyOfCommand& each : kKeys) {
+  for (const KeyOfCommand& each : kCommandKeys) {
     if (each.key == key.sym && (each.held == 0 || (key.mod & each.held) != 0)) {
       return each.command;
     }
@@ -167,28 +178,18 @@ std::optional<std::string> steer(ReplayPlayback& playback, const ReplayView& rep
 }
 
 bool change_look(ReplayLook& look, ReplayCommand command) {
-  switch (command) {
-    case Command::kGaze:
-      look.gaze = !look.gaze;
+  for (const Toggle& toggle : kToggles) {
+    if (toggle.command == command) {
+      look.*toggle.shown = !(look.*toggle.shown);
       return true;
-    case Command::kContacts:
-      look.contacts = !look.contacts;
-      return true;
-    case Command::kVolumes:
-      look.volumes = !look.volumes;
-      return true;
-    case Command::kColours:
-      look.colours = next_colours(look.colours);
-      return true;
-    case Command::kFinest:
-      look.finest = !look.finest;
-      return true;
-    case Command::kOwnView:
-      look.camera.reset();
-      return true;
-    default:
-      return false;
+    }
   }
+  if (command == Command::kColours) {
+    look.colours = next_colours(look.colours);
+  } else if (command == Command::kOwnView) {
+    look.camera.reset();
+  }
+  return command == Command::kColours || command == Command::kOwnView;
 }
 
 }  // namespace impetus::inline viewers

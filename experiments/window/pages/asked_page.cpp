@@ -8,7 +8,6 @@
 
 #include "experiments/window/pages/form_field.hpp"
 #include "experiments/window/pages/page_layout.hpp"
-#include "experiments/window/pages/progress_bar.hpp"
 #include "experiments/window/pages/widgets.hpp"
 #include "experiments/window/typed_input.hpp"
 

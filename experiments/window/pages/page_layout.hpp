@@ -1,5 +1,5 @@
-// How a page is laid out: one column of comfortable width, its words, its choices, and a small map
-// of the screen.
+// How a page is laid out: one column of comfortable width, its words, its choices, a small map of
+// the screen, and along the bottom edge of every frame how far the session has come.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -38,5 +38,14 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const 
 /// The points that were looked at and where the gaze was, from the cursor down; nothing without
 /// points.
 void draw_point_map(const Gui& gui, const PointMap& map);
+
+/// What is under the bar: its colours must stay quiet on it.
+enum class Ground { kPage, kPicture };
+
+/// Height at the bottom that the bar and its label take.
+[[nodiscard]] float progress_height(const Gui& gui);
+
+/// Draws within the present frame; nothing when there is neither total nor label.
+void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground);
 
 }  // namespace impetus::inline window

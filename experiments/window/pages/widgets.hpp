@@ -54,7 +54,8 @@ bool draw_button(int id, const ButtonLook& look);
 /// Until ImGui::PopClipRect(), nothing is drawn outside the area.
 void push_clip_rect(const PixelArea& area, float window_height_px);
 
-/// The ground of what lies over everything else, in the middle of the window; its upper left corner.
+/// The ground of what lies over everything else, in the middle of the window; its upper left
+/// corner.
 ImVec2 draw_card(const Gui& gui, ImVec2 size_px);
 
 /// A ring around the focused thing.

@@ -1,4 +1,8 @@
-// What every painter of this room is made of: shaders, buffers, and how any surface is lit.
+// What every painter of this room is made of: buffers, shaders, how any surface is lit, and a
+// target with four samples per pixel.
+//
+// All of this room needs a current OpenGL 3.3 context, when a thing is made, used, and when it
+// ends.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,11 +11,11 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
+#include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {
 
-/// A thing on the graphics card, which goes when this does. Needs a current OpenGL 3.3 context, now
-/// and at the end.
+/// A thing on the graphics card, which goes when this does.
 class GlName {
  public:
   /// What is named, in OpenGL's words.
@@ -32,8 +36,8 @@ class GlName {
 /// The two shaders of a painter, compiled and linked.
 class ShaderProgram {
  public:
-  /// Each text is given in parts. Needs a current context. Throws std::runtime_error with the
-  /// driver's words when it refuses.
+  /// Each text is given in parts. Throws std::runtime_error with the driver's words when it
+  /// refuses.
   ShaderProgram(std::initializer_list<const char*> vertex,
                 std::initializer_list<const char*> fragment);
   ~ShaderProgram();
@@ -97,5 +101,27 @@ vec3 light(vec3 normal, vec3 towards_eye, vec3 colour) {
   return srgb_from_linear(min(diffuse + 0.10 * gloss, 1.0));
 }
 )";
+
+/// A picture off the window with four samples per pixel, averaged onto the window when it is done;
+/// takes no memory until begin().
+class MultisampledTarget {
+ public:
+  /// Everything is drawn here from now on, at 0, 0 and in the given size (pixels). The memory is
+  /// kept for the next picture of this size. Throws std::runtime_error when the driver refuses.
+  void begin(int width, int height);
+
+  /// Averages the picture onto the area of the window, or of another framebuffer of OpenGL's, which
+  /// must have the size given to begin(), and draws to the window again.
+  void end_onto(const PixelArea& area, unsigned framebuffer = 0);
+
+ private:
+  void allocate(int width, int height);
+
+  GlName framebuffer_{GlName::Kind::kFramebuffer};
+  GlName colour_{GlName::Kind::kRenderbuffer};
+  GlName depth_{GlName::Kind::kRenderbuffer};
+  int width_{0};
+  int height_{0};
+};
 
 }  // namespace impetus::inline drawing
