@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
@@ -23,6 +23,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus check` was asked for.
 struct CheckOptions {
   std::vector<std::string> files;
   double refresh_hz{60.0};

@@ -18,6 +18,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus export` was asked for.
 struct ExportOptions {
   std::string database;
   std::string format{"csv"};

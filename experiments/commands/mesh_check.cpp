@@ -14,6 +14,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus mesh check` was asked for.
 struct MeshArguments {
   std::vector<std::string> files;
   std::string out;

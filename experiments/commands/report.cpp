@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What `impetus report` was asked for.
 struct ReportOptions {
   std::string study;
   std::string out{"report"};

@@ -10,7 +10,7 @@
 #include "experiments/record/steady_clock.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
-#include "experiments/trade/parting_rows.hpp"
+#include "experiments/trade/parting.hpp"
 #include "experiments/trade/trial_starts.hpp"
 
 namespace impetus::inline commands {

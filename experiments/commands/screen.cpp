@@ -18,6 +18,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus screen` was asked for.
 struct ScreenOptions {
   double width_cm{0.0};
   double height_cm{0.0};

@@ -22,6 +22,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus tree build` was asked for.
 struct BuildOptions {
   std::string what;
   std::string kind{"octree"};

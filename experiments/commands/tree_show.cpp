@@ -19,6 +19,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus tree show` was asked for.
 struct ShowOptions {
   std::string file;
   std::optional<int> level;

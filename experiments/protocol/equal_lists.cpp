@@ -9,7 +9,7 @@
 #include "engine/scheduling/solved_thresholds.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/session/unattended.hpp"
@@ -26,11 +26,11 @@ struct Pilot {
 };
 
 Pilot run_pilot(const json& scene, double pilot_s, ShapeLibrary& shapes, const Progress& progress) {
-  Playback playback(build_scene(scene, assumed_screen(), 0.0, shapes, "pilot"), 1);
-  playback.drop_digests();
-  play_to(playback, pilot_s, progress);
+  LiveRun live(build_scene(scene, assumed_screen(), 0.0, shapes, "pilot"), 1);
+  live.drop_digests();
+  play_to(live, pilot_s, progress);
   Pilot pilot;
-  for (const CollisionRecord& collision : playback.take_collisions()) {
+  for (const CollisionRecord& collision : live.take_collisions()) {
     if (!is_wall(collision.report.bodies.b) && collision.priority) {
       pilot.measures.push_back(*collision.priority);
       pilot.share += collision.report.list == 0 ? 1.0 : 0.0;

@@ -177,6 +177,16 @@ WorkCosts costs_of(const PreviewSettings& settings) {
   return settings.all_phases ? kAllPhases : WorkCosts{};
 }
 
+WorkBudget budget_of(const PreviewSettings& settings) {
+  WorkBudget budget;
+  if (settings.budget == BudgetUnit::kMilliseconds) {
+    budget.ns_per_step = std::llround(settings.ms_per_step * 1e6);
+  } else if (settings.budget == BudgetUnit::kTests) {
+    budget.tests_per_step = settings.tests_per_step;
+  }
+  return budget;
+}
+
 Schedule schedule_of(const PreviewSettings& settings) {
   Schedule schedule;
   const bool by_region = settings.scheduler == kRegion;

@@ -57,6 +57,7 @@ struct CollisionMatch {
   std::optional<std::size_t> now{};
 };
 
+/// Both simulations, their collisions matched, and when they parted.
 struct WhatIf {
   WhatIfCourse then;
   WhatIfCourse now;

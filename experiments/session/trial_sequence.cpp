@@ -9,7 +9,7 @@
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/session_pages.hpp"
-#include "experiments/session/calibration_pages.hpp"
+#include "experiments/session/gaze_calibration.hpp"
 
 namespace impetus::inline session {
 

@@ -148,7 +148,7 @@ double step_hz(const Protocol& protocol, const Condition& condition) {
   return protocol.scene.value.at(nlohmann::json::json_pointer(kPointer)).get<double>();
 }
 
-/// As Playback steps: to the step that the last frame falls on, or the next.
+/// As LiveRun steps: to the step that the last frame falls on, or the next.
 double last_step_needed(const ShownInterval& shown, const Protocol& protocol) {
   constexpr double kOfAStep = 1e-9;
   const std::vector<PlannedTrial> stimuli = stimuli_of(protocol.script, shown.trial);

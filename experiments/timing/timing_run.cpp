@@ -7,7 +7,7 @@
 
 #include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_latency.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/session/trial.hpp"
 #include "experiments/timing/timing_scenes.hpp"
 
@@ -147,15 +147,15 @@ class TimingRun {
 
   bool measure_input() {
     begin("keys and mouse, which are better left alone");
-    Playback playback(scenes_.stage(timing_trial(kGazeBodies), lab_.display().geometry()), 1,
-                      &lab_.clock());
+    LiveRun live(scenes_.stage(timing_trial(kGazeBodies), lab_.display().geometry()), 1,
+                 &lab_.clock());
     std::int64_t frame = 0;
     bool interrupted = false;
     lab_.display().restart_grid();
     const InputTrace trace = lab_.try_input([&] {
       const double time_s = static_cast<double>(frame) / nominal_hz();
-      static_cast<void>(lab_.display().show(
-          picture_of(playback.scene(), playback.poses_at(time_s), time_s, progress_)));
+      static_cast<void>(
+          lab_.display().show(picture_of(live.scene(), live.poses_at(time_s), time_s, progress_)));
       interrupted = lab_.input().interruption() != Interruption::kNone;
       return ++frame < frames() && !interrupted;
     });

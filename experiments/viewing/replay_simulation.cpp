@@ -49,13 +49,8 @@ void mark_collisions(double time_s, const StepReport& report, std::vector<Timeli
 std::vector<StepContact> contacts_of(const StepReport& report) {
   std::vector<StepContact> contacts;
   for (const CollisionReport& collision : report.collisions) {
-    const auto first = static_cast<std::size_t>(collision.first_contact);
-    const auto count = static_cast<std::size_t>(collision.contact_count);
-    for (std::size_t i = first; i < first + count && i < report.contacts.size(); ++i) {
-      contacts.push_back({collision.bodies, report.contacts[i].touch});
-    }
-    if (report.contacts.empty()) {
-      contacts.push_back({collision.bodies, collision.contact.touch});
+    for (const TouchPoint& touch : touch_points(report, collision)) {
+      contacts.push_back({collision.bodies, touch});
     }
   }
   return contacts;

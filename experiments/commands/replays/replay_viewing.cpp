@@ -16,6 +16,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// An answer as the viewer shows it, and when it was given.
 struct ViewedAnswer {
   std::string words;
   std::int64_t at_ns{0};
@@ -126,6 +127,7 @@ std::vector<ShownStimulus> shown_stimuli(StudyFile& study, ReplayLibrary& librar
   return shown;
 }
 
+/// The stimuli of a study, from which the viewer opens one after the other.
 class StudyStimuli final : public ViewedStimuli {
  public:
   StudyStimuli(StudyFile& study, ReplayLibrary& library, std::vector<ShownStimulus> shown,

@@ -40,6 +40,7 @@ constexpr const char* kNoWindow =
     "this build has no window; run with --observer NAME, without --show";
 #endif
 
+/// A simulated participant in virtual time, without a window.
 class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
@@ -67,6 +68,7 @@ class HeadlessLaboratory final : public Laboratory {
 
 #ifdef IMPETUS_WINDOW
 
+/// A window, with a person or a simulated participant before it.
 class WindowLaboratory final : public Laboratory {
  public:
   explicit WindowLaboratory(const LaboratoryOptions& options)

@@ -11,7 +11,6 @@
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/session_warnings.hpp"
-#include "experiments/commands/running/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/record/steady_clock.hpp"

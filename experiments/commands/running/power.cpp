@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/power_studies.hpp"
 #include "experiments/commands/running/run_part.hpp"
@@ -36,6 +36,7 @@ using nlohmann::json;
 constexpr const char* kLedgerName = "power.sqlite";
 constexpr const char* kScratch = "simulating-";  ///< and the process's mark
 
+/// What `impetus power` was asked for.
 struct PowerOptions {
   std::string protocol;
   std::string observer;

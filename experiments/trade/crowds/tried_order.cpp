@@ -13,6 +13,7 @@
 namespace impetus::inline trade {
 namespace {
 
+/// A traversal by the name that scenes give it.
 struct NamedTraversal {
   Traversal traversal;
   std::string_view name;

@@ -20,6 +20,7 @@ namespace impetus::inline trade {
 inline constexpr const char* kOwnScheduler = "scene";
 inline constexpr const char* kRandomScheduler = "random";
 
+/// An order of work: what decides a pair's urgency, and how the pairs are gone through.
 struct TriedOrder {
   std::string scheduler;
   Traversal traversal{Traversal::kDepthFirst};

@@ -9,7 +9,6 @@
 
 #include "engine/numerics/trigonometry.hpp"
 #include "experiments/observers/simulated_eye.hpp"
-#include "experiments/session/calibration_pages.hpp"
 #include "tests/experiments/calibration_lab.hpp"
 
 namespace impetus::gaze_calibration_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ StagedScene ball_in_a_cube() {
   return scene;
 }
 
-TEST(Playback, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
-  Playback playback(ball_in_a_cube(), 1);
+TEST(LiveRun, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
+  LiveRun playback(ball_in_a_cube(), 1);
   playback.poses_at(1.0);
   const std::vector<CollisionRecord> collisions = playback.take_collisions();
   ASSERT_EQ(collisions.size(), 1U);
@@ -41,10 +41,10 @@ TEST(Playback, ACollisionWithAWallIsRecordedWithThePoseOfTheBodyAlone) {
   EXPECT_EQ(collisions[0].pose_b.position, Vector3::Zero());
 }
 
-TEST(Playback, ManyStepsAreToldOfHoweverShortTheirTime) {
+TEST(LiveRun, ManyStepsAreToldOfHoweverShortTheirTime) {
   StagedScene scene = ball_in_a_cube();
   scene.step_hz = 100'000.0;
-  Playback playback(std::move(scene), 1);
+  LiveRun playback(std::move(scene), 1);
   std::vector<double> told;
   play_to(playback, /*end_s=*/0.1, [&](double share) { told.push_back(share); });
   EXPECT_EQ(told.size(), 40U);  // 10000 steps, 250 at a time

@@ -1,4 +1,4 @@
-// A staged scene in time: steps the world as far as the next frame needs and keeps the record.
+// The live trial: runs a scene as far as the next frame needs, and keeps the record.
 //
 //   steps    0---1---2---3---4---5---6---7---8     at step_hz, whatever the display
 //   frames   0           1           2             poses between the two steps around each
@@ -6,23 +6,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "experiments/gaze/region_source.hpp"
 #include "experiments/record/record.hpp"
-#include "experiments/record/staged_scene.hpp"
-#include "experiments/run/deadline_work.hpp"
+#include "experiments/run/scene_run.hpp"
 
 namespace impetus::inline run {
 
-class Playback {
+/// Runs a trial's scene for a participant and records it.
+class LiveRun {
  public:
   /// `seed` is the trial's. `work_clock` times budgets in milliseconds and must outlive this; a
   /// scene without such a budget needs none.
-  Playback(StagedScene scene, std::uint64_t seed, const Clock* work_clock = nullptr);
+  LiveRun(StagedScene scene, std::uint64_t seed, const Clock* work_clock = nullptr);
 
-  /// What the participant looks at from the next step on; the region is the playback's own.
+  /// What the participant looks at from the next step on; its region is left to the scene's rule.
   void look_at(const GazeInput& gaze) { gaze_ = gaze; }
 
   /// From now on the records of steps are without the digests of bodies; hashes stay.
@@ -31,25 +29,18 @@ class Playback {
   /// The poses at `time_s` from onset. Time must not go back by more than a step.
   std::vector<Pose> poses_at(double time_s);
 
-  [[nodiscard]] const StagedScene& scene() const { return scene_; }
+  [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
 
-  /// Hands the record over; the playback is finished.
+  /// Hands the record over, after which nothing more is to be run.
   std::vector<StepRecord> take_steps() { return std::move(steps_); }
   std::vector<CollisionRecord> take_collisions() { return std::move(collisions_); }
 
  private:
-  void step_once();
-  WorkMeter& meter_of_step();
-  [[nodiscard]] CollisionRecord record_of(std::int64_t step,
-                                          const CollisionReport& collision) const;
-  [[nodiscard]] Pose pose_of(std::int32_t body) const;
+  void step();
+  [[nodiscard]] CollisionRecord record_collision(const CollisionReport& collision) const;
 
-  StagedScene scene_;
-  RegionSource regions_;
-  FixedWork fixed_;
-  std::optional<DeadlineWork> deadline_;
+  SceneRun run_;
   GazeInput gaze_;
-  std::vector<BodyState> before_;
   std::vector<StepRecord> steps_;
   std::vector<CollisionRecord> collisions_;
   bool keeps_digests_{true};
@@ -57,7 +48,7 @@ class Playback {
 
 /// The record of one step, from what it was told and what it reported; with the digests of bodies
 /// or without.
-StepRecord record_of(std::int64_t step, const GazeInput& gaze, const StepReport& report,
-                     bool keeps_digests = true);
+StepRecord record_step(std::int64_t step, const GazeInput& gaze, const StepReport& report,
+                       bool keeps_digests = true);
 
 }  // namespace impetus::inline run
