@@ -80,13 +80,14 @@ void draw_key(const Gui& gui, const PixelArea& area, const std::vector<ColourMea
   ImFont* font = gui.fonts().small;
   const float em = font->FontSize;
   const float inset_px = 0.5F * em;
+  const float line_px = 1.35F * em;
   std::vector<ImVec2> places;
   ImVec2 at(0.0F, 0.0F);
   float widest_px = 0.0F;
   for (const ColourMeaning& each : meanings) {
     const float width_px = setting.indent * em + width_of(each.meaning, *font);
     if (at.x > 0.0F && at.x + width_px > setting.widest_px) {
-      at = ImVec2(0.0F, at.y + 1.35F * em);
+      at = ImVec2(0.0F, at.y + line_px);
     }
     places.push_back(at);
     widest_px = std::max(widest_px, at.x + width_px);
@@ -94,7 +95,10 @@ void draw_key(const Gui& gui, const PixelArea& area, const std::vector<ColourMea
   }
   const float left = static_cast<float>(area.left) + 2.0F * inset_px;
   const float bottom = gui.height() - static_cast<float>(area.bottom) - inset_px;
-  const float top = bottom - at.y - 1.35F * em - (setting.above + setting.below) * em;
+  const auto rows = static_cast<float>(meanings.size());
+  const float highest =
+      setting.widest_px > 0.0F ? bottom - at.y - line_px : bottom - rows * line_px;
+  const float top = highest - (setting.above + setting.below) * em;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(ImVec2(left - inset_px, top), ImVec2(left + widest_px + inset_px, bottom),
                      palette::kSurface, kRounding);
