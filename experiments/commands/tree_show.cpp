@@ -13,7 +13,6 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
-#include "experiments/viewers/tree_pictures.hpp"
 #include "experiments/viewers/tree_view.hpp"
 #endif
 

@@ -5,11 +5,10 @@
 #include <set>
 
 #include "experiments/run/live_run.hpp"
-#include "experiments/viewing/finest_beside.hpp"
 #include "experiments/viewing/orbit_camera.hpp"
-#include "experiments/viewing/picture_name.hpp"
 #include "experiments/viewing/replay_playback.hpp"
-#include "experiments/viewing/timeline_jumps.hpp"
+#include "experiments/viewing/replay_simulation.hpp"
+#include "experiments/viewing/viewed_stimuli.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::viewer_parts_test {
