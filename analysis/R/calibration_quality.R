@@ -10,11 +10,9 @@
 # SPDX-License-Identifier: MIT
 
 calibration_quality <- function(study) {
-  people <- sort(unique(as.character(study$trials$participant)))
-  rows <- lapply(people, function(who) {
+  each_row(sort(unique(as.character(study$trials$participant))), function(who) {
     calibration_quality_of(who, study$calibrations[study$calibrations$participant == who, ])
   })
-  do.call(rbind, rows)
 }
 
 calibration_quality_of <- function(who, rows) {
@@ -54,18 +52,16 @@ calibration_sentences <- function(table) {
 
 calibration_section <- function(table) {
   if (all(table$calibrations == 0)) return(character())
-  number <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))
+  table$participant <- as_typed(table$participant)
+  table$stretch <- 100 * table$stretch
   c(
-    markdown_table(
-      c("participant", "calibrations", "accuracy before correction (°)", "shift (mm)", "stretch (%)",
-        "validation: accuracy (°)", "worst point (°)", "precision, RMS (°)", "drift checks",
-        "largest drift (°)", "not passed"),
-      sprintf("%s | %d | %s | %s | %s | %s | %s | %s | %d | %s | %d", as_typed(table$participant),
-        table$calibrations, number(table$accuracy_before_deg, "%.2f"),
-        number(table$shift_mm, "%.1f"), number(100 * table$stretch, "%.1f"),
-        number(table$validation_accuracy_deg, "%.2f"), number(table$validation_worst_deg, "%.2f"),
-        number(table$validation_precision_rms_deg, "%.3f"), table$drift_checks,
-        number(table$drift_largest_deg, "%.2f"), table$not_passed)),
+    markdown_of(table, c(participant = "%s", calibrations = "%d", accuracy_before_deg = "%.2f",
+      shift_mm = "%.1f", stretch = "%.1f", validation_accuracy_deg = "%.2f",
+      validation_worst_deg = "%.2f", validation_precision_rms_deg = "%.3f", drift_checks = "%d",
+      drift_largest_deg = "%.2f", not_passed = "%d"),
+      c("participant", "calibrations", "accuracy before correction (°)", "shift (mm)",
+        "stretch (%)", "validation: accuracy (°)", "worst point (°)", "precision, RMS (°)",
+        "drift checks", "largest drift (°)", "not passed")),
     "", paste("Accuracy: mean distance from gaze to point. Shift and stretch: of the correction that",
       "the last calibration made, at the screen's centre and the larger of the two axes'. Validation:",
       "the last one, after it."), "")

@@ -14,7 +14,7 @@ kGainWords <- c(bad = "gain of bad events", good = "gain of good events",
 
 # Adds study$clicks: the time of each click, by the row of its trial.
 with_click_times <- function(study) {
-  study$clicks <- read_main_phase(study,
+  study$clicks <- rows_of_trials(study,
     "SELECT trial, CAST(time_s AS REAL) AS time_s FROM trial_click")
   study
 }
@@ -179,28 +179,3 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
 with_minus_signs <- function(words) gsub("(^|[ [])-([0-9])", "\\1−\\2", words)
 
 sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
-
-matching_words <- function(matching) {
-  row <- matching[1, ]
-  sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
-    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
-    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
-    row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
-      sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
-}
-
-# The table over windows as Markdown.
-matching_lines <- function(matching) {
-  markdown_table(
-    c("window (ms)", "bad events", "hit rate", "false alarms per second",
-      "clicks at good", "clicks at nothing", "event-free windows", "false alarms per such window",
-      "d′", "criterion"),
-    sprintf("%.0f to %.0f | %d | %s | %.3f | %d | %d | %d | %s | %.2f | %.2f", matching$from_ms,
-      matching$to_ms, as.integer(matching$bad_events), or_dash(matching$hit_rate, "%.2f"),
-      matching$false_alarms_per_s, as.integer(matching$clicks_at_good),
-      as.integer(matching$clicks_at_nothing), as.integer(matching$free_windows),
-      ifelse(is.finite(matching$false_alarms_per_free_window),
-        sprintf("%.2f", matching$false_alarms_per_free_window), "–"),
-      matching$d_prime, matching$criterion)
-  )
-}

@@ -46,7 +46,7 @@ matching_counts <- function(clicks_s, events_s, bad, window_s, exposure_s) {
 # criterion with log-linear correction. False alarms: clicks that belong to no bad event; for d',
 # clicks in the time free of bad events, which is cut into windows of equal length.
 matching_table <- function(trials, events, clicks) {
-  rows <- lapply(kMatchingWindowsS, function(window_s) {
+  each_row(kMatchingWindowsS, function(window_s) {
     counts <- vapply(seq_len(nrow(trials)), function(i) {
       mine <- events$row == i
       matching_counts(clicks$time_s[clicks$row == i], events$time_s[mine], events$bad[mine],
@@ -54,7 +54,6 @@ matching_table <- function(trials, events, clicks) {
     }, numeric(8))
     matching_row(t(counts), as.character(trials$participant), window_s)
   })
-  do.call(rbind, rows)
 }
 
 matching_row <- function(counts, participant, window_s) {
@@ -74,4 +73,27 @@ matching_row <- function(counts, participant, window_s) {
     false_alarms_per_free_window = all[["free_clicks"]] / (all[["free_s"]] / length_s),
     d_prime = mean(signal[, 1]), criterion = mean(signal[, 2])
   )
+}
+
+matching_words <- function(matching) {
+  row <- matching[1, ]
+  sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
+    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
+    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
+    row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
+      sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
+}
+
+# The table over windows as Markdown.
+matching_lines <- function(matching) {
+  matching$window <- sprintf("%.0f to %.0f", matching$from_ms, matching$to_ms)
+  per_window <- matching$false_alarms_per_free_window
+  matching$false_alarms_per_free_window <- ifelse(is.finite(per_window), per_window, NA)
+  markdown_of(matching, c(window = "%s", bad_events = "%.0f", hit_rate = "%.2f",
+    false_alarms_per_s = "%.3f", clicks_at_good = "%.0f", clicks_at_nothing = "%.0f",
+    free_windows = "%.0f", false_alarms_per_free_window = "%.2f", d_prime = "%.2f",
+    criterion = "%.2f"),
+    c("window (ms)", "bad events", "hit rate", "false alarms per second", "clicks at good",
+      "clicks at nothing", "event-free windows", "false alarms per such window", "d′",
+      "criterion"))
 }

@@ -6,24 +6,22 @@
 
 kPriorityColours <- c(high = "#D55E00", low = "#56B4E9")
 
-open_distribution_study <- function(words, usage) {
-  arguments <- read_arguments(words, usage)
-  need_packages(c("RSQLite", "ggplot2"))
-  protocol <- "scheduler-distribution"
-  parts <- lapply(arguments$studies, read_distribution, protocol)
-  collisions <- do.call(rbind, lapply(parts, `[[`, "collisions"))
-  files <- paste(basename(arguments$studies), collapse = ", ")
+open_distribution_study <- function(study, words) {
+  arguments <- study_arguments(study, words, c("RSQLite", "ggplot2"))
+  parts <- lapply(arguments$studies, read_distribution, study$protocol)
+  together <- function(part) each_row(parts, `[[`, part)
+  collisions <- together("collisions")
   if (is.null(collisions)) {
-    refuse(files, ": expected collisions of '", protocol, "' with their distance, got none yet")
+    refuse(paste(basename(arguments$studies), collapse = ", "), ": expected collisions of '",
+      study$protocol, "' with their distance, got none yet")
   }
   prepare_folder(arguments$out)
-  order_of <- unique(c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance"))
   seen <- unique(collisions$scheduler)
+  order_of <- c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance")
   collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
-  total <- function(part) sum(vapply(parts, `[[`, 0L, part))
-  list(protocol = protocol, collisions = collisions, out = arguments$out, walls = total("walls"),
-    unknown = total("unknown"), left_out = total("left_out"),
-    exclusions = do.call(rbind, lapply(parts, `[[`, "exclusions")))
+  c(study, list(collisions = collisions, out = arguments$out, walls = sum(together("walls")),
+    unknown = sum(together("unknown")), left_out = sum(together("left_out")),
+    exclusions = together("exclusions")))
 }
 
 # list(collisions, walls, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
@@ -42,10 +40,8 @@ read_distribution <- function(path, protocol) {
     "JOIN trial_level USING (trial) WHERE protocol = ? AND phase = 'main'",
     "AND trial_level.factor = 'scheduler'"), params = list(protocol))
   mark <- function(x) if (nrow(x) > 0) cbind(x, file = basename(path), path = path) else NULL
+  if (nrow(rows) == 0) return(list(walls = 0, unknown = 0, left_out = 0))
   exclusions <- read_remarkable(study, protocol, enrolments, mark)$exclusions
-  if (nrow(rows) == 0) {
-    return(list(collisions = NULL, walls = 0L, unknown = 0L, left_out = 0L))
-  }
   rows <- mark(rows)
   wall <- is_wall(rows$body_a) | is_wall(rows$body_b)
   rows <- rows[!wall, setdiff(names(rows), c("body_a", "body_b"))]
@@ -60,24 +56,18 @@ read_distribution <- function(path, protocol) {
 report_distribution_study <- function(study) {
   shapes <- shape_table(study$collisions)
   bins <- histogram_table(study$collisions)
-  path <- function(ending) file.path(study$out, paste0(study$protocol, ending))
   say_progress("drawing the figures ...")
-  height <- 20 + 24 * nlevels(study$collisions$scheduler)
-  figures <- c(
-    write_figure(function() ggplot2::ggplotGrob(histogram_panel(bins)), path("-histograms"), height),
-    write_figure(function() ggplot2::ggplotGrob(share_panel(bins)), path("-shares"), height))
-  write_table(bins, path(".csv"))
-  write_table(shapes, path("-shapes.csv"))
-  results <- paste("-", shape_sentences(shapes))
-  data <- distribution_sentences(study)
-  write_report(path(".md"), "Schedulers: which collisions come first", results, data,
-    paste("Every collision is a data point of one simulated run: numbers describe, nothing is",
-      "tested."), c(paste("Histograms: collisions of high (list 0) and low priority by place (thesis",
-      "figs. 6.11 to 6.16)."),
-      "", "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
-    shape_section(shapes), distribution_exclusions(study))
-  say(c(figures, path(".csv"), path("-shapes.csv"), path(".md"), "", paste(data, collapse = " "),
-    "", results))
+  draw <- function(panel, ending) {
+    write_figure(function() ggplot2::ggplotGrob(panel(bins)), path_of(study, ending),
+      20 + 24 * nlevels(study$collisions$scheduler))
+  }
+  figures <- c(draw(histogram_panel, "-histograms"), draw(share_panel, "-shares"))
+  write_outputs(study, outcome(bins, paste("Every collision is a data point of one simulated run:",
+    "numbers describe, nothing is tested.")), paste("-", shape_sentences(shapes)),
+    distribution_sentences(study), c(paste("Histograms: collisions of high (list 0) and low",
+      "priority by place (thesis figs. 6.11 to 6.16)."), "",
+      "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
+    shape_section(shapes), figures, list(shapes = shapes), left_out = distribution_exclusions(study))
 }
 
 distribution_sentences <- function(study) {
@@ -107,10 +97,10 @@ distribution_exclusions <- function(study) {
 }
 
 shape_section <- function(shapes) {
-  c("## Shapes", "", markdown_table(c("scheduler", "over", "collisions", "share of high priority",
-    "change of the share", "put right by the best cut"), sprintf("%s | %s | %d | %.3f | %s | %s",
-    shapes$scheduler, kPlaces[shapes$place], shapes$collisions, shapes$high_share,
-    or_dash(shapes$change, "%+.3f"), or_dash(shapes$step, "%.3f"))), "")
+  shapes$place <- kPlaces[shapes$place]
+  c("## Shapes", "", markdown_of(shapes, c(scheduler = "%s", place = "%s", collisions = "%d",
+    high_share = "%.3f", change = "%+.3f", step = "%.3f"), c("scheduler", "over", "collisions",
+    "share of high priority", "change of the share", "put right by the best cut")), "")
 }
 
 histogram_panel <- function(bins) {
@@ -140,6 +130,6 @@ share_panel <- function(bins) {
 }
 
 distribution_theme <- function() {
-  list(rating_theme(), ggplot2::theme(strip.background = ggplot2::element_blank(),
-    strip.text = ggplot2::element_text(size = kTextPt), panel.spacing = ggplot2::unit(2, "mm")))
+  figure_theme() + ggplot2::theme(strip.text = ggplot2::element_text(size = kTextPt),
+    panel.spacing = ggplot2::unit(2, "mm"))
 }

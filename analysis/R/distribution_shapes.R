@@ -62,13 +62,12 @@ best_cut <- function(x, high) {
 
 # One row per scheduler and place: collisions, share of high priority, change, step.
 shape_table <- function(collisions) {
-  rows <- lapply(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
-    do.call(rbind, lapply(names(kPlaces), function(place) {
+  each_row(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
+    each_row(names(kPlaces), function(place) {
       data.frame(scheduler = some$scheduler[1], place = place, collisions = nrow(some),
         high_share = mean(some$high), t(shape_of(some[[place]], some$high)))
-    }))
+    })
   })
-  do.call(rbind, unname(rows))
 }
 
 # One row per scheduler, place and bin: counts of high and low, the share of high with its 95 %
@@ -77,8 +76,8 @@ histogram_table <- function(collisions) {
   edges <- lapply(collisions[names(kPlaces)], function(x) {
     seq(min(x), stats::quantile(x, 0.995, names = FALSE), length.out = kBins + 1)
   })
-  rows <- lapply(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
-    do.call(rbind, lapply(names(kPlaces), function(place) {
+  each_row(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
+    each_row(names(kPlaces), function(place) {
       bin <- findInterval(some[[place]], edges[[place]], rightmost.closed = TRUE)
       inside <- bin >= 1 & bin <= kBins
       high <- tabulate(bin[inside & some$high], kBins)
@@ -86,9 +85,8 @@ histogram_table <- function(collisions) {
       middle <- (utils::head(edges[[place]], -1) + edges[[place]][-1]) / 2
       data.frame(scheduler = some$scheduler[1], place = place, middle = middle,
         width = diff(edges[[place]]), high = high, low = low, wilson_share(high, high + low))
-    }))
+    })
   })
-  do.call(rbind, unname(rows))
 }
 
 # share, share_low, share_high of `count` of `n` (Wilson 1927); NA for n = 0.

@@ -34,8 +34,7 @@ is_excluded <- function(rows, exclusions) {
   if (is.null(exclusions)) return(rep(FALSE, nrow(rows)))
   everything <- exclusions[is.na(exclusions$trial), ]
   person <- function(rows) paste(rows$path, rows$participant)
-  trial <- function(rows) paste(rows$path, rows$trial)
-  person(rows) %in% person(everything) | trial(rows) %in% trial(exclusions)
+  person(rows) %in% person(everything) | trial_key(rows) %in% trial_key(exclusions)
 }
 
 # The study without what was excluded and without catch trials: study$trials, study$catch and
@@ -91,10 +90,7 @@ exclusion_lines <- function(study) {
 # Words that somebody typed, as they may stand in a line or a table of Markdown: they stay words.
 as_typed <- function(words) {
   words <- gsub("[[:space:][:cntrl:]]+", " ", enc2utf8(as.character(words)))
-  words <- gsub("&", "&amp;", words, fixed = TRUE)
-  words <- gsub("<", "&lt;", words, fixed = TRUE)
-  words <- gsub(">", "&gt;", words, fixed = TRUE)
-  gsub("([][\\\\`*_|#~])", "\\\\\\1", words)
+  gsub("([][\\\\`*_|#~])", "\\\\\\1", with_entities(words))
 }
 
 # The same between backticks, where nothing is markup but what ends the cell or the code.
@@ -102,23 +98,19 @@ as_code <- function(words) gsub("|", "\\|", gsub("[`[:space:]]+", " ", words), f
 
 remarkable_lines <- function(study) {
   trials <- study$trials
-  late <- trials$late_timed_frames > 0
-  gaze_late <- if (is.null(trials$gaze_late)) logical() else trials$gaze_late == 1
-  interrupted <- table(study$interrupted$interrupted_by, useNA = "ifany")
-  reasons <- names(interrupted)
-  reasons[is.na(reasons)] <- "not known"
-  what <- c("with late timed frames", "with gaze shown too late",
-    sprintf("showings interrupted (%s)", reasons), "without an answer in time", "catch trials")
-  count <- c(sum(late), sum(gaze_late), as.integer(interrupted), length(study$timed_out$trial),
-    nrow(study$catch))
-  treated <- c("in the analysis", "in the analysis", rep("not data; shown again", length(reasons)),
-    "no answer to analyse", "apart, below")
-  who <- c(people_in(trials[late, ]), people_in(trials[gaze_late, ]),
-    vapply(names(interrupted), function(reason) {
-      people_in(study$interrupted[study$interrupted$interrupted_by %in% reason, ])
-    }, integer(1)), people_in(study$timed_out), people_in(study$catch))
-  markdown_table(c("main trials", "number", "participants", "treated as"),
-    sprintf("%s | %d | %d | %s", what, count, who, treated))
+  reasons <- sort(unique(study$interrupted$interrupted_by), na.last = TRUE)
+  row <- function(what, rows, treated) {
+    sprintf("%s | %d | %d | %s", what, NROW(rows), people_in(rows), treated)
+  }
+  markdown_table(c("main trials", "number", "participants", "treated as"), c(
+    row("with late timed frames", trials[trials$late_timed_frames > 0, ], "in the analysis"),
+    row("with gaze shown too late", trials[trials$gaze_late %in% 1, ], "in the analysis"),
+    vapply(reasons, function(reason) {
+      row(sprintf("showings interrupted (%s)", if (is.na(reason)) "not known" else reason),
+        study$interrupted[study$interrupted$interrupted_by %in% reason, ], "not data; shown again")
+    }, ""),
+    row("without an answer in time", study$timed_out, "no answer to analyse"),
+    row("catch trials", study$catch, "apart, below")))
 }
 
 people_in <- function(rows) length(unique(rows$participant))

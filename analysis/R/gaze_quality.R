@@ -13,11 +13,10 @@ kGoodLatencyMs <- 60
 kWarnLatencyMs <- 70
 
 gaze_quality <- function(study) {
-  rows <- lapply(sort(unique(as.character(study$trials$participant))), function(who) {
+  each_row(sort(unique(as.character(study$trials$participant))), function(who) {
     of <- function(rows) rows[as.character(rows$participant) == who, ]
     gaze_quality_of(of(study$trials), of(study$gaze))
   })
-  do.call(rbind, rows)
 }
 
 # One participant: the trials, the samples counted by trial.
@@ -91,18 +90,15 @@ late_gaze_sentence <- function(trials, quality) {
 }
 
 gaze_quality_lines <- function(quality) {
-  number <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))
-  percent <- function(x) number(100 * x, "%.1f")
-  markdown_table(
+  quality$participant <- as_typed(quality$participant)
+  quality$followed <- sprintf("%d of %d", quality$trials_followed, quality$trials)
+  shares <- c("blink_share", "off_screen_share", "lost_share")
+  quality[shares] <- 100 * quality[shares]
+  markdown_of(quality, c(participant = "%s", gaze_source = "%s", followed = "%s",
+    samples_per_s = "%.0f", blink_share = "%.1f", off_screen_share = "%.1f", lost_share = "%.1f",
+    trials_timed = "%d", latency_median_ms = "%.1f", latency_largest_ms = "%.1f",
+    trials_over_70_ms = "%d", trials_late = "%d"),
     c("participant", "gaze source", "trials followed", "samples per second", "blink (%)",
       "off screen (%)", "lost (%)", "trials timed", "sample to flip, p95, median trial (ms)",
-      "largest (ms)", "trials > 70 ms", "trials marked late"),
-    sprintf("%s | %s | %d of %d | %s | %s | %s | %s | %d | %s | %s | %d | %d", as_typed(quality$participant),
-      quality$gaze_source, quality$trials_followed, quality$trials,
-      number(quality$samples_per_s, "%.0f"), percent(quality$blink_share),
-      percent(quality$off_screen_share), percent(quality$lost_share),
-      quality$trials_timed, number(quality$latency_median_ms, "%.1f"),
-      number(quality$latency_largest_ms, "%.1f"),
-      quality$trials_over_70_ms, quality$trials_late)
-  )
+      "largest (ms)", "trials > 70 ms", "trials marked late"))
 }

@@ -38,8 +38,8 @@ people_words <- function(path, protocol, sessions) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   whole <- query_study(path, "SELECT DISTINCT participant FROM excluded WHERE trial IS NULL")
   out <- sum(rows$participant %in% whole$participant)
-  who <- if (all(rows$simulated == 1)) "simulated participant" else "participant"
-  sprintf("%s took part in %s (protocol '%s')%s.", count_of(nrow(rows), who),
+  sprintf("%s took part in %s (protocol '%s')%s.",
+    count_of(nrow(rows), who_words(all(rows$simulated == 1))),
     count_of(nrow(sessions), "sitting"), protocol, if (out == 0) "" else
       sprintf("; the data of %d were excluded", out))
 }
@@ -72,9 +72,8 @@ apparatus_words <- function(sessions) {
 part_methods <- function(part) {
   trials <- part$trials
   factors <- vapply(unname(part$factors), function(f) {
-    levels <- levels(droplevels(trials[[f]]))
-    sprintf("%s (%s)", name_and_unit(f), if (length(levels) > 12) sprintf("%d levels from %s to %s",
-      length(levels), levels[1], levels[length(levels)]) else paste(levels, collapse = ", "))
+    sprintf("%s (%s)", name_and_unit(f), levels_words(levels(droplevels(trials[[f]])),
+      "%d levels from %s to %s"))
   }, "")
   per <- range(table(trials$participant))
   c(

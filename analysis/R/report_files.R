@@ -90,11 +90,3 @@ kClickedTrialSql <- "CREATE VIEW clicked_trial AS SELECT clicked.*,
   coalesce(rated.late_timed_frames, 0) AS late_timed_frames,
   coalesce(rated.sync_overridden, 0) AS sync_overridden, coalesce(rated.gaze_late, 0) AS gaze_late
   FROM click_trial AS clicked LEFT JOIN rated_trial AS rated USING (trial)"
-
-# All rows of a view for one protocol.
-rows_of_view <- function(path, view, protocol) {
-  study <- open_study(path, view)
-  on.exit(DBI::dbDisconnect(study))
-  DBI::dbGetQuery(study, sprintf("SELECT * FROM %s WHERE protocol = ?", view),
-    params = list(protocol))
-}

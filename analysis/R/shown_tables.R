@@ -21,13 +21,6 @@ participants_table <- function(path, protocol) {
 kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed", "Sittings", "State",
   "Late frames", "Left out, why")
 
-# Rows of any query on the views.
-query_study <- function(path, query, ...) {
-  study <- open_study(path, "enrolment_summary")
-  on.exit(DBI::dbDisconnect(study))
-  DBI::dbGetQuery(study, query, ...)
-}
-
 # Sentences about timing, freezes, collisions and gaze of the main trials of a protocol.
 shown_sentences <- function(path, protocol) {
   c(
@@ -36,7 +29,7 @@ shown_sentences <- function(path, protocol) {
     gaze_shown_sentences(path, protocol), collision_sentences(path, protocol),
     pop_sentence(query_study(path, paste("SELECT count(DISTINCT trial) AS trials, sum(pops) AS pops,",
       "max(largest_pop_deg) AS largest FROM popped_step WHERE protocol = ? AND phase = 'main'"),
-      params = list(protocol)))
+      protocol))
   )
 }
 
@@ -88,7 +81,7 @@ gaze_shown_sentences <- function(path, protocol) {
 collision_sentences <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT count(*) AS n, count(gap_arcmin) AS measured,",
     "count(DISTINCT trial) AS trials FROM seen_collision WHERE protocol = ? AND phase = 'main'"),
-    params = list(protocol))
+    protocol)
   if (rows$n == 0) return("No collision was recorded in the main trials.")
   c(
     sprintf("%s in %s.", count_of(rows$n, "collision"), count_of(rows$trials, "main trial")),
@@ -108,7 +101,7 @@ pop_sentence <- function(row) {
 levels_reached <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT level, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
     "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision",
-    "WHERE protocol = ? AND phase = 'main'"), params = list(protocol))
+    "WHERE protocol = ? AND phase = 'main'"), protocol)
   if (nrow(rows) == 0) return(NULL)
   gaps_by(rows, rows$level, function(cell) data.frame(stopped = paste(vapply(names(table(
     cell$stopped)), function(why) sprintf("%s: %.0f %%", why, 100 * mean(cell$stopped == why)), ""),
@@ -123,9 +116,9 @@ levels_by_factor <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT factor, CAST(trial_level.level AS TEXT) AS of,",
     "seen_collision.level AS reached, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
     "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision JOIN trial_level USING (trial)",
-    "WHERE protocol = ? AND phase = 'main'"), params = list(protocol))
+    "WHERE protocol = ? AND phase = 'main'"), protocol)
   if (nrow(rows) == 0) return(NULL)
-  parts <- lapply(split(rows, rows$factor), function(mine) {
+  each_row(split(rows, rows$factor), function(mine) {
     levels <- unique(mine$of)
     number <- suppressWarnings(as.numeric(levels))
     levels <- if (anyNA(number)) sort(levels) else levels[order(number)]
@@ -134,7 +127,6 @@ levels_by_factor <- function(path, protocol) {
       reached = paste(range(cell$reached)[c(TRUE, diff(range(cell$reached)) > 0)], collapse = " to ")))
     cbind(factor = label_of(mine$factor[1]), table)
   })
-  do.call(rbind, unname(parts))
 }
 
 kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (â€²)",
@@ -142,11 +134,10 @@ kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (â
 
 gaps_by <- function(rows, by, more) {
   cells <- split(rows, by, drop = TRUE)
-  share <- vapply(cells, nrow, 0L) / nrow(rows)
-  table <- do.call(rbind, lapply(cells, function(cell) data.frame(collisions = nrow(cell),
-    share = NA, median = stats::median(cell$gap_arcmin, na.rm = TRUE),
+  table <- each_row(cells, function(cell) data.frame(collisions = nrow(cell),
+    share = sprintf("%.1f %%", 100 * nrow(cell) / nrow(rows)),
+    median = stats::median(cell$gap_arcmin, na.rm = TRUE),
     p95 = stats::quantile(cell$gap_arcmin, 0.95, na.rm = TRUE, names = FALSE),
-    hidden = stats::median(cell$hidden_share, na.rm = TRUE), more(cell))))
-  table$share <- sprintf("%.1f %%", 100 * share)
+    hidden = stats::median(cell$hidden_share, na.rm = TRUE), more(cell)))
   cbind(level = names(cells), table, row.names = NULL)
 }

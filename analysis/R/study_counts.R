@@ -4,60 +4,40 @@
 # A vector of sentences, each about one thing a reader must know before the results.
 study_sentences <- function(study) {
   c(
-    simulated_sentence(study), participants_sentence(study), exclusions_sentence(study),
-    catch_sentence(study), hashes_sentence(study), late_frames_sentence(study$trials), sync_sentence(study$trials),
+    if (study$all_simulated) paste("SIMULATED: every participant is simulated; these results",
+      "describe an observer model, not people."),
+    participants_sentence(study), exclusions_sentence(study), catch_sentence(study),
+    hashes_sentence(study), timing_sentences(study$trials),
     if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths
   )
 }
 
-# "1 rating", "2 ratings"
-count_of <- function(count, noun) {
-  paste0(format(count, big.mark = ",", trim = TRUE), " ", noun, if (count == 1) "" else "s")
-}
-
-simulated_sentence <- function(study) {
-  if (!study$all_simulated) return(character())
-  paste(
-    "SIMULATED: every participant is simulated; these results describe an observer model,",
-    "not people."
-  )
-}
-
 participants_sentence <- function(study) {
+  noun <- answer_noun(study)
   per <- table(study$trials$participant)
-  left_out <- c(study$excluded$participant, wholly_excluded(study))
+  left_out <- c(study$excluded$participant,
+    study$exclusions$participant[is.na(study$exclusions$trial)])
   enrolled <- study$enrolments[!study$enrolments$participant %in% left_out, ]
   unfinished <- enrolled$completed_trials < enrolled$planned_trials | is.na(enrolled$finished_utc)
-  started <- enrolled$participant %in% names(per)
-  sentence <- sprintf("%s, %s in the main phase (%s each).",
-    count_of(length(per), "participant"), count_of(sum(per), answer_noun(study)),
-    paste(unique(range(per)), collapse = " to "))
-  incomplete <- length(unique(enrolled$participant[unfinished & started]))
-  if (incomplete > 0) {
-    sentence <- paste(sentence, sprintf(
-      "The study is in progress: %s included with the %ss given so far.",
-      if (incomplete == 1) "1 participant has not finished and is" else
-        paste(incomplete, "participants have not finished and are"), answer_noun(study)
-    ))
-  }
+  incomplete <- people_in(enrolled[unfinished & enrolled$participant %in% names(per), ])
   waiting <- length(setdiff(enrolled$participant, names(per)))
-  if (waiting > 0) {
-    sentence <- paste0(sentence, " ", count_of(waiting, "more participant"), " enrolled, without ",
-      answer_noun(study), "s.")
-  }
-  sentence
+  paste0(
+    sprintf("%s, %s in the main phase (%s each).", count_of(length(per), "participant"),
+      count_of(sum(per), noun), paste(unique(range(per)), collapse = " to ")),
+    if (incomplete > 0) sprintf(" The study is in progress: %s included with the %ss given so far.",
+      if (incomplete == 1) "1 participant has not finished and is" else
+        paste(incomplete, "participants have not finished and are"), noun),
+    if (waiting > 0) sprintf(" %s enrolled, without %ss.", count_of(waiting, "more participant"),
+      noun))
 }
 
 exclusions_sentence <- function(study) {
-  decided <- study$exclusions
-  left_out <- data.frame(
-    participant = c(study$excluded$participant, decided$participant),
-    trials = c(study$excluded$trials, decided$trials),
-    reason = c(study$excluded$reason, decided$reason)
-  )
+  columns <- c("participant", "trials", "reason")
+  left_out <- rbind(study$excluded[columns], study$exclusions[columns])
   if (nrow(left_out) == 0) return(sprintf("No %s was excluded.", answer_noun(study)))
   sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
-    count_of(people_in(left_out), "participant"), paste(as_typed(unique(left_out$reason)), collapse = "; "))
+    count_of(people_in(left_out), "participant"),
+    paste(as_typed(unique(left_out$reason)), collapse = "; "))
 }
 
 catch_sentence <- function(study) {
@@ -74,20 +54,18 @@ hashes_sentence <- function(study) {
     length(study$hashes), study$protocol)
 }
 
-late_frames_sentence <- function(trials) {
+# Late frames and overridden tests of the display.
+timing_sentences <- function(trials) {
   late <- sum(trials$late_timed_frames)
-  if (late == 0) return("No timed frame was late.")
-  sprintf("Late timed frames: %s of %s, in %s.", format(late, big.mark = ","),
-    format(sum(trials$timed_frames), big.mark = ","),
-    count_of(sum(trials$late_timed_frames > 0), "trial"))
-}
-
-sync_sentence <- function(trials) {
-  overridden <- trials$sync_overridden == 1
-  if (!any(overridden)) return("The sync test was not overridden.")
-  sprintf("The sync test was overridden for %s (%s), which are included.",
-    count_of(participant_count(trials[overridden, ]), "participant"),
-    count_of(sum(overridden), "trial"))
+  overridden <- trials[trials$sync_overridden == 1, ]
+  c(
+    if (late == 0) "No timed frame was late." else sprintf("Late timed frames: %s of %s, in %s.",
+      format(late, big.mark = ","), format(sum(trials$timed_frames), big.mark = ","),
+      count_of(sum(trials$late_timed_frames > 0), "trial")),
+    if (nrow(overridden) == 0) "The sync test was not overridden." else
+      sprintf("The sync test was overridden for %s (%s), which are included.",
+        count_of(participant_count(overridden), "participant"), count_of(nrow(overridden), "trial"))
+  )
 }
 
 # Only for studies with a factor delay: did the display show what was asked?

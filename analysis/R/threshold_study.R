@@ -10,31 +10,31 @@ kBootstrapDraws <- 200
 kThresholdKinds <- c("yes_no", "two_interval")
 kConditionSeparator <- " × "
 
-# What a script of thresholds says about its study: `factor`, the one on the axis, without unit;
-# `log10`: is the scale logarithmic; `realised_hold`: take the freeze on the display's frames for it.
-open_threshold_study <- function(words, usage, protocol, factor, log10 = FALSE,
-                                 realised_hold = FALSE) {
-  arguments <- read_arguments(words, usage)
-  need_packages(c("RSQLite", "lme4", "afex", "ggplot2"))
-  where <- paste0("kind IN (", paste0("'", kThresholdKinds, "'", collapse = ", "), ")",
-    " AND positive IS NOT NULL AND timed_out = 0")
-  study <- read_trials(arguments$studies, protocol, "trial_response", "answered main trials",
-    where = where)
-  names <- unique(study$levels$factor)
-  study <- with_factor_columns(study, c(level = factor, stats::setNames(names, names)[
-    names != factor & !startsWith(names, paste0(factor, "_"))]))
-  study <- keep_people_apart(study)
+# Reads what the command line names; refuses before anything is written.
+open_threshold_study <- function(study, words) {
+  arguments <- study_arguments(study, words, c("RSQLite", "lme4", "afex", "ggplot2"))
+  read <- read_trials(arguments$studies, study$protocol, "trial_response", "answered main trials",
+    where = answered_where(kThresholdKinds))
+  names <- unique(read$levels$factor)
+  axis <- names == study$factors | startsWith(names, paste0(study$factors, "_"))
+  read <- keep_people_apart(with_factor_columns(read, c(level = study$factors,
+    stats::setNames(nm = names[!axis]))))
   prepare_folder(arguments$out)
-  study$out <- arguments$out
-  study$log10 <- log10
-  with_scale_and_condition(study, realised_hold)
+  read[c("out", "title", "log10")] <- list(arguments$out, study$title, isTRUE(study$log10))
+  with_scale_and_condition(read, isTRUE(study$realised_hold))
+}
+
+# The rows of trial_response that are answers of these kinds.
+answered_where <- function(kinds) {
+  sprintf("kind IN (%s) AND positive IS NOT NULL AND timed_out = 0",
+    paste0("'", kinds, "'", collapse = ", "))
 }
 
 # Adds x, level and condition to the trials; refuses two kinds of answer and levels that are no
 # numbers or, on a logarithmic scale, not above 0.
 with_scale_and_condition <- function(study, realised_hold) {
   trials <- study$trials
-  files <- paste(study$files, collapse = ", ")
+  files <- file_names(study)
   kinds <- unique(trials$kind)
   if (length(kinds) > 1) {
     refuse(files, ": expected answers of one kind, got ", paste(kinds, collapse = " and "))
@@ -70,7 +70,7 @@ psychometric_functions <- function(study, draws = kBootstrapDraws) {
   cells <- split(study$trials, list(study$trials$condition_of,
     as.character(study$trials$participant)), drop = TRUE, sep = "\r")
   fitted <- with_seed(1, lapply(unname(cells), one_function, study$guess, draws))
-  rows <- do.call(rbind, lapply(fitted, `[[`, "row"))
+  rows <- each_row(fitted, `[[`, "row")
   for (factor in study$split) {
     rows[[factor]] <- droplevels(study$trials[[factor]])[match(rows$condition,
       study$trials$condition_of)]
@@ -87,8 +87,7 @@ one_function <- function(trials, guess, draws) {
     spread = NA_real_, guess = NA_real_, lapse = NA_real_, deviance = NA_real_,
     deviance_p = NA_real_, use = FALSE)
   if (is.null(fit)) return(list(row = row, data = data))
-  row[c("threshold", "spread", "guess", "lapse", "deviance")] <-
-    fit[c("threshold", "spread", "guess", "lapse", "deviance")]
+  row[names(fit)] <- fit
   row$use <- fit$threshold >= min(data$x) && fit$threshold <= max(data$x)
   if (draws > 0) {
     again <- bootstrap_psychometric(data, fit, guess, draws)

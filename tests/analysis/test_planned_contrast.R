@@ -35,7 +35,7 @@ test_that("the contrast at a number of bodies is that of a model with this numbe
   two <- contrast_trials(trials)
   two$bodies <- stats::relevel(two$bodies, "15")
   two$rating <- factor(two$rating, ordered = TRUE)
-  models <- fit_family(two, c("scheduling", "bodies", "scheduling:bodies"), "(1 | participant)",
+  models <- fit_models(two, c("scheduling", "bodies", "scheduling:bodies"), character(),
     tested = character())
   # 1e-3: two optimisations of one likelihood.
   expect_equal(log(row$effect_size), models$full$beta[["schedulingtracked"]], tolerance = 1e-3)

@@ -1,9 +1,18 @@
-# Tests of mean ratings: repeated-measures ANOVA, Friedman, and the thesis's pooled ANOVA.
+# Tests of participants' means: repeated-measures ANOVA, Friedman, the thesis's pooled ANOVA, and
+# paired and equivalence tests of differences.
 # SPDX-License-Identifier: MIT
 
 kAnovaFamily <- "repeated-measures ANOVA"
 kPooledFamily <- "pooled ANOVA, as in the thesis"
 kFriedmanFamily <- "Friedman"
+kEquivalenceFamily <- "equivalence"
+kEquivalenceMargin <- 0.15  # rating points, of a scale from 1 to 3
+
+left_out_remark <- function(test, count) {
+  if (count == 0) return(character())
+  sprintf("%d participant%s without a rating in every cell %s left out of %s.",
+    count, if (count == 1) "" else "s", if (count == 1) "is" else "are", test)
+}
 
 # Repeated-measures ANOVA of participants' cell means, Greenhouse–Geisser corrected, with
 # generalised eta squared (Olejnik and Algina 2003). Participants with an empty cell are left out,
@@ -13,13 +22,13 @@ repeated_measures_tests <- function(trials, factors) {
   trials[factors] <- lapply(trials[factors], droplevels)
   means <- participant_means(trials, factors)
   complete <- complete_participants(means)
-  remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
   if (nrow(complete) < 2) {
     return(outcome(remarks = paste(
       "Fewer than two participants have a rating in every cell of the design, so there is no",
       "repeated-measures ANOVA."
     )))
   }
+  remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
   kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
   fit <- listen_to(fit_anova(kept, factors))$value
   if (is.null(fit) || any(!is.finite(fit$F))) {
@@ -34,8 +43,7 @@ repeated_measures_tests <- function(trials, factors) {
       "Greenhouse–Geisser's correction needs more than %d participants for %s: p is uncorrected.",
       nrow(complete), paste(fit$effect[!fit$corrected], collapse = ", ")))
   }
-  rows <- do.call(rbind, lapply(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)))
-  outcome(rows, remarks)
+  outcome(each_row(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)), remarks)
 }
 
 # One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares.
@@ -69,20 +77,31 @@ anova_row <- function(effect, trials) {
     participant_count(trials), nrow(trials))
 }
 
+# p of the effect that the columns of `means` (participants by levels, no NA) have, corrected after
+# Greenhouse and Geisser (1959), at a thousandth of the cost of the whole ANOVA; NA where nothing
+# varies. With a complete design it is the main effect of the whole factorial one.
+# epsilon = tr(S)^2 / ((k - 1) tr(S S)), S the covariance of orthonormal contrasts.
+greenhouse_geisser_p <- function(means) {
+  n <- nrow(means)
+  df <- ncol(means) - 1
+  contrasts <- means %*% qr.Q(qr(stats::contr.helmert(ncol(means))))
+  covariance <- stats::cov(contrasts)
+  error <- sum(diag(covariance))
+  if (is.na(error) || error < 1e-12) return(NA_real_)
+  epsilon <- error^2 / (df * sum(covariance^2))
+  stats::pf(n * sum(colMeans(contrasts)^2) / error, df * epsilon, df * (n - 1) * epsilon,
+    lower.tail = FALSE)
+}
+
 # Single-factor ANOVA over all trials as if they were independent, which they are not: the thesis's
 # own analysis of the column `of`, overall and at each level of `by`. For comparison only.
 pooled_tests <- function(trials, factor, by = character(), of = "rating", family = kPooledFamily) {
-  parts <- list(trials)
-  labels <- factor
+  parts <- stats::setNames(list(trials), factor)
   if (length(by) == 1) {
-    parts <- c(parts, split(trials, droplevels(trials[[by]])))
-    labels <- c(factor, paste0(factor, " at ", by, " ", levels(droplevels(trials[[by]]))))
+    apart <- split(trials, droplevels(trials[[by]]))
+    parts <- c(parts, stats::setNames(apart, paste0(factor, " at ", by, " ", names(apart))))
   }
-  outcomes <- Map(pooled_test, parts, labels, factor, of, family)
-  outcome(
-    do.call(rbind, lapply(outcomes, `[[`, "rows")),
-    unlist(lapply(outcomes, `[[`, "remarks"), use.names = FALSE)
-  )
+  do.call(all_outcomes, unname(Map(pooled_test, parts, names(parts), factor, of, family)))
 }
 
 pooled_test <- function(trials, label, factor, of, family) {
@@ -102,7 +121,7 @@ pooled_test <- function(trials, label, factor, of, family) {
 
 # Friedman's rank test of participants' means for each factor, with Kendall's W.
 friedman_tests <- function(trials, factors) {
-  outcomes <- lapply(factors, function(factor) {
+  do.call(all_outcomes, lapply(factors, function(factor) {
     means <- participant_means(trials, factor)
     complete <- complete_participants(means)
     remarks <- left_out_remark(paste("Friedman's test of", factor), nrow(means) - nrow(complete))
@@ -111,17 +130,14 @@ friedman_tests <- function(trials, factors) {
     if (!is.finite(test$statistic)) {
       return(outcome(remarks = paste0("No Friedman test of ", factor, ": every rank is tied.")))
     }
+    ranked <- ranks_and_ties(complete)
     outcome(test_row(kFriedmanFamily, "Friedman's rank test of participants' means", factor,
       "chi-squared", test$statistic[[1]], test$parameter[[1]], p = test$p.value,
-      size_name = "Kendall's W", size = kendall_w(complete),
-      interval = bootstrap_interval(ranks_and_ties(complete), agreement), interval_level = 0.95,
+      size_name = "Kendall's W", size = agreement(ranked),
+      interval = bootstrap_interval(ranked, agreement), interval_level = 0.95,
       participants = nrow(complete), trials = nrow(trials)), remarks)
-  })
-  outcome(do.call(rbind, lapply(outcomes, `[[`, "rows")), unlist(lapply(outcomes, `[[`, "remarks")))
+  }))
 }
-
-# Agreement of the participants' rankings, from 0 to 1: chi-squared / (n (k - 1)), ties corrected.
-kendall_w <- function(means) agreement(ranks_and_ties(means))
 
 # One row per participant: the ranks and, last, the correction for ties. A bootstrap draws these rows,
 # so that nobody is ranked twice.
@@ -132,6 +148,7 @@ ranks_and_ties <- function(means) {
   }))
 }
 
+# Kendall's W, the agreement of rankings from 0 to 1: chi-squared / (n (k - 1)), ties corrected.
 agreement <- function(ranked) {
   n <- nrow(ranked)
   k <- ncol(ranked) - 1
@@ -139,8 +156,63 @@ agreement <- function(ranked) {
   12 * sum((sums[-(k + 1)] - n * (k + 1) / 2)^2) / (n^2 * (k^3 - k) - n * sums[[k + 1]])
 }
 
-left_out_remark <- function(test, count) {
-  if (count == 0) return(character())
-  sprintf("%d participant%s without a rating in every cell %s left out of %s.",
-    count, if (count == 1) "" else "s", if (count == 1) "is" else "are", test)
+# A paired t test of participants' differences, with their mean's 95 % interval; none for fewer than
+# two participants.
+paired_test <- function(differences, family, effect, size_name) {
+  if (length(differences) < 2) return(outcome())
+  if (stats::sd(differences) < 1e-9) {  # means of counts and small numbers: below is rounding
+    return(outcome(remarks = sprintf("No t test of %s: the differences do not vary.", effect)))
+  }
+  test <- stats::t.test(differences)
+  outcome(test_row(family, "paired t test of participants' means", effect, "t",
+    test$statistic[[1]], test$parameter[[1]], p = test$p.value, size_name = size_name,
+    size = mean(differences), interval = test$conf.int, interval_level = 0.95,
+    participants = length(differences)))
+}
+
+# The margin of equivalence that is the same share of this scale: ±.30 points from 1 to 5.
+equivalence_margin <- function(scale) {
+  kEquivalenceMargin * (scale$rating_maximum - scale$rating_minimum) / 2
+}
+
+# Are mean ratings at two levels closer than a margin that matters? Every pair of levels of every
+# factor, as an outcome. The unit is the participant.
+equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {
+  do.call(all_outcomes, lapply(factors, function(factor) {
+    means <- participant_means(trials, factor)
+    complete <- complete_participants(means)
+    pairs <- utils::combn(colnames(complete), 2, simplify = FALSE)
+    tests <- do.call(all_outcomes, lapply(pairs, function(pair) {
+      equivalence_test(complete[, pair[2]] - complete[, pair[1]],
+        sprintf("%s: %s against %s", factor, pair[2], pair[1]), margin)
+    }))
+    all_outcomes(outcome(remarks = left_out_remark(paste("the equivalence tests of", factor),
+      nrow(means) - nrow(complete))), tests)
+  }))
+}
+
+# One test of participants' differences, in rating points.
+equivalence_test <- function(differences, label, margin, family = kEquivalenceFamily) {
+  n <- length(differences)
+  # Means of small whole numbers: a spread below 1e-9 is rounding.
+  if (n < 2 || stats::sd(differences) < 1e-9) {
+    return(outcome(remarks = paste0("No equivalence test of ", label, ": ",
+      if (n < 2) "fewer than two participants." else "the differences do not vary.")))
+  }
+  tests <- two_one_sided(mean(differences), stats::sd(differences) / sqrt(n), c(-1, 1) * margin,
+    n - 1)
+  outcome(test_row(family, sprintf("two one-sided t tests, margin ±%.2f", margin), label, "t",
+    tests$statistic, n - 1, p = tests$p, size_name = "difference in rating points",
+    size = mean(differences), interval = tests$interval, interval_level = 0.90,
+    participants = n))
+}
+
+# Two one-sided t tests of an estimate against two margins (Schuirmann 1987; Lakens 2017): p is the
+# larger of the two, and p < .05 just when the 90 % interval lies inside the margins. A p > .05 of an
+# ordinary test says nothing of the kind.
+two_one_sided <- function(estimate, error, margins, df = Inf) {
+  t <- (estimate - margins) / error
+  p <- c(stats::pt(t[1], df, lower.tail = FALSE), stats::pt(t[2], df))
+  list(statistic = if (p[1] > p[2]) t[1] else t[2], p = max(p),
+    interval = estimate + c(-1, 1) * stats::qt(0.95, df) * error)
 }

@@ -1,0 +1,105 @@
+# A rating study from its files to figure, table and words.
+#
+#   rated main trials ─┬─> rating_tests ──────────> <protocol>.csv, .md
+#                      └─> participants' means ───> <protocol>.png, .pdf
+#
+#   primary  mixed model, effects            beside it  repeated-measures ANOVA
+#            mixed model, odds ratios                   Friedman
+#            equivalence                                pooled ANOVA, as in the thesis
+#
+# All families but the last are those of the report (part_results.R), made alike, so that both print
+# the same numbers.
+# SPDX-License-Identifier: MIT
+
+kPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
+
+# Reads what the command line names; refuses before anything is written. Adds `out`, the folder.
+open_rating_study <- function(study, words) {
+  arguments <- study_arguments(study, words, kPackages)
+  read <- keep_people_apart(read_studies(arguments$studies, study$protocol, study$factors,
+    study$views))
+  prepare_folder(arguments$out)
+  c(read, study[setdiff(names(study), names(read))], out = arguments$out)
+}
+
+# Tests, writes and says everything.
+report_rating_study <- function(study) {
+  if (!is.null(study$depth_names)) {
+    study <- do.call(with_depths_named, c(list(study), study$depth_names))
+  }
+  trials <- study$trials
+  main <- study$factors[[1]]
+  others <- unname(study$factors[-1])
+  shown <- parts_shown(study)
+  tests <- combine_outcomes(rating_tests(trials, main, others, isTRUE(study$interactions),
+    equivalence_margin(study$scale)), shown$tests)
+  results <- paste(c(results_sentences(trials, study$scale, tests, main, others), shown$words),
+    collapse = " ")
+  say_progress("drawing the figure ...")
+  figures <- write_figure(function() rating_figure(trials, study$scale, main, others,
+    study$all_simulated), path_of(study, ""))
+  write_outputs(study, tests, results, study_sentences(study),
+    figure_caption(trials, main, others, study$all_simulated), shown$section, figures)
+}
+
+path_of <- function(study, ending) file.path(study$out, paste0(study$protocol, ending))
+
+# Writes the tests, the further `tables` (named by what their files end in) and the report as
+# Markdown, and says where all is and what was found. `sections`: lines of Markdown after the results;
+# `beside`: paragraphs that stand in them and are said too; `left_out`: the part about exclusions.
+write_outputs <- function(study, tests, results, data, caption, sections, figures,
+                          tables = list(), beside = NULL, left_out = left_out_section(study)) {
+  write_table(tests$rows, path_of(study, ".csv"))
+  for (name in names(tables)) write_table(tables[[name]], path_of(study, paste0("-", name, ".csv")))
+  write_report(path_of(study, ".md"), study$title, results, data, tests$remarks, caption, sections,
+    left_out)
+  say(c(figures, path_of(study, ".csv"), if (length(tables) > 0) path_of(study, paste0("-",
+    names(tables), ".csv")), path_of(study, ".md"), "", paste(data, collapse = " "), "", results,
+    beside, tests$remarks))
+}
+
+# Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
+# `interactions`: those of main with each other one are tested in a mixed model too. `margin`: of
+# equivalence, in rating points. With one participant, or ratings that never vary, there is no test
+# and a remark says so.
+rating_tests <- function(trials, main, others, interactions = FALSE,
+                         margin = kEquivalenceMargin) {
+  none <- why_no_test(trials)
+  if (!is.null(none)) return(combine_outcomes(outcome(remarks = none)))
+  factors <- varying_factors(trials, c(main, others))
+  constant <- constant_remarks(setdiff(c(main, others), factors))
+  others <- intersect(others, factors)
+  main <- intersect(main, factors)
+  if (length(factors) == 0) return(combine_outcomes(constant))
+  pairs <- if (interactions && length(main) == 1) sprintf("%s:%s", main, others)
+  models <- factor_tests(trials, factors, interactions = pairs)
+  say_progress(kMeansStep)
+  combine_outcomes(
+    constant, models, repeated_measures_tests(trials, factors),
+    friedman_tests(trials, factors), equivalence_tests(trials, factors, margin),
+    if (length(main) > 0) pooled_tests(trials, main, by = utils::head(others, 1))
+  )
+}
+
+why_no_test <- function(trials) {
+  if (participant_count(trials) < 2) {
+    return("One participant: the figure and the means describe; no inferential test was made.")
+  }
+  if (length(unique(trials$rating)) > 1) return(NULL)
+  sprintf("Every rating was %d: nothing varies, so no test was made.", as.integer(trials$rating[1]))
+}
+
+constant_remarks <- function(factors) {
+  if (length(factors) == 0) return(outcome())
+  outcome(remarks = sprintf("%s has one level in these trials and is not tested.", factors))
+}
+
+# The paragraph. `main`: the factor of interest; `others`: those tested for equivalence too.
+results_sentences <- function(trials, scale, tests, main, others) {
+  c(
+    scale_words(scale), means_words(trials, main), factor_words(tests, main, scale = scale),
+    unlist(lapply(others, function(factor) other_factor_words(tests, factor))),
+    interaction_words(tests), anova_words(tests, main), anova_interaction_words(tests),
+    friedman_words(tests, main), pooled_words(tests, main)
+  )
+}
