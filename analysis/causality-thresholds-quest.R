@@ -2,8 +2,6 @@
 # Causality thresholds: how long a freeze at contact is needed for it to be noticed? Ours; the delay
 # is the one realised on the display's frames. Its levels were chosen trial by trial by QUEST+, at
 # each speed.
-#
-#   answers ─> a psychometric function per participant and condition ─> thresholds ─> tests, words
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

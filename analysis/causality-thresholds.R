@@ -1,8 +1,6 @@
 #!/usr/bin/env Rscript
 # Causality thresholds: how long a freeze at contact is needed for it to be noticed? Ours; the delay
 # is the one realised on the display's frames.
-#
-#   answers ─> a psychometric function per participant and condition ─> thresholds ─> tests, words
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

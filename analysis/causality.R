@@ -1,9 +1,5 @@
 #!/usr/bin/env Rscript
 # Study 1, causality: does a freeze at contact make a collision less believable?
-#
-#   rated main trials ─┬─> mixed model, ANOVA, Friedman, equivalence ─> table, words
-#                      └─> participants' means ──────────────────────> figure
-#
 # The thesis found that ratings worsen with the delay, at each speed too, and no effect of speed
 # or viewpoint (Dingliana 2002, sec. 6.2.1 and fig. 6.5). The unit here is the participant; the
 # thesis's own pooled test stands beside, labelled.

@@ -1,11 +1,6 @@
 #!/usr/bin/env Rscript
 # Study 6, crowds: how believable are collisions of 50, 100 and 250 bodies, when the good ones are near
 # the gaze and when they are near the eye?
-#
-#   rated main trials ─┬─> mixed models, ANOVA, Friedman, equivalence ─> table, words
-#                      └─> participants' means ───────────────────────> figure
-#   click_trial, if the protocol asks for clicks ─────────────────────> table of clicks
-#
 # The scene is the thesis's (Dingliana 2002, sec. 6.4), the question is ours.
 # SPDX-License-Identifier: MIT
 

@@ -1,11 +1,6 @@
 #!/usr/bin/env Rscript
 # Figures: is a collision of two articulated figures less believable where it is handled at a coarse
 # level: by spheres about whole parts, or by the parts themselves?
-#
-#   rated main trials ─┬─> mixed models, ANOVA, Friedman, equivalence ─> table, words
-#                      ├─> participants' means ───────────────────────> figure
-#   seen collisions ───┴─> what was shown: table, mixed model of the gap
-#
 # The thesis built such figures (Dingliana 2002, sec. 4.1.3) and rated none: the question is ours, the
 # design that of its gap study. Parts meet many times in a trial; what was shown is the first time.
 # SPDX-License-Identifier: MIT

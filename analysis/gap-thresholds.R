@@ -1,8 +1,6 @@
 #!/usr/bin/env Rscript
 # Gap thresholds: how large must a gap be to be seen, away from the gaze and among distractors?
 # Ours; the factors are O'Sullivan's (1999). The scale is logarithmic.
-#
-#   answers ─> a psychometric function per participant and condition ─> thresholds ─> tests, words
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

@@ -1,11 +1,6 @@
 #!/usr/bin/env Rscript
 # Study 2, gap: does a gap at contact, left by a coarse level of the sphere tree, make a collision
 # less believable, and do speed and viewpoint hide it?
-#
-#   rated main trials ─┬─> mixed models, ANOVA, Friedman, equivalence ─> table, words
-#                      ├─> participants' means ───────────────────────> figure
-#   seen collisions ───┴─> what was shown: table, mixed model of the gap
-#
 # The thesis found a strong effect of level, viewpoint to matter at the coarsest level above all,
 # and a coarse level to show less at higher speed (Dingliana 2002, sec. 6.2.2, figs. 6.7 to 6.9).
 # SPDX-License-Identifier: MIT

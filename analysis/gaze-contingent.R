@@ -1,13 +1,6 @@
 #!/usr/bin/env Rscript
 # Study 4, gaze-contingent scheduling: do collisions look better when the good ones are where the
 # eye is (tracked) than when as many are somewhere else (random)?
-#
-#   rated main trials ─┬─> mixed models, planned contrast, equivalence ─> table, words
-#   clicks ────────────┤
-#                      └─> participants' means ─────────────────────────> two figures
-#   collisions ────────────> what was shown: is the contrast a fair one?
-#   gaze samples, steps ───> how good the gaze was, how late the display
-#
 # The thesis found tracked better than random at every number of bodies, nowhere significantly
 # (Dingliana 2002, sec. 6.3.1, figs. 6.18 and 6.19).
 # SPDX-License-Identifier: MIT

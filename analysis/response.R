@@ -1,12 +1,6 @@
 #!/usr/bin/env Rscript
 # Study 3, response: does a collision that is resolved at a coarse level, and so turns the bodies
 # wrongly, look less believable?
-#
-#   rated main trials ─┬─> mixed models, ANOVA, Friedman, equivalence ─> table, words
-#                      ├─> participants' means ───────────────────────> figure
-#   seen collisions ───┼─> gaps shown: table, mixed model
-#                      └─> random spin imposed: confounding, mixed model
-#
 # The thesis found an effect of viewpoint, faster collisions rated worse, accurate ones worse than
 # randomised ones at high speed, and none of level, which the random spin masked (Dingliana 2002,
 # sec. 6.2.2, figs. 6.7 to 6.9).

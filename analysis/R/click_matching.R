@@ -38,8 +38,7 @@ matching_counts <- function(clicks_s, events_s, bad, window_s, exposure_s) {
     bad = sum(bad), hits = sum(unique(stats::na.omit(matched)) %in% which(bad)),
     clicks = length(clicks_s), at_good = sum(matched %in% which(!bad)),
     at_nothing = sum(is.na(matched)), exposure_s = exposure_s,
-    free_s = without[["seconds"]], free_clicks = without[["clicks"]]
-  )
+    free_s = without[["seconds"]], free_clicks = without[["clicks"]])
 }
 
 # One row for each window: rates over all participants' trials, and the participants' mean d' and
@@ -64,15 +63,13 @@ matching_row <- function(counts, participant, window_s) {
     log_linear_d_prime(n[["hits"]], n[["bad"]], min(n[["free_clicks"]], windows), windows)
   }))
   all <- colSums(counts)
-  data.frame(
-    from_ms = 1000 * window_s[1], to_ms = 1000 * window_s[2], participants = nrow(each),
+  data.frame(from_ms = 1000 * window_s[1], to_ms = 1000 * window_s[2], participants = nrow(each),
     bad_events = all[["bad"]], hit_rate = all[["hits"]] / all[["bad"]],
     false_alarms_per_s = (all[["at_good"]] + all[["at_nothing"]]) / all[["exposure_s"]],
     clicks_at_good = all[["at_good"]], clicks_at_nothing = all[["at_nothing"]],
     free_windows = floor(all[["free_s"]] / length_s),
     false_alarms_per_free_window = all[["free_clicks"]] / (all[["free_s"]] / length_s),
-    d_prime = mean(signal[, 1]), criterion = mean(signal[, 2])
-  )
+    d_prime = mean(signal[, 1]), criterion = mean(signal[, 2]))
 }
 
 matching_words <- function(matching) {
@@ -94,6 +91,5 @@ matching_lines <- function(matching) {
     free_windows = "%.0f", false_alarms_per_free_window = "%.2f", d_prime = "%.2f",
     criterion = "%.2f"),
     c("window (ms)", "bad events", "hit rate", "false alarms per second", "clicks at good",
-      "clicks at nothing", "event-free windows", "false alarms per such window", "d′",
-      "criterion"))
+      "clicks at nothing", "event-free windows", "false alarms per such window", "d′", "criterion"))
 }

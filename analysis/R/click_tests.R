@@ -18,7 +18,7 @@ has_cell_without_clicks <- function(trials) {
 # first level, as an outcome.
 click_model_tests <- function(trials) {
   trials <- trials_with_exposure(trials)
-  reason <- why_no_click_model(trials, "scheduling")
+  reason <- why_no_model(trials, "scheduling", "clicks")
   if (!is.null(reason)) return(outcome(remarks = reason))
   factors <- varying_factors(trials, c("scheduling", "bodies"))
   fitted <- factor_tests(trials, factors, "clicks")
@@ -41,15 +41,13 @@ click_table <- function(trials) {
   rows <- each_row(cells, function(cell) {
     bodies <- unique(as.character(cell$bodies))
     interval <- bootstrap_of_totals(list(cell), function(totals) totals[[1]])
-    data.frame(
-      scheduling = cell$scheduling[1], bodies = if (length(bodies) == 1) bodies else "all",
+    data.frame(scheduling = cell$scheduling[1], bodies = if (length(bodies) == 1) bodies else "all",
       participants = participant_count(cell), trials = nrow(cell), clicks = sum(cell$clicks),
       clicks_per_trial = mean(cell$clicks), exposure_s = sum(cell$exposure_s),
       clicks_per_s = rate_of(cell), interval_low = interval[["low"]],
       interval_high = interval[["high"]], bad_events_per_trial = mean(cell$bad_events),
       clicks_per_bad_event = if (!isTRUE(sum(cell$bad_events) > 0)) NA_real_ else
-        sum(cell$clicks) / sum(cell$bad_events)
-    )
+        sum(cell$clicks) / sum(cell$bad_events))
   })
   unique(rows)  # a study of one number of bodies has each row twice
 }

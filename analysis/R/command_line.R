@@ -79,7 +79,6 @@ listen_to <- function(expression) {
   value <- withCallingHandlers(
     tryCatch(expression, error = function(condition) { hear(condition); NULL }),
     warning = function(condition) { hear(condition); tryInvokeRestart("muffleWarning") },
-    message = function(condition) tryInvokeRestart("muffleMessage")
-  )
+    message = function(condition) tryInvokeRestart("muffleMessage"))
   list(value = value, complaints = complaints)
 }

@@ -58,9 +58,7 @@ exposure_of <- function(trials, collisions) {
   bad <- collisions[collisions$bad, ]
   share_bad <- function(some) if (nrow(some) > 0) mean(some$bad) else NA_real_
   middle <- function(x) stats::median(as.numeric(x), na.rm = TRUE)
-  data.frame(
-    trials = nrow(trials),
-    body_per_trial = sum(!collisions$wall) / nrow(trials),
+  data.frame(trials = nrow(trials), body_per_trial = sum(!collisions$wall) / nrow(trials),
     body_bad_share = share_bad(collisions[!collisions$wall, ]),
     wall_per_trial = sum(collisions$wall) / nrow(trials),
     wall_bad_share = share_bad(collisions[collisions$wall, ]),
@@ -70,8 +68,7 @@ exposure_of <- function(trials, collisions) {
     wall_bad_gap_arcmin = middle(bad$visible_gap_arcmin[bad$wall]),
     eccentricity_deg = middle(collisions$gaze_eccentricity_deg),
     bad_eccentricity_deg = middle(bad$gaze_eccentricity_deg),
-    covered_share = mean_known(trials$region_covered_share)
-  )
+    covered_share = mean_known(trials$region_covered_share))
 }
 
 # exposure_of every participant, kind of scheduling and number of bodies that has a trial.
@@ -118,8 +115,7 @@ exposure_sentences <- function(study) {
     if (all(is.na(study$trials$merge_within_ms)))
       "The protocol names no merge_within_ms, so every collision is an event of its own.",
     if (unseen > 0) sprintf("No frame was recorded of %s, left out of the rates of clicks.",
-      count_of(unseen, "trial"))
-  )
+      count_of(unseen, "trial")))
 }
 
 exposure_lines <- function(table) {

@@ -62,8 +62,7 @@ panels_beside <- function(panels, first) {
 label_of <- function(factor) {
   units <- c(
     deg_per_s = "°/s", deg_s = "°/s", m_per_s = "m/s", m_s = "m/s", deg = "°", ms = "ms",
-    percent = "%", hz = "Hz", arcmin = "′", px = "px", m = "m", s = "s"
-  )
+    percent = "%", hz = "Hz", arcmin = "′", px = "px", m = "m", s = "s")
   unit <- names(units)[endsWith(factor, paste0("_", names(units)))][1]
   name <- if (is.na(unit)) factor else substr(factor, 1, nchar(factor) - nchar(unit) - 1)
   name <- sentence_case(gsub("_", " ", name))
@@ -159,8 +158,7 @@ axis_of_rating <- function(scale, words, width = 20) {
   list(
     ggplot2::scale_y_continuous(if (words) "Mean rating" else NULL, breaks = breaks,
       labels = labels, expand = ggplot2::expansion(mult = 0.03)),
-    ggplot2::coord_cartesian(ylim = ends, clip = "on")
-  )
+    ggplot2::coord_cartesian(ylim = ends, clip = "on"))
 }
 
 # Below 0 stands a minus sign, not a hyphen.
@@ -183,6 +181,5 @@ figure_theme <- function() {
     legend.title = ggplot2::element_text(size = kTextPt),
     strip.background = ggplot2::element_blank(),
     plot.tag = ggplot2::element_text(size = kTextPt + 1, face = "bold"),
-    plot.margin = ggplot2::margin(2, 6, 2, 2)
-  )
+    plot.margin = ggplot2::margin(2, 6, 2, 2))
 }

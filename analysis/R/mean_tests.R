@@ -25,8 +25,7 @@ repeated_measures_tests <- function(trials, factors) {
   if (nrow(complete) < 2) {
     return(outcome(remarks = paste(
       "Fewer than two participants have a rating in every cell of the design, so there is no",
-      "repeated-measures ANOVA."
-    )))
+      "repeated-measures ANOVA.")))
   }
   remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
   kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
@@ -34,8 +33,7 @@ repeated_measures_tests <- function(trials, factors) {
   if (is.null(fit) || any(!is.finite(fit$F))) {
     return(outcome(remarks = c(remarks, paste(
       "The repeated-measures ANOVA has no variance left within participants to test against, or",
-      "too few participants for its interactions, and is not reported."
-    ))))
+      "too few participants for its interactions, and is not reported."))))
   }
   fit$corrected <- nrow(complete) > fit$whole_df
   if (!all(fit$corrected)) {
@@ -51,16 +49,13 @@ repeated_measures_tests <- function(trials, factors) {
 fit_anova <- function(trials, factors, between = NULL) {
   model <- afex::aov_ez("participant", "rating", trials,
     within = unname(factors), between = between, fun_aggregate = mean,
-    anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE
-  )
+    anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE)
   table <- model$anova_table
   squares <- summary(model$Anova)$univariate.tests
   squares <- squares[match(rownames(table), rownames(squares)), , drop = FALSE]
-  data.frame(
-    effect = rownames(table), df1 = table[["num Df"]], df2 = table[["den Df"]],
+  data.frame(effect = rownames(table), df1 = table[["num Df"]], df2 = table[["den Df"]],
     whole_df = squares[, "num Df"], F = table[["F"]], p = table[["Pr(>F)"]],
-    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"]
-  )
+    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"])
 }
 
 anova_row <- function(effect, trials) {

@@ -64,8 +64,7 @@ apparatus_words <- function(sessions) {
       paste(unique(sprintf("%.2f", range(sessions$sync_mean_interval_ms[synced]))), collapse = " to "),
       max(sessions$sync_sd_interval_ms[synced])),
     if (any(sessions$sync_overridden == 1)) sprintf("The test failed and was overridden in %s.",
-      count_of(sum(sessions$sync_overridden), "sitting"))
-  )
+      count_of(sum(sessions$sync_overridden), "sitting")))
 }
 
 # The design and the response of one part.
@@ -86,8 +85,7 @@ part_methods <- function(part) {
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",
       threshold = scale_sentence(part),
       answer = if (part$kind == "two_interval") "Participants chose one of two intervals." else
-        "Participants answered yes or no.")
-  )
+        "Participants answered yes or no."))
 }
 
 kAnalysisWords <- c(

@@ -119,7 +119,7 @@ factor_tests <- function(trials, factors, response = "rating", tested = factors,
   of <- response_model(response)
   if (response == "clicks") trials <- trials_with_exposure(trials)
   trials[factors] <- lapply(trials[factors], droplevels)
-  reason <- of$why_none(trials, factors)
+  reason <- why_no_model(trials, factors, response)
   if (!is.null(reason)) return(outcome(remarks = reason))
   if (response == "rating") trials$rating <- factor(trials$rating, ordered = TRUE)
   models <- lapply(stats::setNames(nm = tested), function(factor) {

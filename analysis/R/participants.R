@@ -56,8 +56,7 @@ means_with_intervals <- function(trials, factors, of = "rating") {
   means <- participant_means(trials, factors, of)
   complete <- complete_participants(means)
   rows <- if (nrow(complete) > 0) cousineau_morey(complete) else data.frame(
-    cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_
-  )
+    cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
   rows[factors] <- factors_of_cells(rows$cell)
   rows$x <- position_of(rows[[factors[1]]])
   rows[!is.nan(rows$mean), ]
@@ -117,20 +116,10 @@ noncentrality_at <- function(probability, F, df1, df2) {
 # the same every time it is made; the caller's random numbers are left as they were.
 bootstrap_interval <- function(means, statistic, level = 0.95, draws = 2000, seed = 1) {
   n <- nrow(means)
-  values <- with_seed(seed, replicate(draws, {
+  values <- withr::with_seed(seed, replicate(draws, {
     statistic(means[sample(n, replace = TRUE), , drop = FALSE])
   }))
   tail <- if (n < 2) (1 - level) / 2 else
     stats::pnorm(-sqrt(n / (n - 1)) * stats::qt((1 + level) / 2, n - 1))
   stats::setNames(stats::quantile(values, c(tail, 1 - tail), na.rm = TRUE), c("low", "high"))
-}
-
-# `expression` with random numbers from `seed`; the caller's are left as they were.
-with_seed <- function(seed, expression) {
-  if (exists(".Random.seed", globalenv())) {
-    before <- get(".Random.seed", globalenv())
-    on.exit(assign(".Random.seed", before, globalenv()))
-  }
-  set.seed(seed)
-  expression
 }

@@ -75,7 +75,7 @@ contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom,
                                  response = "rating") {
   is_rating <- response == "rating"
   two <- contrast_trials(if (is_rating) trials else trials_with_exposure(trials), pair)
-  reason <- if (is_rating) why_no_contrast(two, pair) else why_no_click_model(two, "scheduling")
+  reason <- why_no_contrast(two, response, pair)
   if (!is.null(reason)) return(outcome(remarks = reason))
   if (is_rating) two$rating <- factor(two$rating, ordered = TRUE)
   family <- family_of(if (is_rating) kContrastFamily else kClickContrastFamily, pair)
@@ -120,20 +120,15 @@ contrast_rows <- function(two, response, row) {
   all_outcomes(overall, outcome(apart, both$remarks))
 }
 
-why_no_contrast <- function(two, pair = kTrackedRandom) {
-  none <- why_no_test(two)
+why_no_contrast <- function(two, response, pair) {
+  none <- if (response == "rating") why_no_test(two)
   if (!is.null(none)) return(none)
-  if (participant_count(two) < 3) {
-    return("The mixed model of the planned contrast needs three participants or more.")
-  }
   if (nlevels(droplevels(two$scheduling)) < 2) {
-    return(sprintf("There is no planned contrast: it needs rated trials of %s and of %s.",
-      pair$of, pair$against))
+    return(sprintf("There is no planned contrast: it needs trials of %s and of %s.", pair$of,
+      pair$against))
   }
-  terms <- c("scheduling", varying_factors(two, "bodies"))
-  if (!any(vapply(terms, function(term) separates(two, term), NA))) return(NULL)
-  paste("The levels of scheduling or bodies separate the ratings of", pair_words(pair, " and "),
-    "trials completely, so the mixed model of the planned contrast was not fitted.")
+  why_no_model(two, c("scheduling", if (response == "rating") varying_factors(two, "bodies")),
+    response, paste(response_model(response)$kind, "of the planned contrast"))
 }
 
 # Two one-sided z tests of the log ratio against ratios of .8 and 1.25, with a 90 % interval.
@@ -153,13 +148,11 @@ contrast_means_tests <- function(trials, margin, pair = kTrackedRandom) {
   do.call(all_outcomes, lapply(colnames(differences), function(place) {
     known <- differences[!is.na(differences[, place]), place]
     label <- contrast_label(place, pair)
-    all_outcomes(
-      outcome(remarks = left_out_remark(paste("the paired tests of", label),
+    all_outcomes(outcome(remarks = left_out_remark(paste("the paired tests of", label),
         nrow(differences) - length(known))),
       paired_test(known, family_of(kContrastMeansFamily, pair), label,
         "difference in rating points"),
       if (length(known) > 1) equivalence_test(known, label, margin,
-        family_of(kEquivalenceFamily, pair))
-    )
+        family_of(kEquivalenceFamily, pair)))
   }))
 }

@@ -36,8 +36,7 @@ power_part <- function(path, question) {
 
 # Simulated studies are thrown away, so the view may be made in the file itself.
 with_clicked_trials <- function(path) {
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
   DBI::dbExecute(study, kClickedTrialSql)
   path
 }
@@ -120,8 +119,7 @@ power_tests_of_thresholds <- function(part, tested, question) {
 
 # Tests the studies listed in a table of files, and writes all that is found in one transaction.
 write_power_tests <- function(ledger_path, list_path) {
-  ledger <- DBI::dbConnect(RSQLite::SQLite(), ledger_path)
-  on.exit(DBI::dbDisconnect(ledger))
+  ledger <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), ledger_path))
   DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
   question <- power_question(ledger)
   studies <- utils::read.delim(list_path, colClasses = c(file = "character", sizes = "character",

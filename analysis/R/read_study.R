@@ -3,7 +3,7 @@
 #   rated_trial ─┐
 #   trial_level ─┴─> trials: one row per rating, one column per factor
 #   enrolment_summary ─> enrolments: one row per participant, planned and completed
-#   excluded, ... ─────> exclusions.R: what is left out, and what else must be known
+#   excluded, ... ─────> trials_analysed.R: what is left out, and what else must be known
 #
 # Invariant: every rating returned was given on one and the same scale, in the main phase, outside
 # catch trials, and is not excluded; every participant is one person: a pseudonym is never in two
@@ -59,8 +59,7 @@ with_factor_columns <- function(study, factors) {
 }
 
 read_one_study <- function(path, protocol, view, views, where) {
-  study <- open_study(path, views)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(open_study(path, views))
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")
   if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
@@ -82,12 +81,10 @@ open_study <- function(path, views = kViews) {
   if (dir.exists(path)) refuse(path, ": expected a study file, got a folder")
   study <- tryCatch(
     DBI::dbConnect(RSQLite::SQLite(), path, flags = RSQLite::SQLITE_RO, synchronous = NULL),
-    error = function(condition) refuse(path, ": expected a study file, could not open it")
-  )
+    error = function(condition) refuse(path, ": expected a study file, could not open it"))
   present <- tryCatch(
     DBI::dbGetQuery(study, "SELECT name FROM sqlite_master WHERE type = 'view'")$name,
-    error = function(condition) NULL
-  )
+    error = function(condition) NULL)
   absent <- setdiff(views, present)
   if (length(absent) == 0) return(study)
   DBI::dbDisconnect(study)
@@ -101,8 +98,7 @@ open_study <- function(path, views = kViews) {
 
 # Rows of a query on the views of the file at `path`; `...` stand for its question marks.
 query_study <- function(path, query, ...) {
-  study <- open_study(path, "enrolment_summary")
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(open_study(path, "enrolment_summary"))
   DBI::dbGetQuery(study, query, params = if (...length() > 0) list(...))
 }
 

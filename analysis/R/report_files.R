@@ -22,8 +22,7 @@ kComputedWords <- c("trial_level.factor", "trial_level.level")
 
 # Writes the tables of the study at `path` to `folder`.
 write_report_data <- function(path, folder) {
-  study <- open_study(path, names(kReportViews))
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(open_study(path, names(kReportViews)))
   DBI::dbExecute(study, "BEGIN")
   columns <- do.call(rbind, lapply(names(kReportViews), function(view) {
     write_view(study, view, folder)
@@ -66,8 +65,7 @@ study_of_report_data <- function(folder) {
   name <- utils::read.csv(file.path(folder, "study.csv"), colClasses = "character")$study
   path <- file.path(tempfile("study"), basename(name))
   dir.create(dirname(path))
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
   for (view in unique(columns$view)) {
     mine <- columns[columns$view == view, ]
     class <- c(INTEGER = "numeric", REAL = "numeric", TEXT = "character")[mine$type]

@@ -58,8 +58,7 @@ interaction_words <- function(tests, response = "rating") {
   vapply(seq_len(nrow(rows)), function(i) {
     names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
     sprintf("In the %s with interactions, one of %s was %s: %s.", of$kind,
-      paste(names, collapse = " and "),
-      if (rows$p_holm[i] < kSignificance) "detected" else
+      paste(names, collapse = " and "), if (rows$p_holm[i] < kSignificance) "detected" else
         "not detected, which is not evidence of its absence", chi_squared_words(rows[i, ]))
   }, "")
 }
@@ -92,8 +91,7 @@ anova_words <- function(tests, factor) {
   row <- tests_of(tests, kAnovaFamily, factor)
   if (nrow(row) == 0) return(character())
   sprintf("Repeated-measures ANOVA of cell means (%s), %s: %s, generalised η² = %s.",
-    sub("^.*, ", "", row$method), plain_name(factor), F_words(row),
-    size_words(row, "%.3f"))
+    sub("^.*, ", "", row$method), plain_name(factor), F_words(row), size_words(row, "%.3f"))
 }
 
 # The interactions of the ANOVA.
@@ -109,8 +107,7 @@ anova_interaction_words <- function(tests) {
     if (any(found)) sprintf("Interactions in the repeated-measures ANOVA: %s.", paste(names[found],
       vapply(which(found), function(i) F_words(rows[i, ]), ""), sep = ", ", collapse = "; ")),
     if (any(!found)) sprintf("Not detected, which is not evidence of absence: %s.",
-      paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; "))
-  )
+      paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; ")))
 }
 
 friedman_words <- function(tests, factor) {
@@ -186,12 +183,10 @@ figure_caption <- function(trials, main, beside, simulated) {
   split <- vapply(varying_factors(trials, beside), name_and_unit, "")
   paste0(
     "Mean rating by ", name_and_unit(main), ", ", count_of(max(shown, 1), who_words(simulated)),
-    ". ",
-    if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
+    ". ", if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
     "Thin lines: participants, shifted sideways a little to keep them apart.",
     if (length(split) > 0) paste0(" Beside it, the same by ", paste(split, collapse = " and by "),
-      ".")
-  )
+      "."))
 }
 
 # Writes the report as Markdown: results, the data behind them, what is left out, remarks, caption.
@@ -202,7 +197,6 @@ write_report <- function(path, title, paragraph, sentences, remarks, caption, se
   text <- c(
     paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
     "## Left out, and other trials to know of", "", left_out, "",
-    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
-  )
+    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption)
   writeLines(enc2utf8(text), path, useBytes = TRUE)
 }

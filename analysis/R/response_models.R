@@ -20,7 +20,7 @@ kClickRatioFamily <- "clicks, rate ratios"
 kClickInteractionFamily <- "clicks, interaction"
 
 # How a response's models are fitted, in which attempts, what their tests are called and in which
-# words; `why_none(trials, factors)`: why there is no model, or NULL; `checks`: sentences on one.
+# words; `endless(trials, factor)`: why a ratio has no finite estimate, or NULL; `checks`: sentences.
 response_model <- function(response) {
   random <- c("(1 + slope | participant)", "(1 | participant)")
   attempts <- function(distribution) lapply(random, function(r) c(random = r, distribution))
@@ -31,8 +31,7 @@ response_model <- function(response) {
       size = "odds ratio of a higher rating",
       method = function(kind, attempt) {
         sprintf("cumulative-link %s, logit, %s", kind, attempt[["random"]])
-      }, attempts = attempts(NULL),
-      why_none = why_no_rating_model, checks = rating_checks,
+      }, attempts = attempts(NULL), endless = endless_rating, checks = rating_checks,
       fit = function(trials, terms, attempt, like) {
         fit_rating_model(trials, terms, attempt[["random"]], like = like)
       }),
@@ -41,7 +40,7 @@ response_model <- function(response) {
       size = "odds ratio of a positive answer",
       method = function(kind, attempt) sprintf("binomial %s, logit, %s", kind, attempt[["random"]]),
       attempts = attempts(NULL),
-      why_none = why_no_answer_model, checks = answer_checks,
+      endless = endless_answer, checks = answer_checks,
       fit = function(trials, terms, attempt, like) {
         fit_answer_model(trials, terms, attempt[["random"]])
       }),
@@ -52,21 +51,48 @@ response_model <- function(response) {
         attempt[["distribution"]], kind, attempt[["random"]]),
       attempts = c(attempts(c(distribution = "negative-binomial")),
         attempts(c(distribution = "Poisson"))),
-      why_none = why_no_click_model, checks = click_checks,
+      endless = endless_count, checks = click_checks,
       fit = function(trials, terms, attempt, like) {
         fit_count_model(trials, terms, attempt[["random"]], attempt[["distribution"]])
       }))
 }
 
-why_no_rating_model <- function(trials, factors) {
+# Why the mixed model of a response, of these factors, is not fitted, in a sentence; NULL where it can
+# be. `kind`: what it would be called.
+why_no_model <- function(trials, factors, response, kind = response_model(response)$kind) {
   if (participant_count(trials) < 3) {
-    return("The mixed model needs three participants or more and was not fitted.")
+    return(sprintf("The %s needs three participants or more and was not fitted.", kind))
   }
-  separated <- Filter(function(factor) separates(trials, factor), factors)
-  if (length(separated) == 0) return(NULL)
-  paste0("The levels of ", paste(separated, collapse = " and "), " separate the ratings ",
-    "completely, so the mixed model has no finite odds ratio and was not fitted; see the other ",
-    "tests.")
+  unlist(lapply(factors, function(factor) {
+    endless <- response_model(response)$endless(trials, factor)
+    if (!is.null(endless)) sprintf(paste("%s, so the %s has no finite ratio and was not fitted; see",
+      "the other tests."), endless, kind)
+  }))[1]
+}
+
+# What would push a ratio of this factor to infinity, or NULL.
+endless_rating <- function(trials, factor) {
+  if (separates(trials, factor)) {
+    sprintf("The levels of %s separate the ratings completely", factor)
+  }
+}
+
+endless_answer <- function(trials, factor) {
+  share <- tapply(trials$positive, trials[[factor]], mean)
+  alike <- names(share)[share %in% c(0, 1)]
+  if (length(alike) > 0) {
+    sprintf("All answers at %s %s are alike", name_and_unit(factor), and_words(alike))
+  }
+}
+
+endless_count <- function(trials, factor) {
+  clicks <- tapply(trials$clicks, trials[[factor]], sum)
+  if (length(clicks) < 2 || anyNA(clicks)) {
+    return(sprintf("There are no trials of two kinds of %s", name_and_unit(factor)))
+  }
+  if (any(clicks == 0)) {
+    sprintf("Nobody clicked at %s %s", name_and_unit(factor), and_words(names(clicks)[clicks == 0]))
+  }
 }
 
 # Do two levels of the factor share no more than a boundary? Then a coefficient has no finite
@@ -77,35 +103,6 @@ separates <- function(trials, factor) {
   apart <- outer(highest, lowest, `<=`)
   diag(apart) <- FALSE
   any(apart)
-}
-
-why_no_answer_model <- function(trials, factors) {
-  if (participant_count(trials) < 3) {
-    return("The mixed model of answers needs three participants or more and was not fitted.")
-  }
-  for (factor in factors) {
-    share <- tapply(trials$positive, trials[[factor]], mean)
-    alike <- names(share)[share %in% c(0, 1)]
-    if (length(alike) > 0) return(sprintf(paste("All answers at %s %s are alike, so the mixed model",
-      "has no finite odds ratio and was not fitted; see the other tests."), name_and_unit(factor),
-      and_words(alike)))
-  }
-}
-
-why_no_click_model <- function(trials, factors) {
-  if (participant_count(trials) < 3) {
-    return("The models of clicks need three participants or more and were not fitted.")
-  }
-  for (factor in factors) {
-    clicks <- tapply(trials$clicks, trials[[factor]], sum)
-    if (length(clicks) < 2 || anyNA(clicks)) {
-      return(sprintf("The models of clicks need trials of two kinds of %s and were not fitted.",
-        name_and_unit(factor)))
-    }
-    if (any(clicks == 0)) return(sprintf(paste("Nobody clicked at %s %s, so a rate ratio has no",
-      "finite estimate and no model was fitted."), name_and_unit(factor),
-      and_words(names(clicks)[clicks == 0])))
-  }
 }
 
 # One fit of ratings. `like`: a fitted model with the same random part that has more terms; its
@@ -188,8 +185,7 @@ rating_checks <- function(models, trials, factor) {
     sprintf("condition number of the Hessian %s", format_number(round(max(values) / min(values)))),
     sprintf("observed and fitted share of a rating at a level differ by %.3f at most",
       largest_misfit(model, trials, factor)),
-    proportional_odds_words(trials, factor)
-  )
+    proportional_odds_words(trials, factor))
 }
 
 # The largest difference between the observed and the fitted share of any rating at any level.
@@ -219,8 +215,7 @@ answer_checks <- function(models, trials, factor) {
     sprintf("Pearson's χ² per degree of freedom %.2f", models$full$pearson),
     sprintf("observed and fitted share at a level differ by %.3f at most", max(abs(tapply(
       stats::fitted(model) - trials$positive, trials[[factor]], mean)))),
-    if (lme4::isSingular(model)) "a variance of the random part is estimated as 0"
-  )
+    if (lme4::isSingular(model)) "a variance of the random part is estimated as 0")
 }
 
 click_checks <- function(models, trials, factor) {

@@ -24,8 +24,7 @@ parts_of_protocol <- function(path, protocol) {
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
     lapply(kinds, function(kind) read_part(answer_part(path, protocol, kind))),
-    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol)))
-  )
+    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol))))
   Filter(Negate(is.null), parts)
 }
 

@@ -51,8 +51,7 @@ scheduling_figure <- function(study, of, axes, margin) {
 unseen_legend <- function() {
   list(
     ggplot2::guides(colour = ggplot2::guide_legend(override.aes = list(alpha = 0))),
-    ggplot2::theme(legend.text = ggplot2::element_text(colour = "transparent"))
-  )
+    ggplot2::theme(legend.text = ggplot2::element_text(colour = "transparent")))
 }
 
 kinds_panel <- function(trials, of) {
@@ -119,8 +118,7 @@ click_axes <- function() {
       limits = c(0, NA), breaks = function(limits) unique(round(pretty(limits))),
       oob = scales::oob_squish, expand = ggplot2::expansion(mult = c(0.02, 0.05)))),
     differences = function(pair) difference_axis(sprintf(
-      "Clicks per trial, %s\n(below 0: %s is better)", pair_words(pair), pair$of))
-  )
+      "Clicks per trial, %s\n(below 0: %s is better)", pair_words(pair), pair$of)))
 }
 
 # 0 is always on it.

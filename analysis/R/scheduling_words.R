@@ -19,8 +19,7 @@ verdict_words <- function(rows, good, better, worse, pair = kTrackedRandom) {
       pair$against, and_words(place_of(rows$effect[chosen])))
   }
   paste(c(
-    said(found & good, better), said(found & !good, worse),
-    if (any(!found)) sprintf(
+    said(found & good, better), said(found & !good, worse), if (any(!found)) sprintf(
       "A difference was not detected %s, which is not evidence of its absence.",
       and_words(place_of(rows$effect[!found])))
   ), collapse = " ")
@@ -53,8 +52,7 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
       pair_words(pair), estimates_words(means, "%+.2f")),
     equivalence_verdict(tests_of(tests, family_of(kEquivalenceFamily, pair)),
       sprintf("±%.2f points", equivalence_margin(scale))),
-    if (pair$planned) thesis_words(tests, kPooledFamily)
-  )
+    if (pair$planned) thesis_words(tests, kPooledFamily))
 }
 
 contrast_title <- function(pair) if (pair$planned) "Planned contrast" else "Beside it"
@@ -96,8 +94,7 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
       estimates_words(bootstrap)),
     equivalence_verdict(tests_of(tests, family_of(kClickEquivalenceFamily, pair)),
       sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
-    if (pair$planned) thesis_words(tests, kClickPooledFamily)
-  )
+    if (pair$planned) thesis_words(tests, kClickPooledFamily))
 }
 
 # Did the manipulation work, and did the two kinds differ in more than it?
@@ -106,8 +103,7 @@ exposure_words <- function(tests, pair = kTrackedRandom) {
   if (nrow(rows) == 0) return(character())
   found <- rows$p_holm < kSignificance
   c(
-    if (pair$of == "tracked") manipulation_words(tests, pair),
-    if (any(found)) sprintf(paste(
+    if (pair$of == "tracked") manipulation_words(tests, pair), if (any(found)) sprintf(paste(
       "%s differed in exposure too (%s; paired t tests over",
       "participants, Holm over %d): %s. A difference between their ratings or clicks may come from",
       "this as much as from where the good collisions were."),
@@ -116,8 +112,7 @@ exposure_words <- function(tests, pair = kTrackedRandom) {
       sprintf("Of %d measures of exposure none was found to differ between %s.",
         nrow(rows), pair_words(pair, " and ")),
     if (any(!found)) sprintf(paste("A difference was not detected, which is not evidence of its",
-      "absence, in: %s."), differences_words(rows[!found, ]))
-  )
+      "absence, in: %s."), differences_words(rows[!found, ])))
 }
 
 manipulation_words <- function(tests, pair = kTrackedRandom) {
@@ -145,8 +140,7 @@ sensitivity_words <- function(tests, late, without, pair = kTrackedRandom) {
   clicks <- tests_of(tests, paste0(family_of(kClickContrastFamily, pair), without))
   what <- c(
     if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
-    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks))
-  )
+    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks)))
   sprintf("Sensitivity: without the %s marked late, %s: %s.", count_of(late, "trial"),
     pair_words(pair, " against "), if (length(what) == 0) "too few trials are left" else
       paste(what, collapse = "; "))

@@ -84,8 +84,7 @@ shown_notes <- function(trials) {
       count_of(nrow(unmeasured), "trial"), fill_in_words(unmeasured, "to have them too")),
     if (never > 0) sprintf("The bodies never met in %s, left out here.", count_of(never, "trial")),
     if (again > 0) sprintf("The bodies met more than once in %s: the first collision counts.",
-      count_of(again, "trial"))
-  )
+      count_of(again, "trial")))
 }
 
 # One row per cell that has a measured gap: trials, medians, levels of the tree used, mean rating.
@@ -93,8 +92,7 @@ shown_table <- function(trials, level, viewpoint) {
   each_row(split(trials, trials[c(viewpoint, level)], drop = TRUE), function(cell) data.frame(
     level = cell[[level]][1], viewpoint = cell[[viewpoint]][1], trials = nrow(cell),
     gap_arcmin = stats::median(cell$gap_arcmin), hidden_share = stats::median(cell$hidden_share),
-    level_used = paste(sort(unique(cell$level_used)), collapse = ", "), rating = mean(cell$rating)
-  ))
+    level_used = paste(sort(unique(cell$level_used)), collapse = ", "), rating = mean(cell$rating)))
 }
 
 # The table of shown_table as Markdown.

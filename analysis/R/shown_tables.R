@@ -23,14 +23,13 @@ kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed",
 
 # Sentences about timing, freezes, collisions and gaze of the main trials of a protocol.
 shown_sentences <- function(path, protocol) {
+  rows <- rows_of_view(path, "rated_trial", protocol)
   c(
     frame_sentences(rows_of_view(path, "enrolment_summary", protocol)),
-    hold_sentence(rows_of_view(path, "rated_trial", protocol)),
-    gaze_shown_sentences(path, protocol), collision_sentences(path, protocol),
+    hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(path, protocol),
     pop_sentence(query_study(path, paste("SELECT count(DISTINCT trial) AS trials, sum(pops) AS pops,",
       "max(largest_pop_deg) AS largest FROM popped_step WHERE protocol = ? AND phase = 'main'"),
-      protocol))
-  )
+      protocol)))
 }
 
 frame_sentences <- function(rows) {
@@ -55,27 +54,13 @@ hold_sentence <- function(rows) {
   paste0("Freeze at contact as realised on the display's frames: ", paste(words, collapse = "; "), ".")
 }
 
-gaze_shown_sentences <- function(path, protocol) {
-  rows <- rows_of_view(path, "rated_trial", protocol)
+gaze_shown_sentences <- function(rows) {
   rows <- rows[rows$phase == "main", ]
-  sources <- unique(stats::na.omit(rows$gaze_source))
-  if (nrow(rows) == 0) return(character())
-  if (length(sources) == 0) return("The gaze was not followed.")
-  without <- sum(is.na(rows$gaze_source))
   lost <- rows$gaze_lost_share[!is.na(rows$gaze_lost_share)]
-  latency <- rows$gaze_latency_p95_ms[!is.na(rows$gaze_latency_p95_ms)]
-  c(
-    sprintf("Gaze came from: %s.%s%s", paste(sources, collapse = ", "),
-      if (without > 0) sprintf(" %s without it.", count_of(without, "trial")) else "",
-      if ("mouse" %in% sources) " The mouse stands in for the eye: nothing here is about gaze." else ""),
-    if (length(lost) > 0) sprintf(paste("It was lost for %.1f %% of the stimulus on average",
-      "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)),
-    if (length(latency) > 0) sprintf(paste("From sample to flip the 95th percentile of a trial was",
-      "%.1f ms in the median and %.1f ms at most; %s late (above 80 ms)."), stats::median(latency),
-      max(latency), paste(count_of(sum(rows$gaze_late), "trial"),
-        if (sum(rows$gaze_late) == 1) "was" else "were")) else
-      "Detail did not depend on the gaze, so no latency was measured."
-  )
+  if (nrow(rows) == 0) return(character())
+  c(gaze_sentences(rows, "the tables of sensitivity show the comparisons without them"),
+    if (length(lost) > 0) sprintf(paste("The gaze was lost for %.1f %% of the stimulus on average",
+      "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)))
 }
 
 collision_sentences <- function(path, protocol) {
@@ -87,8 +72,7 @@ collision_sentences <- function(path, protocol) {
     sprintf("%s in %s.", count_of(rows$n, "collision"), count_of(rows$trials, "main trial")),
     if (rows$measured == 0) paste("No gap has been measured: `impetus replay STUDY --truth` does it,",
       "before the report is made.") else if (rows$measured < rows$n)
-      sprintf("The gap was measured in %s of them.", format(rows$measured, big.mark = ","))
-  )
+      sprintf("The gap was measured in %s of them.", format(rows$measured, big.mark = ",")))
 }
 
 pop_sentence <- function(row) {

@@ -1,7 +1,7 @@
 # The studies that have a command of their own, as data: analysis/NAME.R reports on kStudies$NAME.
 #
-#   kind     ratings (rating_study.R), thresholds (threshold_study.R), scheduling (gaze_report.R) or
-#            distribution (distribution_report.R)
+#   kind     ratings (rating_study.R), thresholds (threshold_study.R), scheduling (gaze_study.R) or
+#            distribution (scheduler_distribution.R)
 #   factors  without units, the one of interest first; title: of the report
 #   views    that a file must have beside those of every study
 #

@@ -74,16 +74,14 @@ protocol_lines <- function(protocol, parts, path, folder) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
   c(sprintf("<h2 id=\"%s\">%s</h2>", anchor_of(protocol), html_text(protocol)),
-    simulated_lines(path, protocol),
-    "<h3>Participants and exclusions</h3>",
+    simulated_lines(path, protocol), "<h3>Participants and exclusions</h3>",
     html_table(participants_table(path, protocol), kParticipantHeads),
     unlist(lapply(parts, part_data_lines)), design_lines(parts),
     "<h3>What was really shown</h3>", shown_lines(path, protocol),
     html_paragraphs(vapply(refused, `[[`, "", "why")),
     if (length(parts) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
       " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
-    unlist(lapply(results, result_lines, folder = folder)),
-    "<h3>Methods, in words</h3>",
+    unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
     html_paragraphs(paste(methods_sentences(path, protocol, parts), collapse = " ")),
     "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(references_of(parts))), "</ul>")
 }

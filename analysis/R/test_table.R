@@ -14,13 +14,11 @@ each_row <- function(items, make, ...) do.call(rbind, unname(lapply(items, make,
 test_row <- function(family, method, effect, statistic_name, statistic, df1, df2 = NA, p,
                      size_name = NA, size = NA, interval = c(NA, NA), interval_level = NA,
                      participants = NA, trials = NA) {
-  data.frame(
-    family = family, method = method, effect = effect, statistic_name = statistic_name,
+  data.frame(family = family, method = method, effect = effect, statistic_name = statistic_name,
     statistic = statistic, df1 = df1, df2 = df2, p = p, p_holm = NA_real_,
     effect_size_name = size_name, effect_size = size, interval_low = interval[[1]],
     interval_high = interval[[2]], interval_level = interval_level, participants = participants,
-    trials = trials, row.names = NULL
-  )
+    trials = trials, row.names = NULL)
 }
 
 # All outcomes as one, rows and remarks in their order.

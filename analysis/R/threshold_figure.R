@@ -26,8 +26,7 @@ threshold_captions <- function(study) {
       "trials; lines: fitted functions."), positive_label(study), name_and_unit(study$axis), who),
     thresholds = sprintf(paste("Thresholds of %s by condition. Grey: each %s with a 95 %% interval",
       "by parametric bootstrap (%d draws); black: the mean and its 95 %% t interval."),
-      name_and_unit(study$axis), who, kBootstrapDraws)
-  )
+      name_and_unit(study$axis), who, kBootstrapDraws))
 }
 
 curves_panel <- function(study, functions) {
@@ -48,8 +47,7 @@ curves_panel <- function(study, functions) {
       guide = if (length(conditions) > 1) "legend" else "none") +
     (if (study$log10) ggplot2::scale_x_log10 else ggplot2::scale_x_continuous)(
       label_of(study$axis)) +
-    ggplot2::scale_y_continuous(positive_label(study), breaks = c(0, 0.5, 1),
-      limits = c(0, 1)) +
+    ggplot2::scale_y_continuous(positive_label(study), breaks = c(0, 0.5, 1), limits = c(0, 1)) +
     ggplot2::facet_wrap("participant", ncol = 5) + figure_theme()
 }
 

@@ -112,6 +112,5 @@ half_probit <- function() {
     linkfun = function(mu) stats::qnorm(pmin(pmax(2 * mu - 1, 1e-6), 1 - 1e-6)),
     linkinv = function(eta) pmin(0.5 + stats::pnorm(eta) / 2, 1 - 1e-9),
     mu.eta = function(eta) pmax(stats::dnorm(eta) / 2, 1e-9),
-    valideta = function(eta) TRUE, name = "half probit"
-  ))
+    valideta = function(eta) TRUE, name = "half probit"))
 }

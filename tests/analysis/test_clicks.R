@@ -89,9 +89,9 @@ test_that("kinds without clicks, or two participants, leave no model, in words",
   trials <- click_trials(126, participants = 3)
   trials$clicks[trials$scheduling == "all-good"] <- 0
   expect_equal(click_model_tests(trials)$remarks, paste("Nobody clicked at scheduling all-good,",
-    "so a rate ratio has no finite estimate and no model was fitted."))
+    "so the mixed model of clicks has no finite ratio and was not fitted; see the other tests."))
   expect_equal(contrast_model_tests(trials[trials$participant != "P01", ], response = "clicks")$remarks,
-    "The models of clicks need three participants or more and were not fitted.")
+    "The mixed model of clicks of the planned contrast needs three participants or more and was not fitted.")
 })
 
 test_that("the table's totals and rates are counted by hand", {

@@ -42,7 +42,7 @@ test_that("rate, losses and latency of a participant are those counted by hand",
 
 test_that("mouse gaze, missing gaze and late trials are said in words", {
   study <- quality_study()
-  expect_equal(gaze_sentences(study, gaze_quality(study)), c(
+  expect_equal(gaze_sentences(study$trials), c(
     paste("GAZE FROM THE MOUSE in 2 trials of 1 participant: the pointer stood in for the eye, and",
       "mouse data cannot support claims about gaze."),
     "Gaze from a simulated eye in 1 trial of 1 participant: it describes a model of the eye.",
@@ -62,5 +62,5 @@ test_that("a study whose gaze was never sampled has dashes, and no latency", {
   table <- gaze_quality(study)
   expect_equal(table$samples, 0)
   expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| 0 \\| – \\| – \\| 0 \\| 0 \\|$")
-  expect_equal(gaze_sentences(study, table)[-1], "No latency from sample to flip is known.")
+  expect_equal(gaze_sentences(study$trials)[-1], "No latency from sample to flip is known.")
 })

@@ -107,8 +107,8 @@ test_that("levels that separate the ratings are named and no odds ratio is given
   result <- suppressMessages(factor_tests(trials, "delay_ms"))
   expect_null(result$rows)
   expect_equal(result$remarks, paste(
-    "The levels of delay_ms separate the ratings completely, so the mixed model has no finite",
-    "odds ratio and was not fitted; see the other tests."
+    "The levels of delay_ms separate the ratings completely, so the mixed model has no finite ratio",
+    "and was not fitted; see the other tests."
   ))
 })
 

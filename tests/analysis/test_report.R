@@ -227,7 +227,7 @@ test_that("a study of which everything is excluded says so", {
 test_that("clicks are counted, and nobody clicking is a clear sentence", {
   trials <- few_gaze_trials(39, participants = 4)
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
-  expect_says(report, "Clicks per second by scheduling", "Rate ratios", "Gaze came from: ")
+  expect_says(report, "Clicks per second by scheduling", "Rate ratios", "Gaze from a simulated eye")
   trials$clicks <- 0
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
   expect_says(report, "Nobody clicked, so there is nothing to test.")
@@ -238,8 +238,8 @@ test_that("gaze that is missing in some trials, or in all, is told", {
   trials$gaze_source <- ifelse(trials$participant == "P01", NA, "simulated eye")
   trials$gaze_latency_p95_ms <- NA
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
-  expect_says(report, "Gaze came from: simulated eye. 6 trials without it.",
-    "no latency was measured")
+  expect_says(report, "Gaze from a simulated eye in 6 trials of 1 participant",
+    "Gaze was not followed in 6 trials of 1 participant.", "No latency from sample to flip is known.")
   trials$gaze_source <- NA
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
   expect_says(report, "The gaze was not followed.")
