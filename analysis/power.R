@@ -12,7 +12,9 @@ main <- function(words) {
   arguments <- read_arguments(words, kUsage)
   need_packages(power_packages("means"))
   if (length(arguments$studies) > 1) refuse("expected one ledger; usage: ", kUsage)
-  if (!file.exists(arguments$studies)) refuse(arguments$studies, ": expected a ledger, found no such file")
+  if (!file.exists(arguments$studies)) {
+    refuse(arguments$studies, ": expected a ledger, found no such file")
+  }
   prepare_folder(arguments$out)
   write_power_page(arguments$studies, arguments$out)
 }

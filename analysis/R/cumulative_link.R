@@ -33,7 +33,8 @@ kLinks <- list(
   })
 
 # The fit from `start`, c(alpha, beta), and `spread`, c(a, b, c): list(alpha, beta, covariance (of
-# beta), log_likelihood, df (coefficients), spread, deviations, eta, gradient, Hessian), or list(failure = words).
+# beta), log_likelihood, df (coefficients), spread, deviations, eta, gradient, Hessian), or
+# list(failure = words).
 # `design`: one row per rating, without an intercept; `slope`: NULL for an intercept alone;
 # `person`: whole numbers from 1.
 fit_cumulative_link <- function(rating, design, person, slope, link, start, spread) {

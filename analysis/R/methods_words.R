@@ -79,7 +79,7 @@ part_methods <- function(part) {
     sprintf("%s: %s, %s %ss of each participant.", title_of_part(part),
       if (length(factors) == 0) "no factor varied" else paste(and_words(factors),
         if (length(factors) == 1) "was varied within participants" else
-          "were varied within participants"), paste(unique(per), collapse = " to "), noun_of(part)),
+          "were varied within participants"), paste(unique(per), collapse = " to "), answer_noun(part)),
     switch(part$response,
       rating = sprintf("Participants rated from %s.", describe_scale(part$scale)),
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",

@@ -18,15 +18,12 @@ power_rates <- function(ledger) {
   study <- paste(tests$effect, tests$number, tests$participants)
   tests$p_holm <- stats::ave(tests$p, study, FUN = function(p) stats::p.adjust(p, "holm"))
   cells <- split(tests, list(tests$participants, tests$effect, tests$factor), drop = TRUE)
-  rates <- do.call(rbind, lapply(unname(cells), function(cell) {
-    holm <- rejection_share(cell$p_holm)
-    alone <- rejection_share(cell$p)
-    data.frame(factor = cell$factor[1], effect = cell$effect[1],
-      participants = cell$participants[1], studies = nrow(cell), untested = sum(is.na(cell$p)),
-      rejected = holm$rejected, rate = holm$rate, low = holm$low, high = holm$high,
-      alone = alone$rejected, alone_rate = alone$rate, alone_low = alone$low,
-      alone_high = alone$high)
-  }))
+  rates <- each_row(cells, function(cell) {
+    alone <- stats::setNames(rejection_share(cell$p), c("alone", "alone_rate", "alone_low",
+      "alone_high"))
+    data.frame(cell[1, c("factor", "effect", "participants")], studies = nrow(cell),
+      untested = sum(is.na(cell$p)), rejection_share(cell$p_holm), alone, row.names = NULL)
+  })
   rates[order(-rates$effect, rates$factor, rates$participants), ]
 }
 
@@ -52,23 +49,20 @@ kPowerShapes <- c(planted = 16, none = 17)
 
 # list(name, caption, plot, height_mm), as column_figures.R writes it.
 power_figure <- function(rates, question) {
+  planted <- rates$effect == 1
   shown <- data.frame(
     factor = vapply(rates$factor, label_of, ""), participants = rates$participants,
-    series = factor(ifelse(rates$effect == 1, "planted", "none"), names(kPowerColours)),
-    rate = ifelse(rates$effect == 1, rates$rate, rates$alone_rate),
-    low = ifelse(rates$effect == 1, rates$low, rates$alone_low),
-    high = ifelse(rates$effect == 1, rates$high, rates$alone_high))
-  panels <- length(unique(shown$factor))
+    series = factor(ifelse(planted, "planted", "none"), names(kPowerColours)),
+    rate = ifelse(planted, rates$rate, rates$alone_rate),
+    low = ifelse(planted, rates$low, rates$alone_low),
+    high = ifelse(planted, rates$high, rates$alone_high))
   labels <- c(planted = "effect as planted", none = "effect set to zero")
   plot <- ggplot2::ggplot(shown, ggplot2::aes(participants, rate, colour = series, shape = series)) +
     ggplot2::geom_hline(yintercept = c(kSignificance, kWantedPower), linewidth = 0.25,
       linetype = "22", colour = "grey55") +
     (if (length(unique(shown$participants)) > 1) ggplot2::geom_line(linewidth = 0.4)) +
-    ggplot2::geom_linerange(ggplot2::aes(ymin = low, ymax = high), linewidth = 0.7,
-      show.legend = FALSE) +
-    ggplot2::geom_point(size = 1.5) +
-    ggplot2::scale_colour_manual(NULL, values = kPowerColours, labels = labels, drop = TRUE) +
-    ggplot2::scale_shape_manual(NULL, values = kPowerShapes, labels = labels, drop = TRUE) +
+    interval_bars(0.7) + ggplot2::geom_point(size = 1.5) +
+    series_scales(NULL, kPowerColours, kPowerShapes, labels = labels, drop = TRUE) +
     ggplot2::scale_x_continuous("Participants", breaks = sort(unique(shown$participants)),
       expand = ggplot2::expansion(mult = 0.08)) +
     ggplot2::scale_y_continuous("Share of studies that reject", breaks = c(0.05, 0.2, 0.4, 0.6, 0.8, 1),
@@ -76,7 +70,7 @@ power_figure <- function(rates, question) {
     ggplot2::facet_wrap("factor", ncol = 2) + column_theme() +
     ggplot2::theme(legend.position = "bottom")
   list(name = "power", plot = plot, caption = power_caption(rates, question),
-    height_mm = 20 + 48 * ceiling(panels / 2))
+    height_mm = 20 + 48 * ceiling(length(unique(shown$factor)) / 2))
 }
 
 power_caption <- function(rates, question) {
@@ -90,8 +84,7 @@ power_caption <- function(rates, question) {
 }
 
 write_power_page <- function(path, folder) {
-  ledger <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
-  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger <- withr::local_db_connection(open_ledger(path))
   question <- power_question(ledger)
   rates <- power_rates(ledger)
   figure <- power_figure(rates, question)
@@ -104,12 +97,16 @@ write_power_page <- function(path, folder) {
 
 # What the command says at its end: a line for each factor.
 power_lines <- function(rates) {
-  planted <- rates[rates$effect == 1, ]
-  vapply(unique(planted$factor), function(factor) {
-    mine <- planted[planted$factor == factor, ]
-    paste0(factor, ": ", paste(sprintf("%d participants %s", mine$participants,
+  for_each_planted(rates, function(mine) {
+    paste0(mine$factor[1], ": ", paste(sprintf("%d participants %s", mine$participants,
       rate_words(mine$rate, mine$low, mine$high)), collapse = "; "))
-  }, "")
+  })
+}
+
+# `words` of the rates of each factor with the effect as planted.
+for_each_planted <- function(rates, words) {
+  planted <- rates[rates$effect == 1, ]
+  vapply(unname(split(planted, planted$factor)), words, "")
 }
 
 power_page <- function(ledger, question, rates, figure, svg) {
@@ -128,20 +125,19 @@ power_page <- function(ledger, question, rates, figure, svg) {
 
 # For each factor the least number whose power is .8 beyond Monte-Carlo error, or that none is.
 power_answers <- function(rates) {
-  planted <- rates[rates$effect == 1, ]
-  vapply(unique(planted$factor), function(factor) {
-    mine <- planted[planted$factor == factor, ]
+  for_each_planted(rates, function(mine) {
+    factor <- name_and_unit(mine$factor[1])
     enough <- mine[mine$low >= kWantedPower, ]
     if (nrow(enough) == 0) {
       best <- mine[nrow(mine), ]
       return(sprintf(paste("The test of %s reaches a power of .8 at none of these numbers beyond",
         "Monte-Carlo error; with %d participants it rejects in %s of the studies."),
-        name_and_unit(factor), best$participants, rate_words(best$rate, best$low, best$high)))
+        factor, best$participants, rate_words(best$rate, best$low, best$high)))
     }
     sprintf(paste("Of these numbers of participants, %d is the least at which the test of %s has a",
-      "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], name_and_unit(factor),
+      "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], factor,
       rate_words(enough$rate[1], enough$low[1], enough$high[1]))
-  }, "")
+  })
 }
 
 type_one_words <- function(rates) {
@@ -150,9 +146,9 @@ type_one_words <- function(rates) {
   off <- none[none$alone_low > kSignificance | none$alone_high < kSignificance, ]
   of_all <- sprintf("With the effect set to zero, p was below .05 in %s of %s tests;",
     format(sum(none$alone), big.mark = ","), format(sum(none$studies), big.mark = ","))
-  each <- "each factor and number of participants"
   if (nrow(off) == 0) {
-    return(paste(of_all, "the interval of the type-I error holds .05 for", paste0(each, ".")))
+    return(paste(of_all, "the interval of the type-I error holds .05 for each factor and number of",
+      "participants."))
   }
   paste(of_all, sprintf("the interval of the type-I error does not hold .05 for %s.",
     paste(sprintf("%s with %d participants (%s)", vapply(off$factor, name_and_unit, ""),

@@ -13,6 +13,13 @@ power_packages <- function(model) {
   c("RSQLite", "ggplot2", "commonmark", if (model == "mixed") c("ordinal", "lme4", "glmmTMB"))
 }
 
+# A ledger that other processes write to as well.
+open_ledger <- function(path) {
+  ledger <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger
+}
+
 # What a ledger asks, as a list; `factors` and `compared` as words.
 power_question <- function(ledger) {
   question <- as.list(DBI::dbGetQuery(ledger, "SELECT * FROM question"))
@@ -119,13 +126,11 @@ power_tests_of_thresholds <- function(part, tested, question) {
 
 # Tests the studies listed in a table of files, and writes all that is found in one transaction.
 write_power_tests <- function(ledger_path, list_path) {
-  ledger <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), ledger_path))
-  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger <- withr::local_db_connection(open_ledger(ledger_path))
   question <- power_question(ledger)
   studies <- utils::read.delim(list_path, colClasses = c(file = "character", sizes = "character",
     build = "character"))
-  found <- lapply(seq_len(nrow(studies)), function(i) {
-    study <- studies[i, ]
+  found <- lapply(split(studies, seq_len(nrow(studies))), function(study) {
     part <- power_part(file.path(dirname(list_path), study$file), question)
     lapply(as.integer(strsplit(study$sizes, ",")[[1]]), function(size) {
       key <- data.frame(effect = study$effect, number = study$number, participants = size)
@@ -134,7 +139,7 @@ write_power_tests <- function(ledger_path, list_path) {
         test = cbind(key, power_tests(first_participants(part, size), question)))
     })
   })
-  found <- unlist(found, recursive = FALSE)
+  found <- unlist(unname(found), recursive = FALSE)
   DBI::dbExecute(ledger, "BEGIN IMMEDIATE")
   for (table in c("study", "test")) {
     rows <- each_row(found, `[[`, table)

@@ -64,8 +64,8 @@ write_outputs <- function(study, tests, results, data, caption, sections, figure
 
 # Tests of `main`, the ordered factor of interest, and of the `others`, all columns of `trials`;
 # `interactions`: those of main with each other one are tested in a mixed model too. `margin`: of
-# equivalence, in rating points; NULL: neither equivalence nor the thesis's test. With one participant, or ratings that never vary, there is no test
-# and a remark says so.
+# equivalence, in rating points; NULL: neither equivalence nor the thesis's test. With one
+# participant, or ratings that never vary, there is no test and a remark says so.
 rating_tests <- function(trials, main, others, interactions = FALSE,
                          margin = kEquivalenceMargin) {
   none <- why_no_test(trials)

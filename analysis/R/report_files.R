@@ -24,9 +24,7 @@ kComputedWords <- c("trial_level.factor", "trial_level.level")
 write_report_data <- function(path, folder) {
   study <- withr::local_db_connection(open_study(path, names(kReportViews)))
   DBI::dbExecute(study, "BEGIN")
-  columns <- do.call(rbind, lapply(names(kReportViews), function(view) {
-    write_view(study, view, folder)
-  }))
+  columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
   DBI::dbExecute(study, "COMMIT")
   utils::write.csv(columns, file.path(folder, "columns.csv"), row.names = FALSE)
   utils::write.csv(data.frame(study = basename(path),

@@ -46,7 +46,8 @@ response_model <- function(response) {
       }),
     clicks = list(effects = kClickFamily, ratios = kClickRatioFamily,
       interactions = kClickInteractionFamily,
-      kind = "mixed model of clicks", model = "mixed model of clicks", noun = "clicks", size = "rate ratio",
+      kind = "mixed model of clicks", model = "mixed model of clicks", noun = "clicks",
+      size = "rate ratio",
       method = function(kind, attempt) sprintf("%s %s, log exposure as offset, %s",
         attempt[["distribution"]], kind, attempt[["random"]]),
       attempts = c(attempts(c(distribution = "negative-binomial")),
@@ -198,15 +199,17 @@ largest_misfit <- function(model, trials, factor) {
 
 # Likelihood ratio of a model without the assumption, for this factor; trials as if independent.
 proportional_odds_words <- function(trials, factor) {
-  if (nlevels(droplevels(trials$rating)) < 3) {
-    return("proportional odds: nothing to test with two ratings in use")
-  }
-  # do.call: nominal_test fits again what the call holds.
-  test <- listen_to(ordinal::nominal_test(do.call(ordinal::clm, list(stats::reformulate(factor,
-    "rating"), data = trials))))$value
-  if (is.null(test) || is.na(test[factor, "LRT"])) return("proportional odds: could not be tested")
-  sprintf("proportional odds (over trials): χ²(%d) = %.1f, %s", test[factor, "Df"],
-    max(0, test[factor, "LRT"]), p_words(test[factor, "Pr(>Chi)"]))
+  of <- stats::reformulate(factor)
+  fits <- listen_to(list(
+    alike = ordinal::clm(stats::update(of, rating ~ .), data = trials),
+    apart = ordinal::clm(rating ~ 1, nominal = of, data = trials)))$value
+  statistic <- if (is.null(fits)) NA else
+    2 * as.numeric(stats::logLik(fits$apart) - stats::logLik(fits$alike))
+  if (is.na(statistic)) return("proportional odds: could not be tested")
+  df <- length(stats::coef(fits$apart)) - length(stats::coef(fits$alike))
+  if (df == 0) return("proportional odds: nothing to test with two ratings in use")
+  sprintf("proportional odds (over trials): χ²(%d) = %.1f, %s", df, max(0, statistic),
+    p_words(stats::pchisq(max(0, statistic), df, lower.tail = FALSE)))
 }
 
 answer_checks <- function(models, trials, factor) {

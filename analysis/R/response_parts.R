@@ -119,9 +119,6 @@ with_factors_that_vary <- function(part) {
   part
 }
 
-# "rating", "answer" or "trial": what there is one of in each row.
-noun_of <- function(part) switch(part$response, rating = "rating", clicks = "trial", "answer")
-
 # The title of a part's section.
 title_of_part <- function(part) {
   switch(part$response, rating = "Ratings", clicks = "Clicks",

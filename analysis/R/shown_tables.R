@@ -5,13 +5,11 @@
 # One row per participant of a protocol; `out`: codes wholly left out.
 participants_table <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
-  out <- query_study(path, "SELECT participant, trial, reason FROM excluded")
-  whole <- out[is.na(out$trial), ]
+  whole <- query_study(path, "SELECT participant, reason FROM excluded WHERE trial IS NULL")
   state <- ifelse(!is.na(rows$finished_utc), "finished",
     ifelse(rows$completed_trials > 0, "in progress", "enrolled"))
   at <- match(rows$participant, whole$participant)
-  data.frame(
-    participant = rows$participant, who = ifelse(rows$simulated == 1, "simulated", "person"),
+  data.frame(participant = rows$participant, who = ifelse(rows$simulated == 1, "simulated", "person"),
     planned = rows$planned_trials, completed = rows$completed_trials, sittings = rows$sessions,
     state = state, late = ifelse(rows$timed_frames > 0,
       sprintf("%.2f %%", 100 * rows$late_timed_frames / rows$timed_frames), NA),

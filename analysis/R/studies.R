@@ -12,7 +12,8 @@
 #               realised_hold  is the level the freeze on the display's frames?
 #   scheduling: kinds   in the order of figures, those with the fewest bad collisions near the gaze
 #                       first
-#               pairs   compared (planned_contrast.R), the planned one first; thesis: is it the thesis's?
+#               pairs   compared (planned_contrast.R), the planned one first
+#               thesis  is it the thesis's?
 #               Recorded moves as a gaze does, but as somebody else's: tracked differs from it only
 #               in where the participant looks.
 # SPDX-License-Identifier: MIT

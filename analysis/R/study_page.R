@@ -95,16 +95,10 @@ simulated_lines <- function(path, protocol) {
 }
 
 part_data_lines <- function(part) {
+  words <- c(participants_sentence(part), exclusions_sentence(part), catch_sentence(part),
+    hashes_sentence(part))
   c(sprintf("<h4>%s: what is in the analysis</h4>", html_text(title_of_part(part))),
-    html_paragraphs(paste(data_sentences(part), collapse = " ")),
-    html_of_lines(left_out_section(part)))
-}
-
-data_sentences <- function(part) {
-  noun <- noun_of(part)
-  words <- c(participants_sentence(part), exclusions_sentence(part))
-  if (noun == "trial") words <- gsub("answer", "trial", words)
-  c(words, catch_sentence(part), hashes_sentence(part))
+    html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }
 
 design_lines <- function(parts) {

@@ -62,11 +62,6 @@ counted_exclusions <- function(exclusions, trials) {
   exclusions[is.na(exclusions$trial) | exclusions$trials > 0, ]
 }
 
-# Participants none of whose trials are analysed.
-wholly_excluded <- function(study) {
-  unique(study$exclusions$participant[is.na(study$exclusions$trial)])
-}
-
 # The part of the report: who or which trial is left out, why, since when; then the counts.
 left_out_section <- function(study) {
   c(exclusion_lines(study), "", remarkable_lines(study), "", catch_lines(study))
@@ -171,8 +166,11 @@ catch_sentence <- function(study) {
   sprintf("%s are reported apart and are in no test.", count_of(nrow(study$catch), "catch trial"))
 }
 
-# What a participant gives in a trial of this study: a rating or an answer.
-answer_noun <- function(study) if (is.null(study$scale)) "answer" else "rating"
+# What a participant gives in a trial of this study: a rating, an answer or, with clicks, the trial.
+answer_noun <- function(study) {
+  if (!is.null(study$scale)) "rating" else if (identical(study$response, "clicks")) "trial" else
+    "answer"
+}
 
 hashes_sentence <- function(study) {
   if (length(study$hashes) == 1) return(character())
