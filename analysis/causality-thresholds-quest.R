@@ -1,7 +1,5 @@
 #!/usr/bin/env Rscript
-# Causality thresholds: how long a freeze at contact is needed for it to be noticed? Ours; the delay
-# is the one realised on the display's frames. Its levels were chosen trial by trial by QUEST+, at
-# each speed.
+# The report of the study that studies/causality-thresholds-quest.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

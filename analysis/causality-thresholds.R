@@ -1,6 +1,5 @@
 #!/usr/bin/env Rscript
-# Causality thresholds: how long a freeze at contact is needed for it to be noticed? Ours; the delay
-# is the one realised on the display's frames.
+# The report of the study that studies/causality-thresholds.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

@@ -1,7 +1,5 @@
 #!/usr/bin/env Rscript
-# Study 6, crowds: how believable are collisions of 50, 100 and 250 bodies, when the good ones are near
-# the gaze and when they are near the eye?
-# The scene is the thesis's (Dingliana 2002, sec. 6.4), the question is ours.
+# The report of the study that studies/crowd.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

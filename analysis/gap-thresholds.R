@@ -1,6 +1,5 @@
 #!/usr/bin/env Rscript
-# Gap thresholds: how large must a gap be to be seen, away from the gaze and among distractors?
-# Ours; the factors are O'Sullivan's (1999). The scale is logarithmic.
+# The report of the study that studies/gap-thresholds.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

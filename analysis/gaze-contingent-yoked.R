@@ -1,7 +1,5 @@
 #!/usr/bin/env Rscript
-# Gaze-contingent scheduling, yoked: do collisions look better when the good ones are where the eye is
-# (tracked) than when they follow somebody else's recorded gaze? Recorded moves as a gaze does, which
-# random jumps do not; ours, the control that the thesis's random region is not.
+# The report of the study that studies/gaze-contingent-yoked.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

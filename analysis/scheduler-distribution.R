@@ -1,6 +1,5 @@
 #!/usr/bin/env Rscript
-# Study 5, schedulers: which collisions does each put first? No participants; ten simulated minutes.
-# (Dingliana 2002, sec. 6.3)
+# The report of the study that studies/scheduler-distribution.dcf describes.
 # SPDX-License-Identifier: MIT
 
 words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space

@@ -7,6 +7,7 @@
 run_command <- function(script, main) {
   # UTF-8 letters and one order of sorting, whatever the machine is set to.
   suppressWarnings(Sys.setlocale("LC_ALL", "C.UTF-8"))
+  options(impetus.analysis = dirname(script))
   for (file in list.files(file.path(dirname(script), "R"), "[.]R$", full.names = TRUE)) {
     source(file, encoding = "UTF-8")
   }

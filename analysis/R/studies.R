@@ -1,71 +1,47 @@
-# The studies that have a command of their own, as data: analysis/NAME.R reports on kStudies$NAME.
+# The studies that have a command of their own, as data: analysis/NAME.R reports on the study that
+# analysis/studies/NAME.dcf describes, field by field:
 #
-#   kind     ratings (rating_study.R), thresholds (threshold_study.R), scheduling (gaze_study.R) or
+#   Title, Question, Thesis  of the report; what is asked; what the thesis found
+#   Kind     ratings (rating_study.R), thresholds (threshold_study.R), scheduling (gaze_study.R) or
 #            distribution (scheduler_distribution.R)
-#   factors  without units, the one of interest first; title: of the report
-#   views    that a file must have beside those of every study
+#   Factors  without units, the one of interest first
+#   Views    that a file must have beside those of every study
 #
-#   ratings: interactions  are those of the first factor with each other one tested?
-#            shown         what else a trial showed (shown_in_trials.R)
-#            depth_names   what the three levels of a tree are called, and what they are levels of
-#   thresholds: log10          is the scale logarithmic?
-#               realised_hold  is the level the freeze on the display's frames?
-#   scheduling: kinds   in the order of figures, those with the fewest bad collisions near the gaze
-#                       first
-#               pairs   compared (planned_contrast.R), the planned one first
-#               thesis  is it the thesis's?
-#               Recorded moves as a gaze does, but as somebody else's: tracked differs from it only
-#               in where the participant looks.
+#   ratings: Interactions       are those of the first factor with each other one tested?
+#            Shown              what else a trial showed: gaps, spin, clicks (shown_in_trials.R)
+#            Depths, Depths of  what the three levels of a tree are called, and what they are
+#   thresholds: Scale           logarithmic, or the factor's own
+#               Level           realised freeze: of the display's frames, or that of the plan
+#   scheduling: Kinds           as figures order them, those with the fewest bad collisions near the
+#                               gaze first
+#               Planned, Beside the pairs compared (planned_contrast.R)
+#               Thesis tests    are the thesis's own tests made too?
 # SPDX-License-Identifier: MIT
 
 kSchedulingKinds <- c("all-good", "tracked", "random", "all-bad")
 
-kGazeViews <- c("click_trial", "trial_click", "seen_collision", "gaze_sample", "gaze_calibration")
-
-kStudies <- list(
-  causality = list(kind = "ratings", title = "Causality: ratings by delay",
-    factors = c("delay", "speed", "viewpoint")),
-  "causality-thresholds" = list(kind = "thresholds", title = "Causality: thresholds of the delay",
-    factors = "delay", realised_hold = TRUE),
-  "causality-thresholds-quest" = list(kind = "thresholds",
-    title = "Causality: thresholds of the delay, by QUEST+", factors = "delay",
-    realised_hold = TRUE),
-  gap = list(kind = "ratings", title = "Gap: ratings by level of the sphere tree",
-    factors = c("level", "speed", "viewpoint"), interactions = TRUE, shown = "gaps",
-    depth_names = list(c("root", "middle", "finest"), "Levels of the sphere tree"),
-    views = "seen_collision"),
-  "gap-thresholds" = list(kind = "thresholds",
-    title = "Gap: thresholds by eccentricity and distractors", factors = "gap", log10 = TRUE),
-  response = list(kind = "ratings", title = "Response: ratings by level of the sphere tree",
-    factors = c("level", "speed", "viewpoint"), interactions = TRUE, shown = c("gaps", "spin"),
-    depth_names = list(c("root", "middle", "finest"), "Levels of the sphere tree"),
-    views = "seen_collision"),
-  figures = list(kind = "ratings", title = "Figures: ratings by greatest level of detail",
-    factors = c("level", "speed", "viewpoint"), interactions = TRUE, shown = "gaps",
-    depth_names = list(c("spheres", "parts", "deepest"), "Greatest levels of detail"),
-    views = "seen_collision"),
-  crowd = list(kind = "ratings", title = "Crowds: ratings by number of bodies",
-    factors = c("bodies", "scheduler"), interactions = TRUE, shown = "clicks",
-    views = "click_trial"),
-  "gaze-contingent" = list(kind = "scheduling",
-    title = "Gaze-contingent scheduling: ratings and clicks", factors = c("scheduling", "bodies"),
-    kinds = kSchedulingKinds, thesis = TRUE, views = kGazeViews,
-    pairs = list(list(of = "tracked", against = "random", planned = TRUE))),
-  "gaze-contingent-yoked" = list(kind = "scheduling",
-    title = "Gaze-contingent scheduling against another's gaze: ratings and clicks",
-    factors = c("scheduling", "bodies"), kinds = c("tracked", "recorded", "random"),
-    thesis = FALSE, views = kGazeViews,
-    pairs = list(list(of = "tracked", against = "recorded", planned = TRUE),
-      list(of = "random", against = "recorded", planned = FALSE))),
-  "scheduler-distribution" = list(kind = "distribution",
-    title = "Schedulers: which collisions come first", views = "seen_collision")
-)
-
-study_of <- function(name) c(kStudies[[name]], protocol = name)
+# The study of this name as list(protocol, title, kind, factors, views, ...).
+study_description <- function(name) {
+  fields <- read.dcf(file.path(getOption("impetus.analysis"), "studies", paste0(name, ".dcf")))[1, ]
+  has <- function(field) field %in% names(fields)
+  words <- function(field, sign = ", ") {
+    if (has(field)) strsplit(fields[[field]], sign, fixed = TRUE)[[1]]
+  }
+  pairs <- lapply(Filter(has, c("Planned", "Beside")), function(field) {
+    two <- words(field, " - ")
+    list(of = two[1], against = two[2], planned = field == "Planned")
+  })
+  list(protocol = name, title = fields[["Title"]], kind = fields[["Kind"]],
+    factors = words("Factors"), views = words("Views"), shown = words("Shown"),
+    interactions = has("Interactions"),
+    depth_names = if (has("Depths")) list(words("Depths"), fields[["Depths of"]]),
+    log10 = has("Scale"), realised_hold = has("Level"), kinds = words("Kinds"), pairs = pairs,
+    thesis = has("Thesis tests"))
+}
 
 # Reports on the study of this name, from the files that `words` of the command line name.
 report_study <- function(name, words) {
-  study <- study_of(name)
+  study <- study_description(name)
   switch(study$kind,
     ratings = report_rating_study(open_rating_study(study, words)),
     thresholds = report_threshold_study(open_threshold_study(study, words)),

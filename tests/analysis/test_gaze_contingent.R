@@ -6,7 +6,9 @@ gaze_file <- function(trials, ...) {
   write_gaze_study(tempfile(fileext = ".sqlite"), trials, ...)
 }
 
-read_gaze_study <- function(path) open_gaze_study(study_of("gaze-contingent"), c(path, "--out", tempdir()))
+read_gaze_study <- function(path) {
+  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+}
 
 refused <- function(path, expression) {
   condition <- tryCatch(expression, refusal = identity)
@@ -36,7 +38,7 @@ test_that("trials of two files are never mixed up", {
   files <- vapply(c("P01", "P02"), function(who) gaze_file(trials[trials$participant == who, ]), "")
   add_collisions(files[2], data.frame(trial = 1:12, step = 1, level = 0, time_s = 1,
     gap_arcmin = NA, hidden_share = NA))
-  study <- open_gaze_study(study_of("gaze-contingent"), c(files, "--out", tempdir()))
+  study <- open_gaze_study(study_description("gaze-contingent"), c(files, "--out", tempdir()))
   expect_equal(unique(study$collisions$participant), "P02")
   expect_equal(tapply(study$trials$clicks, study$trials$participant, sum)[["P02"]],
     sum(trials$clicks[trials$participant == "P02"]))
