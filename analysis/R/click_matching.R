@@ -86,7 +86,7 @@ matching_lines <- function(matching) {
   matching$window <- sprintf("%.0f to %.0f", matching$from_ms, matching$to_ms)
   per_window <- matching$false_alarms_per_free_window
   matching$false_alarms_per_free_window <- ifelse(is.finite(per_window), per_window, NA)
-  markdown_of(matching, c(window = "%s", bad_events = "%.0f", hit_rate = "%.2f",
+  table_as_markdown(matching, c(window = "%s", bad_events = "%.0f", hit_rate = "%.2f",
     false_alarms_per_s = "%.3f", clicks_at_good = "%.0f", clicks_at_nothing = "%.0f",
     free_windows = "%.0f", false_alarms_per_free_window = "%.2f", d_prime = "%.2f",
     criterion = "%.2f"),

@@ -24,6 +24,9 @@ run_command <- function(script, main) {
   )
 }
 
+# A file that stands beside the code.
+code_file <- function(name) file.path(getOption("impetus.analysis"), "R", name)
+
 # The command of a study: analysis/NAME.R reports on the study NAME (studies.R).
 run_study_command <- function(script) {
   run_command(script, function(words) report_study(sub("[.]R$", "", basename(script)), words))

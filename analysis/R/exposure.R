@@ -120,7 +120,7 @@ exposure_sentences <- function(study) {
 
 exposure_lines <- function(table) {
   format <- ifelse(endsWith(names(kExposureMeasures), "share"), "%.3f", "%.1f")
-  markdown_of(table, c(scheduling = "%s", bodies = "%s", trials = "%d",
+  table_as_markdown(table, c(scheduling = "%s", bodies = "%s", trials = "%d",
     stats::setNames(format, names(kExposureMeasures))),
     c("scheduling", "bodies", "trials", kExposureMeasures))
 }

@@ -91,7 +91,7 @@ gaze_quality_lines <- function(quality) {
   quality$followed <- sprintf("%d of %d", quality$trials_followed, quality$trials)
   shares <- c("blink_share", "off_screen_share", "lost_share")
   quality[shares] <- 100 * quality[shares]
-  markdown_of(quality, c(participant = "%s", gaze_source = "%s", followed = "%s",
+  table_as_markdown(quality, c(participant = "%s", gaze_source = "%s", followed = "%s",
     samples_per_s = "%.0f", blink_share = "%.1f", off_screen_share = "%.1f", lost_share = "%.1f",
     trials_timed = "%d", latency_median_ms = "%.1f", latency_largest_ms = "%.1f",
     trials_over_70_ms = "%d", trials_late = "%d"),
@@ -145,7 +145,7 @@ calibration_section <- function(table) {
   table$participant <- as_typed(table$participant)
   table$stretch <- 100 * table$stretch
   c(
-    markdown_of(table, c(participant = "%s", calibrations = "%d", accuracy_before_deg = "%.2f",
+    table_as_markdown(table, c(participant = "%s", calibrations = "%d", accuracy_before_deg = "%.2f",
       shift_mm = "%.1f", stretch = "%.1f", validation_accuracy_deg = "%.2f",
       validation_worst_deg = "%.2f", validation_precision_rms_deg = "%.3f", drift_checks = "%d",
       drift_largest_deg = "%.2f", not_passed = "%d"),

@@ -118,7 +118,7 @@ report_gaze_study <- function(study) {
   shows_kernels <- !is.null(detection$kernels)
   figures <- c(write_scheduling_figures(study), if (shows_kernels)
     write_figure(function() kernel_figure(detection, study$all_simulated),
-      path_of(study, "-kernels")))
+      output_path(study, "-kernels")))
   write_outputs(study, tests, rating_paragraphs(study, tests), data, c(scheduling_captions(study),
     if (shows_kernels) c("", kernel_caption(detection, study$all_simulated))),
     gaze_sections(clicks, exposure, tables), figures, tables, c("", clicks, "", exposure))
@@ -188,7 +188,7 @@ gaze_sections <- function(clicks, exposure, tables) {
 click_lines <- function(table) {
   table$interval <- ifelse(is.na(table$interval_low), NA,
     sprintf("%.3f to %.3f", table$interval_low, table$interval_high))
-  markdown_of(table, c(scheduling = "%s", bodies = "%s", trials = "%d", clicks = "%.0f",
+  table_as_markdown(table, c(scheduling = "%s", bodies = "%s", trials = "%d", clicks = "%.0f",
     clicks_per_trial = "%.2f", clicks_per_s = "%.3f", interval = "%s",
     bad_events_per_trial = "%.1f", clicks_per_bad_event = "%.2f"),
     c("scheduling", "bodies", "trials", "clicks in all", "clicks per trial", "clicks per second",

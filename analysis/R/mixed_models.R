@@ -54,7 +54,7 @@ slope_values <- function(x) {
 model_tests <- function(models, trials, tested, kind = "mixed model",
                         families = unlist(response_model(models$response)[c("effects", "ratios")])) {
   if (!is.null(models$failure)) return(outcome(remarks = models$remarks))
-  method <- method_of(models, kind)
+  method <- model_method(models, kind)
   effects <- each_row(tested, function(term) {
     reduced <- models$reduced[[term]]
     chi_squared <- max(0, 2 * (models$full$log_likelihood - reduced$log_likelihood))
@@ -68,7 +68,7 @@ model_tests <- function(models, trials, tested, kind = "mixed model",
   outcome(rbind(effects, ratios), models$remarks)
 }
 
-method_of <- function(models, kind = "mixed model") {
+model_method <- function(models, kind = "mixed model") {
   response_model(models$response)$method(kind, models$attempt)
 }
 
@@ -82,7 +82,7 @@ ratio_rows <- function(term, models, trials, family = response_model(models$resp
   cells <- expand.grid(above_first, stringsAsFactors = FALSE)
   each_row(seq_len(nrow(cells)), function(i) {
     cell <- unlist(cells[i, , drop = FALSE])
-    ratio_row(family, paste0(method_of(models, kind), "; Wald"),
+    ratio_row(family, paste0(model_method(models, kind), "; Wald"),
       paste0(term, ": ", against_first(trials, cell)),
       sum_of_coefficients(models$full, paste0(columns, cell, collapse = ":")),
       if (length(columns) > 1) "ratio of odds ratios" else response_model(models$response)$size,

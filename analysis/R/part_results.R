@@ -56,7 +56,7 @@ tests_of_means <- function(part, measure) {
 factor_paragraph <- function(factor, part, tests, measure) {
   with_minus_signs(c(
     means_words(part$trials, factor, measure), factor_words(tests, factor, part$response),
-    equivalence_words(comparisons_of(tests, kEquivalenceFamily, factor), factor),
+    equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor),
     anova_words(tests, factor), friedman_words(tests, factor)))
 }
 

@@ -41,11 +41,11 @@ complete_participants <- function(means) means[stats::complete.cases(means), , d
 # participant_means in long form: participant, mean and a column for each factor; no empty cells.
 long_means <- function(means, factors) {
   rows <- data.frame(participant = rep(rownames(means), ncol(means)), mean = as.vector(means))
-  rows[factors] <- factors_of_cells(rep(colnames(means), each = nrow(means)))
+  rows[factors] <- cell_factors(rep(colnames(means), each = nrow(means)))
   rows[!is.na(rows$mean), ]
 }
 
-factors_of_cells <- function(cells) {
+cell_factors <- function(cells) {
   do.call(rbind, strsplit(as.character(cells), " : ", fixed = TRUE))
 }
 
@@ -57,7 +57,7 @@ means_with_intervals <- function(trials, factors, of = "rating") {
   complete <- complete_participants(means)
   rows <- if (nrow(complete) > 0) cousineau_morey(complete) else data.frame(
     cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
-  rows[factors] <- factors_of_cells(rows$cell)
+  rows[factors] <- cell_factors(rows$cell)
   rows$x <- position_of(rows[[factors[1]]])
   rows[!is.nan(rows$mean), ]
 }

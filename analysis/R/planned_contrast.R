@@ -83,7 +83,7 @@ contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom,
   row <- function(models, coefficients, place) {
     estimate <- sum_of_coefficients(models$full, coefficients)
     label <- contrast_label(place, pair)
-    rbind(ratio_row(paste0(family, without), paste0(method_of(models, kind), "; Wald"), label,
+    rbind(ratio_row(paste0(family, without), paste0(model_method(models, kind), "; Wald"), label,
       estimate, response_model(response)$size, two),
       if (!is_rating && without == "") rate_equivalence_row(estimate, label, two, pair))
   }

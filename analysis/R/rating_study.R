@@ -41,24 +41,24 @@ report_rating_study <- function(study) {
     collapse = " ")
   say_progress("drawing the figure ...")
   figures <- write_figure(function() rating_figure(trials, study$scale, main, others,
-    study$all_simulated), path_of(study, ""))
+    study$all_simulated), output_path(study, ""))
   write_outputs(study, tests, results, study_sentences(study),
     figure_caption(trials, main, others, study$all_simulated), shown$section, figures)
 }
 
-path_of <- function(study, ending) file.path(study$out, paste0(study$protocol, ending))
+output_path <- function(study, ending) file.path(study$out, paste0(study$protocol, ending))
 
 # Writes the tests, the further `tables` (named by what their files end in) and the report as
 # Markdown, and says where all is and what was found. `sections`: lines of Markdown after the results;
 # `beside`: paragraphs that stand in them and are said too; `left_out`: the part about exclusions.
 write_outputs <- function(study, tests, results, data, caption, sections, figures,
                           tables = list(), beside = NULL, left_out = left_out_section(study)) {
-  write_table(tests$rows, path_of(study, ".csv"))
-  for (name in names(tables)) write_table(tables[[name]], path_of(study, paste0("-", name, ".csv")))
-  write_report(path_of(study, ".md"), study$title, results, data, tests$remarks, caption, sections,
+  write_table(tests$rows, output_path(study, ".csv"))
+  for (name in names(tables)) write_table(tables[[name]], output_path(study, paste0("-", name, ".csv")))
+  write_report(output_path(study, ".md"), study$title, results, data, tests$remarks, caption, sections,
     left_out)
-  say(c(figures, path_of(study, ".csv"), if (length(tables) > 0) path_of(study, paste0("-",
-    names(tables), ".csv")), path_of(study, ".md"), "", paste(data, collapse = " "), "", results,
+  say(c(figures, output_path(study, ".csv"), if (length(tables) > 0) output_path(study, paste0("-",
+    names(tables), ".csv")), output_path(study, ".md"), "", paste(data, collapse = " "), "", results,
     beside, tests$remarks))
 }
 

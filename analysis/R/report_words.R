@@ -33,7 +33,7 @@ random_words <- function(method) paste("random", random_part(method), "for each 
 # Odds or rate ratios of a factor's levels; `scale`: of ratings, to say which end is high.
 ratio_words <- function(tests, factor, response = "rating", scale = NULL) {
   of <- response_model(response)
-  rows <- comparisons_of(tests, of$ratios, factor)
+  rows <- level_comparisons(tests, of$ratios, factor)
   if (nrow(rows) == 0) return(character())
   sprintf("%s%s: %s.", sub("ratio", "ratios", sentence_case(of$size)), if (is.null(scale)) "" else
     sprintf(" (towards \"%s\")", as_typed(scale$high_anchor)),
@@ -66,7 +66,7 @@ interaction_words <- function(tests, response = "rating") {
 # One other factor: what the model found, then what the equivalence tests show.
 other_factor_words <- function(tests, factor) {
   c(model_words(tests, factor),
-    equivalence_words(comparisons_of(tests, kEquivalenceFamily, factor), factor))
+    equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor))
 }
 
 equivalence_words <- function(rows, factor) {

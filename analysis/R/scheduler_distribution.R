@@ -65,7 +65,7 @@ report_distribution_study <- function(study) {
   bins <- histogram_table(study$collisions)
   say_progress("drawing the figures ...")
   draw <- function(panel, ending) {
-    write_figure(function() ggplot2::ggplotGrob(panel(bins)), path_of(study, ending),
+    write_figure(function() ggplot2::ggplotGrob(panel(bins)), output_path(study, ending),
       20 + 24 * nlevels(study$collisions$scheduler))
   }
   figures <- c(draw(histogram_panel, "-histograms"), draw(share_panel, "-shares"))
@@ -104,7 +104,7 @@ distribution_exclusions <- function(study) {
 
 shape_section <- function(shapes) {
   shapes$place <- kPlaces[shapes$place]
-  c("## Shapes", "", markdown_of(shapes, c(scheduler = "%s", place = "%s", collisions = "%d",
+  c("## Shapes", "", table_as_markdown(shapes, c(scheduler = "%s", place = "%s", collisions = "%d",
     high_share = "%.3f", change = "%+.3f", step = "%.3f"), c("scheduler", "over", "collisions",
     "share of high priority", "change of the share", "put right by the best cut")), "")
 }

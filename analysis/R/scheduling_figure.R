@@ -24,7 +24,7 @@ kEventShapes <- c(bad = 17, good = 16)
 # Writes both figures and returns their paths.
 write_scheduling_figures <- function(study) {
   draw <- function(of, axes, margin, ending) {
-    write_figure(function() scheduling_figure(study, of, axes, margin), path_of(study, ending))
+    write_figure(function() scheduling_figure(study, of, axes, margin), output_path(study, ending))
   }
   c(draw("rating", rating_axes(study$scale), equivalence_margin(study$scale), "-ratings"),
     draw("clicks", click_axes(), NULL, "-clicks"))

@@ -97,7 +97,7 @@ shown_table <- function(trials, level, viewpoint) {
 
 # The table of shown_table as Markdown.
 table_lines <- function(table) {
-  markdown_of(table, c(level = "%s", viewpoint = "%s", trials = "%d", gap_arcmin = "%.1f",
+  table_as_markdown(table, c(level = "%s", viewpoint = "%s", trials = "%d", gap_arcmin = "%.1f",
     hidden_share = "%.2f", level_used = "%s", rating = "%.2f"), c("level", "viewpoint (°)",
     "trials", "gap as projected (′)", "hidden share", "level of tree used", "mean rating"))
 }

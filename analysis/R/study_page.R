@@ -11,25 +11,6 @@ packages_for_data <- function(data) {
   if (nrow(utils::read.csv(file.path(data, "click_trial.csv"), nrows = 1)) > 0) "glmmTMB"
 }
 
-kPageStyle <- "
-body { font: 16px/1.5 'Source Sans 3', 'Segoe UI', 'Noto Sans', Arial, sans-serif; color: #1b1b1b;
-  background: #fff; max-width: 50rem; margin: 2rem auto; padding: 0 1.2rem; }
-h1 { font-size: 1.8rem; line-height: 1.2; } h2 { margin-top: 3rem; border-top: 2px solid #1b1b1b;
-  padding-top: .6rem; } h3 { margin-top: 2rem; } h4 { margin: 1.4rem 0 .4rem; }
-table { border-collapse: collapse; font-size: .84rem; margin: .4rem 0 .2rem; }
-th { text-align: left; vertical-align: bottom; border-bottom: 1.5px solid #1b1b1b; }
-th, td { padding: .18rem .7rem .18rem 0; vertical-align: top; }
-td { border-bottom: 1px solid #ddd; } .number, th.number { text-align: right; }
-td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
-.wide { overflow-x: auto; } .note, figcaption, nav { font-size: .88rem; color: #444; }
-figure { display: inline-block; vertical-align: top; margin: .6rem 1.2rem 1rem 0; width: 85mm;
-  max-width: 100%; } figure svg { width: 85mm; max-width: 100%; height: auto; }
-.simulated { border: 2px solid #D55E00; padding: .5rem .8rem; }
-code { background: #f3f3f3; padding: 0 .2rem; overflow-wrap: anywhere; } ul { padding-left: 1.2rem; }
-nav ul { columns: 2; } @media print { body { max-width: none; margin: 0; } figure, tr {
-  break-inside: avoid; } }
-"
-
 # Makes the whole report in `folder` from the data in folder/data.
 write_study_report <- function(folder) {
   for (part in c("figures", "tables")) dir.create(file.path(folder, part), showWarnings = FALSE)
@@ -59,7 +40,7 @@ html_page <- function(title, body) {
   c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
-    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
+    sprintf("<title>%s</title>", html_text(title)), "<style>", readLines(code_file("page.css")), "</style>", "</head>",
     "<body>", sprintf("<h1>%s</h1>", html_text(title)), body, "</body>", "</html>")
 }
 
@@ -83,7 +64,7 @@ protocol_lines <- function(protocol, parts, path, folder) {
       " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
     unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
     html_paragraphs(paste(methods_sentences(path, protocol, parts), collapse = " ")),
-    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(references_of(parts))), "</ul>")
+    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(parts))), "</ul>")
 }
 
 # The box that stands above whatever is simulated.

@@ -43,7 +43,7 @@ tests_of <- function(tests, family, effect = NULL) {
 }
 
 # The rows of a family whose effect compares levels of this factor: "factor: 2 against 1".
-comparisons_of <- function(tests, family, factor) {
+level_comparisons <- function(tests, family, factor) {
   rows <- tests_of(tests, family)
   rows[startsWith(rows$effect, paste0(factor, ": ")), ]
 }
@@ -65,7 +65,7 @@ markdown_table <- function(heads, rows) {
 
 # A data frame as Markdown. `columns`: the format of each, named by the column; NULL in place of one
 # writes its words, NA is a dash. `heads`: the words above.
-markdown_of <- function(table, columns, heads) {
+table_as_markdown <- function(table, columns, heads) {
   cells <- Map(function(name, format) or_dash(table[[name]], format), names(columns), columns)
   markdown_table(heads, do.call(paste, c(unname(cells), sep = " | ")))
 }

@@ -12,10 +12,10 @@ write_threshold_figures <- function(study, functions) {
   rows <- ceiling(length(unique(functions$rows$participant)) / 5)
   c(
     write_figure(function() ggplot2::ggplotGrob(curves_panel(study, functions)),
-      path_of(study, "-curves"), height_mm = 22 + rows * kPanelHeightMm),
+      output_path(study, "-curves"), height_mm = 22 + rows * kPanelHeightMm),
     if (any(functions$rows$use)) write_figure(function() {
       ggplot2::ggplotGrob(thresholds_panel(study, functions$rows))
-    }, path_of(study, "-thresholds"))
+    }, output_path(study, "-thresholds"))
   )
 }
 

@@ -154,7 +154,7 @@ threshold_section <- function(study, means) {
   if (is.null(means)) return(NULL)
   means$interval <- ifelse(is.na(means$low), NA, sprintf("%.3g to %.3g", means$low, means$high))
   c("## Thresholds", "",
-    markdown_of(means, c(condition = "%s", participants = "%d", mean = "%.3g", interval = "%s"),
+    table_as_markdown(means, c(condition = "%s", participants = "%d", mean = "%.3g", interval = "%s"),
       c(condition_label(study), "participants",
         paste("mean threshold,", name_and_unit(study$axis)), "95 % CI")), "",
     paste0("Each participant's functions, with bootstrap intervals and goodness of fit: ",
