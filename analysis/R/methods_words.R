@@ -66,10 +66,11 @@ part_methods <- function(part) {
 analysis_words <- function(parts) {
   kinds <- unique(vapply(parts, `[[`, "", "response"))
   people <- unique(unlist(lapply(parts, function(part) as.character(part$trials$participant))))
-  c(if (length(people) < 2) "One participant's data are described; no test across participants was made." else c(
-    gsub("\n", " ", read.dcf(code_file("methods.dcf"))[1, kinds], fixed = TRUE),
+  tested <- c(gsub("\n", " ", read.dcf(code_file("methods.dcf"))[1, kinds], fixed = TRUE),
     paste("The unit of every test is the participant. Beside each test's own p stands the one",
-      "corrected after Holm within its family; what is said to be found rests on the corrected one.")),
+      "corrected after Holm within its family; what is said to be found rests on the corrected one."))
+  c(if (length(people) > 1) tested else
+    "One participant's data are described; no test across participants was made.",
     sprintf("Analyses ran in %s with %s.", R.version.string, and_words(package_versions(kinds))))
 }
 

@@ -38,9 +38,11 @@ page_of <- function(about, protocols, body) {
 # A page of its own: it fetches nothing and runs nothing. `body`: lines below its heading.
 html_page <- function(title, body) {
   c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
+    paste0("<meta http-equiv=\"Content-Security-Policy\" ",
+      "content=\"default-src 'none'; style-src 'unsafe-inline'\">"),
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
-    sprintf("<title>%s</title>", html_text(title)), "<style>", readLines(code_file("page.css")), "</style>", "</head>",
+    sprintf("<title>%s</title>", html_text(title)), "<style>", readLines(code_file("page.css")),
+    "</style>", "</head>",
     "<body>", sprintf("<h1>%s</h1>", html_text(title)), body, "</body>", "</html>")
 }
 
