@@ -226,8 +226,8 @@ LevelCollision at_level(const Approach& approach, const StagedScene& scene, int 
   row.moments[kBeforeContact] =
       course[static_cast<std::size_t>(std::max<std::int64_t>(0, contact - aside))];
   row.moments[kAtContact] = course.back();
-  for (const Contact& contact : report.node_contacts) {
-    row.node_contacts.push_back(contact.touch.point);
+  for (const Contact& touching : report.node_contacts) {
+    row.node_contacts.push_back(touching.touch.point);
   }
   for (const CollisionReport& collision : report.collisions) {
     const std::vector<TouchPoint> touches = touch_points(report, collision);
