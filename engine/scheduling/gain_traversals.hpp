@@ -54,11 +54,13 @@ class VisibleFirst final : public Traversal {
     if (pair.resolved()) {
       return 0.0;
     }
+    const int reached = pair.level();
+    const double error_m = pair.fit_error_m(reached);
     const double overlap_m = pair.deepest_overlap_m();
     double gap_per_level_m = 0.0;
-    for (int level = pair.level() + 1; level <= pair.finest_level(); ++level) {
-      gap_per_level_m = std::max(gap_per_level_m,
-                                 expected_gap_m(pair, level, overlap_m) / (level - pair.level()));
+    for (int level = reached + 1; level <= pair.finest_level(); ++level) {
+      const double gap_m = expected_gap_m(error_m - pair.fit_error_m(level), overlap_m);
+      gap_per_level_m = std::max(gap_per_level_m, gap_m / (level - reached));
     }
     const double visible_deg =
         degrees(2.0 * atan2_rad(0.5 * gap_per_level_m, pair.eye_distance_m()));
@@ -68,9 +70,8 @@ class VisibleFirst final : public Traversal {
   }
 
  private:
-  /// That opens until `level`.
-  static double expected_gap_m(const PairProgress& pair, int level, double overlap_m) {
-    const double closer_m = pair.fit_error_m(pair.level()) - pair.fit_error_m(level);
+  /// Of bounds that come closer by at most so much, and overlap so deep.
+  static double expected_gap_m(double closer_m, double overlap_m) {
     if (!(closer_m > overlap_m)) {
       return 0.0;
     }
