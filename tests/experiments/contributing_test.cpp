@@ -6,12 +6,14 @@
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
 
-namespace impetus {
-
+namespace impetus::inline questions {
 const ResponseKind& confidence_kind();
+}
+namespace impetus::inline observers {
 const ObserverKind& sceptic_observer();
+}
 
-namespace contributing_test {
+namespace impetus::contributing_test {
 
 /// The participant of the page's block of JSON.
 std::unique_ptr<RatingObserver> sceptic(VirtualClock& clock) {
@@ -49,5 +51,4 @@ TEST(Contributing, TheExamplesAskAnswerAndKeep) {
   EXPECT_EQ(asked_after(1).responses.front().question, "How sure are you?");
 }
 
-}  // namespace contributing_test
-}  // namespace impetus
+}  // namespace impetus::contributing_test
