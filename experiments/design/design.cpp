@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/design/design.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <charconv>
 
@@ -19,6 +21,16 @@ std::vector<Condition> cells(const Design& design) {
     result = std::move(wider);
   }
   return result;
+}
+
+LevelValue level_value(const nlohmann::json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  return value.get<double>();
 }
 
 std::string to_text(const LevelValue& value) {

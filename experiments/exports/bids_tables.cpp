@@ -22,7 +22,8 @@ const ordered_json& table_words(const char* table) {
   return kWords.at(table);
 }
 
-/// What can happen in a trial, by name: the stimulus, an answer of each kind, and what else there is.
+/// What can happen in a trial, by name: the stimulus, an answer of each kind, and what else there
+/// is.
 ordered_json event_types() {
   ordered_json types;
   for (const auto& [name, words] : table_words("events")["trial_type"]["Levels"].items()) {

@@ -27,19 +27,13 @@ std::optional<double> gaze_lost_share(const std::vector<GazeSample>& samples, st
   return 1.0 - static_cast<double>(known_ns) / static_cast<double>(until_ns - from_ns);
 }
 
-bool gaze_was_lost(const Script& script, std::optional<double> lost_share) {
-  if (!script.gaze || !script.gaze->loss) {
-    return false;
-  }
-  const GazeLossRule& rule = *script.gaze->loss;
-  return rule.policy != GazeLossRule::Policy::kKeep &&
-         lost_share.value_or(0.0) > rule.most_lost_share;
+bool gaze_was_lost(const std::optional<GazeLossRule>& rule, std::optional<double> lost_share) {
+  return rule && rule->policy != GazeLossRule::Policy::kKeep &&
+         lost_share.value_or(0.0) > rule->most_lost_share;
 }
 
-std::int64_t most_repeats(const Script& script) {
-  const bool repeats = script.gaze && script.gaze->loss &&
-                       script.gaze->loss->policy == GazeLossRule::Policy::kRepeat;
-  return repeats ? script.gaze->loss->most_repeats : 0;
+std::int64_t most_repeats(const std::optional<GazeLossRule>& rule) {
+  return rule && rule->policy == GazeLossRule::Policy::kRepeat ? rule->most_repeats : 0;
 }
 
 }  // namespace impetus::inline gaze

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "experiments/design/design.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 
 namespace impetus::inline protocol {
 

@@ -8,7 +8,7 @@
 
 #include "experiments/design/design.hpp"
 #include "experiments/protocol/design_reading.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 #include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline protocol {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 
 namespace impetus::inline protocol {
 

@@ -127,16 +127,6 @@ Text time_was_up(double timeout_ms) {
   return {"The time was up", {"You have " + std::string(seconds) + " s to answer."}};
 }
 
-LevelValue level_value(const nlohmann::json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>();
-  }
-  return value.get<double>();
-}
-
 const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name) {
   for (const nlohmann::json& factor : protocol.value["design"]["factors"]) {
     if (factor["name"].get<std::string>() == name) {

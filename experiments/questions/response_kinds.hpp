@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/questions/script.hpp"
 #include "experiments/record/ports.hpp"
-#include "experiments/record/script.hpp"
 #include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline questions {
@@ -163,8 +163,7 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
 /// "The time was up", and how much there is: what is said after practice.
 Text time_was_up(double timeout_ms);
 
-/// A factor's level as JSON has it, and the factor of a protocol's design; null: there is none.
-LevelValue level_value(const nlohmann::json& value);
+/// The factor of a protocol's design; null: there is none.
 const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name);
 
 }  // namespace impetus::inline questions

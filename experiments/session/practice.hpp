@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/questions/script.hpp"
 #include "experiments/record/record.hpp"
-#include "experiments/record/script.hpp"
 
 namespace impetus::inline session {
 

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "experiments/design/plan.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 #include "experiments/session/session_standing.hpp"
 
 namespace impetus::inline session {

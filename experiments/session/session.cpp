@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/questions/script.hpp"
 #include "experiments/questions/session_pages.hpp"
 #include "experiments/record/frame_grid.hpp"
-#include "experiments/record/script.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/session/practice.hpp"
 #include "experiments/session/trial.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "experiments/design/plan.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"

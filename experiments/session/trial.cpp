@@ -344,7 +344,7 @@ class Attempt {
   [[nodiscard]] bool gaze_suffices() const {
     return !may_be_repeated_ ||
            std::none_of(stimuli_.begin(), stimuli_.end(), [&](const Stimulus& stimulus) {
-             return gaze_was_lost(script_, stimulus.gaze_lost_share());
+             return gaze_was_lost(gaze_loss_rule(script_), stimulus.gaze_lost_share());
            });
   }
 

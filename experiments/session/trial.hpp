@@ -3,8 +3,8 @@
 #pragma once
 
 #include "experiments/design/plan.hpp"
+#include "experiments/questions/script.hpp"
 #include "experiments/record/ports.hpp"
-#include "experiments/record/script.hpp"
 
 namespace impetus::inline session {
 

@@ -54,7 +54,7 @@ bool TrialSequence::run_trial(const PlannedTrial& planned, SessionProgress here)
   while (true) {
     here.gaze_was_lost = std::exchange(gaze_was_lost_, false);
     AttemptResult attempt = run_attempt(trial, ++number, sitting_.script, here, sitting_.ports,
-                                        repeats < most_repeats(sitting_.script));
+                                        repeats < most_repeats(gaze_loss_rule(sitting_.script)));
     const bool completed = attempt.record.outcome == AttemptOutcome::kCompleted;
     if (completed) {
       note_completed(trial, attempt.record);
@@ -100,7 +100,7 @@ void TrialSequence::note_completed(const PlannedTrial& trial, const AttemptRecor
 }
 
 void TrialSequence::note_lost_gaze(const AttemptRecord& record) {
-  gaze_was_lost_ = gaze_was_lost(sitting_.script, record.gaze_lost_share);
+  gaze_was_lost_ = gaze_was_lost(gaze_loss_rule(sitting_.script), record.gaze_lost_share);
   if (gaze_was_lost_) {
     ++troubles_.lost_trials;
     sitting_.ports.recorder.save(

@@ -14,7 +14,7 @@
 
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/design.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/script.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/gaze_calibration.hpp"
 #include "experiments/session/session_standing.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/drawing/picture_map.hpp"
 #include "experiments/drawing/gl_parts.hpp"
+#include "experiments/drawing/picture_map.hpp"
 #include "experiments/window/window.hpp"
 
 namespace impetus::inline window {

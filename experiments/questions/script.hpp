@@ -9,14 +9,12 @@
 #include <vector>
 
 #include "experiments/design/design.hpp"
+#include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/record/page.hpp"
 
 namespace impetus::inline questions {
+
 class Question;  // each kind of response has its own, with what a protocol asks by it
-}
-
-namespace impetus::inline record {
-
 using Questions = std::vector<std::shared_ptr<const Question>>;
 
 /// A title and the paragraphs under it.
@@ -54,15 +52,6 @@ struct CalibrationTask {
   std::int64_t most_tries{3};      ///< then the experimenter decides
   double drift_limit_deg{2.0};     ///< a drift check worse than this asks for a calibration
   double point_ms{1000.0};         ///< for which a point is shown
-};
-
-/// What becomes of a trial in which the gaze was lost for more than a share of the stimulus.
-struct GazeLossRule {
-  /// It counts as any other, it counts and is marked, or it is shown again.
-  enum class Policy { kKeep, kMark, kRepeat };
-  double most_lost_share{0.5};
-  Policy policy{Policy::kMark};
-  std::int64_t most_repeats{2};  ///< of a trial; then it is kept, marked
 };
 
 /// Whose recorded gaze the regions of kind recorded follow.
@@ -123,4 +112,9 @@ struct Script {
   ResumeRule resume{};
 };
 
-}  // namespace impetus::inline record
+/// The rule for a lost gaze; none where the gaze is not followed.
+inline std::optional<GazeLossRule> gaze_loss_rule(const Script& script) {
+  return script.gaze ? script.gaze->loss : std::nullopt;
+}
+
+}  // namespace impetus::inline questions
