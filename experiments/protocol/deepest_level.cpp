@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <limits>
 
-#include "experiments/scenes/scene_timing.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {
 namespace {
 
 double duration_under(const Protocol& protocol, const Condition& condition) {
-  const nlohmann::json scene = scene_under(protocol, condition);
-  return scene_duration_s(scene, intended_hold_s(scene));
+  const Scene scene = scene_under(protocol, condition);
+  return scene.lasting_s(scene.intended_hold_s());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -10,15 +10,15 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/checks/response_checks.hpp"
-#include "experiments/protocol/checks/solve_checks.hpp"
 #include "experiments/protocol/checks/text_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/settings/named_file.hpp"
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 namespace {

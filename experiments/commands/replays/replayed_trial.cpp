@@ -10,7 +10,7 @@
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/protocol/trial_scene.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/session/intervals.hpp"
 #include "experiments/store/step_rows.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 

@@ -8,7 +8,7 @@
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 
 namespace impetus::inline protocol {
 namespace {

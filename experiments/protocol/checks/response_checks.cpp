@@ -5,7 +5,7 @@
 
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {

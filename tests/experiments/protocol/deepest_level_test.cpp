@@ -8,7 +8,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/playback.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::deepest_level_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 #include <algorithm>
 #include <cmath>
