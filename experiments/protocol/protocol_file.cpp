@@ -5,7 +5,6 @@
 
 #include <xxhash.h>
 
-#include "experiments/protocol/checks/catch_checks.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"

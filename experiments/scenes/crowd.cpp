@@ -12,12 +12,12 @@
 namespace impetus::inline scenes {
 namespace {
 
-constexpr int kMostDraws = 10'000;
+constexpr int kMostDrawsEach = 10'000;
 
 /// A place where a ball is within the walls and apart from the bodies that have theirs.
 std::optional<Vector3> free_place(const std::vector<BodyState>& placed, const Room& room,
                                   double radius_m, RandomStream& stream) {
-  for (int draw = 0; draw < kMostDraws; ++draw) {
+  for (int draw = 0; draw < kMostDrawsEach; ++draw) {
     const Vector3 place = draw_place(room, stream);
     if (room.walls != nullptr && reaches_wall(*room.walls, Sphere{place, radius_m})) {
       continue;
@@ -91,7 +91,7 @@ bool overlap_anywhere(const Posture& a, const Posture& b) {
 /// Apart from itself, about the origin.
 std::optional<Posture> random_posture(const Figure& figure, const std::vector<BodyModel>& models,
                                       RandomStream& stream) {
-  for (int draw = 0; draw < kMostDraws; ++draw) {
+  for (int draw = 0; draw < kMostDrawsEach; ++draw) {
     std::vector<double> angles;
     for (const Hinge& hinge : figure.hinges) {
       angles.push_back(random_angle(hinge, stream));
@@ -122,7 +122,7 @@ class Placer {
   /// Draws a posture, then places for it.
   std::optional<Posture> place(const Figure& figure, RandomStream& stream) {
     const auto posture = random_posture(figure, *models_, stream);
-    for (int draw = 0; posture && draw < kMostDraws; ++draw) {
+    for (int draw = 0; posture && draw < kMostDrawsEach; ++draw) {
       Posture there = moved(figure, *models_, *posture, draw_place(room_, stream));
       if (is_free(there)) {
         placed_.push_back(there);

@@ -2,7 +2,8 @@
 //
 // Each member is a row of engine_settings.cpp (see settings/setting_rows.hpp); where the engine has
 // the setting by itself, the row goes by its member. What a file may leave out, and what is asked
-// whether it was said, is optional. SPDX-License-Identifier: MIT
+// whether it was said, is optional.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

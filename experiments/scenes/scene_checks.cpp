@@ -8,7 +8,7 @@
 #include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_checks.hpp"
-#include "experiments/scenes/figures/scene_figure_checks.hpp"
+#include "experiments/scenes/figures/figure_checks.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"

@@ -8,7 +8,8 @@
 //
 // A key ends in its unit (_deg, _ms). A setting that a file leaves out keeps the initial value of
 // its member: the default stands there alone. Rules across settings are code, on the structs. A new
-// setting is its member, its row, its use and its test. SPDX-License-Identifier: MIT
+// setting is its member, its row, its use and its test.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/engine_setup.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {

@@ -1,5 +1,6 @@
 // From a figure's settings, in shares of its height, to the shapes, trees, hinges and motions of
-// one that is so high. SPDX-License-Identifier: MIT
+// one that is so high.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

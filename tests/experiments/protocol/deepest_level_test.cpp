@@ -1,6 +1,5 @@
 // Trees are built as deep as any condition of a protocol can reach, and no deeper.
 // SPDX-License-Identifier: MIT
-#include "experiments/protocol/deepest_level.hpp"
 
 #include <gtest/gtest.h>
 
