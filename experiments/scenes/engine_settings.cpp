@@ -129,7 +129,7 @@ Kind<TreeSettings> tree_settings_kind() {
   return object<T>(
       "What kind of volume tree bodies have, beside tree_depth; an octree of spheres when left "
       "out.",
-      {required("kind", &T::kind, tree_kind_kind())
+      {required("kind", &T::kind, kind_of_trees())
            .with("tree", "kind of the volume trees: octree, medial, ..."),
        row("branching", &T::branching, whole<int>({kLeastBranching, kGreatestBranching}),
            "Children of a node, at most; 8 when left out. An octree has 8; voxels 8, 27 or 64.")
@@ -251,7 +251,7 @@ Kind<ScreenPlace> screen_place_kind(const std::string& sentence) {
   return {described(sentence, place), place.read};
 }
 
-Kind<TreeKind> tree_kind_kind() {
+Kind<TreeKind> kind_of_trees() {
   return {one_of(tree_kind_names()),
           [](const nlohmann::json& value) { return tree_kind(value.get<std::string>()); }};
 }

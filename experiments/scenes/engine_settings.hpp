@@ -95,7 +95,7 @@ const Kind<EngineSettings>& engine_kind();
 Kind<int> level_kind();
 Kind<std::string> material_kind();
 Kind<ScreenPlace> screen_place_kind(const std::string& sentence);
-Kind<TreeKind> tree_kind_kind();
+Kind<TreeKind> kind_of_trees();
 
 /// The words for kinds of region.
 const Names<RegionKind>& region_names();

@@ -14,7 +14,7 @@ OrderedJson bound(double number) {
   return is_whole ? OrderedJson(static_cast<std::int64_t>(number)) : OrderedJson(number);
 }
 
-OrderedJson number_schema(const char* type, Range range) {
+OrderedJson number_schema(const char* type, NumberRange range) {
   OrderedJson schema{{"type", type}};
   if (std::isfinite(range.least)) {
     schema[range.is_open ? "exclusiveMinimum" : "minimum"] = bound(range.least);
@@ -38,11 +38,11 @@ void put_below(const std::string& key, const Form& part, Form& whole) {
 
 }  // namespace
 
-Kind<double> number(Range range) {
+Kind<double> number(NumberRange range) {
   return {{number_schema("number", range)}, [](const json& value) { return value.get<double>(); }};
 }
 
-Form whole_form(Range range) { return {number_schema("integer", range)}; }
+Form whole_form(NumberRange range) { return {number_schema("integer", range)}; }
 
 Kind<bool> flag() {
   return {{{{"type", "boolean"}}}, [](const json& value) { return value.get<bool>(); }};
@@ -60,14 +60,14 @@ Kind<std::string> one_of(const std::vector<std::string>& names) {
   return string_kind({{"enum", names}});
 }
 
-Kind<Vector3> vector(Range range) {
+Kind<Vector3> vector(NumberRange range) {
   return {list_form(number(range), {3, 3}), [](const json& values) {
             return Vector3(values[0].get<double>(), values[1].get<double>(),
                            values[2].get<double>());
           }};
 }
 
-Form list_form(const Form& item, Length length) {
+Form list_form(const Form& item, ListLength length) {
   Form form{{{"type", "array"}}, item.definitions};
   if (length.least > 0) {
     form.schema["minItems"] = length.least;

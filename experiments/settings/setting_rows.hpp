@@ -48,27 +48,27 @@ struct Kind : Form {
 };
 
 /// From least to most, both allowed; or more than least.
-struct Range {
+struct NumberRange {
   double least{-std::numeric_limits<double>::infinity()};
   double most{std::numeric_limits<double>::infinity()};
   bool is_open{false};
 };
-inline Range above(double least, double most = std::numeric_limits<double>::infinity()) {
+inline NumberRange above(double least, double most = std::numeric_limits<double>::infinity()) {
   return {least, most, true};
 }
 
-Kind<double> number(Range range);
+Kind<double> number(NumberRange range);
 Kind<bool> flag();
 Kind<std::string> text();      ///< not empty
 Kind<std::string> any_text();  ///< may be empty
 Kind<std::string> text_like(const std::string& pattern);
 Kind<std::string> one_of(const std::vector<std::string>& names);
-Kind<Vector3> vector(Range range);
+Kind<Vector3> vector(NumberRange range);
 
 /// A whole number, as an Integer.
-Form whole_form(Range range);
+Form whole_form(NumberRange range);
 template <typename Integer>
-Kind<Integer> whole(Range range) {
+Kind<Integer> whole(NumberRange range) {
   return {whole_form(range), [](const nlohmann::json& value) { return value.get<Integer>(); }};
 }
 
@@ -100,14 +100,14 @@ const std::string& word_for(const T& meaning, const Names<T>& names) {
 }
 
 /// How many values a list has.
-struct Length {
+struct ListLength {
   int least{0};
   int most{-1};  ///< -1: any number
 };
-Form list_form(const Form& item, Length length);
+Form list_form(const Form& item, ListLength length);
 
 template <typename T>
-Kind<std::vector<T>> list(const Kind<T>& item, Length length) {
+Kind<std::vector<T>> list(const Kind<T>& item, ListLength length) {
   return {list_form(item, length), [read = item.read](const nlohmann::json& values) {
             std::vector<T> result;
             result.reserve(values.size());

@@ -23,7 +23,7 @@ Kind<PartTree> part_tree_kind() {
   return object<T>(
       "A kind of volume tree of its own, in place of the engine's; never deeper than "
       "the engine's tree_depth. Of a swept sphere, below its volume.",
-      {required("kind", &T::kind, tree_kind_kind()), row("depth", &T::depth, whole<int>({0, 6})),
+      {required("kind", &T::kind, kind_of_trees()), row("depth", &T::depth, whole<int>({0, 6})),
        row("branching", &T::branching, whole<int>({kLeastBranching, kGreatestBranching}))});
 }
 
