@@ -14,15 +14,7 @@ main <- function(words) {
   write_power_tests(words[1], words[2])
 }
 
-# The folder of this script, as Rscript was called with it ("~+~" is how it writes a space).
-own_folder <- function() {
-  script <- sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)[1])
-  dirname(gsub("~+~", " ", script, fixed = TRUE))
-}
-
-# UTF-8 letters and one order of sorting, whatever the machine is set to.
-invisible(suppressWarnings(Sys.setlocale("LC_ALL", "C.UTF-8")))
-for (file in list.files(file.path(own_folder(), "R"), "[.]R$", full.names = TRUE)) {
-  source(file, encoding = "UTF-8")
-}
-or_exit_2("power-fits.R", invisible(main(commandArgs(trailingOnly = TRUE))))
+words <- gsub("~+~", " ", commandArgs(), fixed = TRUE)  # as Rscript writes a space
+script <- sub("^--file=", "", grep("^--file=", words, value = TRUE)[1])
+source(file.path(dirname(script), "R/command_line.R"))
+run_command(script, main)

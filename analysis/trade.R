@@ -16,8 +16,7 @@ kColours <- c(octree = "#E69F00", medial = "#0072B2", voxel = "#CC79A7", box = "
   swept = "#56B4E9", heterogeneous = "#000000")
 kLeast <- 0.1  # an error below it is drawn as it
 # Measure, statistic, title, and what a value is multiplied by.
-kPanels <- data.frame(
-  measure = c("normal_error", "gap_seen", "linear_error"),
+kPanels <- data.frame(measure = c("normal_error", "gap_seen", "linear_error"),
   statistic = c("median", "p95", "median"),
   title = c("Contact normal off by, median (°)", "95 % of gaps below (minutes of arc)",
     "Velocity off by, median (% of approach)"),

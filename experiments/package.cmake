@@ -36,5 +36,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core")
 # Studies run without R; reports and figures need it.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "r-base-core, r-cran-rsqlite, r-cran-ordinal, r-cran-lme4, \
-r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-jsonlite")
+r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, r-cran-jsonlite")
 include(CPack)

@@ -14,11 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "experiments/record/steady_clock.hpp"
-#include "experiments/run/playback.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/viewers/preview_view.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"
 #include "experiments/viewers/screen_setup.hpp"
@@ -208,7 +207,7 @@ class MadeUpTrials final : public ViewedStimuli {
   }
   [[nodiscard]] ViewedStimulus load(std::size_t index, const Progress& /*progress*/) override {
     using Kind = TimelineMark::Kind;
-    Playback playback(scene_, 1);
+    LiveRun live(scene_, 1);
     std::vector<TimedGaze> samples;
     for (int frame = 0; frame <= 120; ++frame) {
       const double time_s = frame / 60.0;
@@ -216,13 +215,13 @@ class MadeUpTrials final : public ViewedStimuli {
       const bool blinks = frame >= 60 && frame < 72;
       samples.push_back({time_s, blinks ? Fixation() : Fixation(place),
                          blinks ? GazeLoss::kBlink : GazeLoss::kNone});
-      playback.look_at({place, frame + 1, 0, {}});
-      static_cast<void>(playback.poses_at(time_s));
+      live.look_at({place, frame + 1, 0, {}});
+      static_cast<void>(live.poses_at(time_s));
     }
     return {line(index).words,
             {"delay_ms 100", "azimuth_deg 30", "rated 2 of 5 (1 is best)"},
             scene_,
-            playback.take_steps(),
+            live.take_steps(),
             {{Kind::kLateFrame, 0.35, 0.35, ""},
              {Kind::kClick, 0.8, 0.8, ""},
              {Kind::kGazeLost, 1.0, 1.2, ""},

@@ -14,7 +14,7 @@ kGainWords <- c(bad = "gain of bad events", good = "gain of good events",
 
 # Adds study$clicks: the time of each click, by the row of its trial.
 with_click_times <- function(study) {
-  study$clicks <- read_main_phase(study,
+  study$clicks <- rows_of_trials(study,
     "SELECT trial, CAST(time_s AS REAL) AS time_s FROM trial_click")
   study
 }
@@ -43,21 +43,18 @@ click_detection <- function(study) {
   fits <- Filter(Negate(is.null), lapply(records, click_gains))
   left_out <- setdiff(names(records), names(fits))
   kinds <- unique(unlist(lapply(study$pairs, function(pair) c(pair$of, pair$against))))
-  gains <- do.call(rbind, c(list(gains_table(fits, "all")), lapply(kinds, function(kind) {
+  gains <- rbind(gains_table(fits, "all"), each_row(kinds, function(kind) {
     gains_table(lapply(participants_records(study, events, usable, kind), click_gains), kind)
-  })))
-  trials <- data.frame(participant = study$trials$participant,
-    exposure_s = study$trials$exposure_s)
-  shown <- usable[!is.na(usable)]
-  matching <- matching_table(trials[shown, ], renumbered(events, shown),
-    renumbered(study$clicks, shown))
+  }))
+  matching <- matching_table(study$trials[usable, ], renumbered(events, usable),
+    renumbered(study$clicks, usable))
   tests <- all_outcomes(detection_tests(fits, records[names(fits)], gains, left_out,
     length(usable)), if (length(fits) > 1) for_each_pair(study, function(pair) {
       pair_gain_tests(gains, pair)
     }))
   list(tests = tests, gains = gains, kernels = kernel_table(fits), matching = matching,
-    words = c(with_minus_signs(detection_words(combine_outcomes(tests), gains, fits,
-      study$pairs)), with_minus_signs(matching_words(matching))))
+    words = with_minus_signs(c(detection_words(combine_outcomes(tests), gains, study$pairs),
+      matching_words(matching))))
 }
 
 why_no_click_regression <- function(study, usable) {
@@ -90,17 +87,16 @@ participants_records <- function(study, events, usable, kind) {
 gains_table <- function(fits, kind) {
   fits <- Filter(Negate(is.null), fits)
   if (length(fits) == 0) return(NULL)
-  gains <- do.call(rbind, lapply(fits, `[[`, "gains"))
-  errors <- do.call(rbind, lapply(fits, `[[`, "errors"))
-  colnames(errors) <- paste0(colnames(gains), "_error")
-  data.frame(participant = names(fits), scheduling = kind, gains, errors,
+  errors <- each_row(fits, `[[`, "errors")
+  colnames(errors) <- paste0(colnames(errors), "_error")
+  data.frame(participant = names(fits), scheduling = kind, each_row(fits, `[[`, "gains"), errors,
     clicks_dropped = vapply(fits, `[[`, 0, "dropped"), row.names = NULL)
 }
 
 # Clicks per event and second at each lag: means over participants with t intervals.
 kernel_table <- function(fits) {
   if (length(fits) == 0) return(NULL)
-  kernels <- do.call(rbind, lapply(fits, `[[`, "kernels"))
+  kernels <- each_row(fits, `[[`, "kernels")
   steps <- length(kLagEdgesS) - 1
   rows <- t(apply(kernels, 2, t_interval))
   data.frame(event = rep(c("bad", "good"), each = steps),
@@ -117,21 +113,20 @@ detection_tests <- function(fits, records, gains, left_out, trials) {
     "after the end left out of the click regression."),
     paste(count_of(dropped, "click"), if (dropped == 1) "is" else "are")))
   if (length(fits) < 2) return(outcome(remarks = remarks))  # one participant only describes
-  each <- do.call(rbind, lapply(fits, `[[`, "gains"))
+  each <- each_row(fits, `[[`, "gains")
   interval <- t_interval(each[, "difference"])
-  null <- shifted_differences(records)
   row <- test_row(kSensitivityFamily, paste0("additive click-rate regression for each participant; ",
     "circular shift of clicks within trials, ", kShifts, " draws; interval: t over participants"),
     kGainWords[["difference"]], "mean difference", interval[["mean"]], NA,
-    p = two_sided_p(interval[["mean"]], null), size_name = "clicks per event",
+    p = two_sided_p(interval[["mean"]], shifted_differences(records)), size_name = "clicks per event",
     size = interval[["mean"]], interval = interval[c("low", "high")], interval_level = 0.95,
     participants = nrow(each), trials = trials)
-  all_outcomes(outcome(row, remarks),
-    do.call(all_outcomes, lapply(names(kGainWords), function(gain) {
-      paired_test(each[, gain], kGainTFamily, kGainWords[[gain]],
-        if (gain == "baseline") "clicks per second" else "clicks per event")
-    })))
+  all_outcomes(outcome(row, remarks), do.call(all_outcomes, lapply(names(kGainWords), function(gain) {
+    paired_test(each[, gain], kGainTFamily, kGainWords[[gain]], gain_unit(gain))
+  })))
 }
+
+gain_unit <- function(gain) if (gain == "baseline") "clicks per second" else "clicks per event"
 
 # Were bad events more or less often clicked at in trials of one kind than of the other? Paired over
 # the participants whose trials of both kinds determine it.
@@ -144,13 +139,12 @@ pair_gain_tests <- function(gains, pair) {
     difference <- first[[gain]][match(both, first$participant)] -
       second[[gain]][match(both, second$participant)]
     paired_test(difference, family_of(kTrackedGainFamily, pair),
-      paste0(kGainWords[[gain]], ", ", pair_words(pair)),
-      if (gain == "bad") "clicks per event" else "clicks per second")
+      paste0(kGainWords[[gain]], ", ", pair_words(pair)), gain_unit(gain))
   }))
 }
 
-detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
-  if (length(fits) == 0) {
+detection_words <- function(tests, gains, pairs) {
+  if (!any(gains$scheduling == "all")) {
     return("No participant's events determine the gains of the click regression.")
   }
   row <- tests_of(tests, kSensitivityFamily)
@@ -159,9 +153,7 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
     ", 95 %% CI [%.3f, %.3f] (circular shift of clicks, %s)", row$interval_low,
     row$interval_high, both_p_words(row))
   alone <- implied_d_prime(mean_of("bad"), mean_of("baseline"))
-  tracked <- do.call(rbind, lapply(pairs, function(pair) {
-    tests_of(tests, family_of(kTrackedGainFamily, pair))
-  }))
+  tracked <- each_row(pairs, function(pair) tests_of(tests, family_of(kTrackedGainFamily, pair)))
   c(
     sprintf(paste("In the regression of the click rate, a bad event added %.3f clicks and a good",
       "one %.3f; the difference, sensitivity, was %.3f%s. The baseline, readiness to click at",
@@ -169,38 +161,7 @@ detection_words <- function(tests, gains, fits, pairs = list(kTrackedRandom)) {
       mean_of("difference"), tested, mean_of("baseline")),
     if (!is.na(alone[["d_prime"]])) sprintf(paste("For one bad event alone in a second that",
       "makes d′ = %.2f, criterion %.2f."), alone[["d_prime"]], alone[["criterion"]]),
-    vapply(seq_len(NROW(tracked)), function(i) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
-      sentence_case(tracked$effect[i]), tracked$effect_size[i], tracked$interval_low[i],
-      tracked$interval_high[i], both_p_words(tracked[i, ])), "")
-  )
-}
-
-# Before a number stands a minus sign, not a hyphen.
-with_minus_signs <- function(words) gsub("(^|[ [])-([0-9])", "\\1−\\2", words)
-
-sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
-
-matching_words <- function(matching) {
-  row <- matching[1, ]
-  sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
-    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
-    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
-    row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
-      sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
-}
-
-# The table over windows as Markdown.
-matching_lines <- function(matching) {
-  markdown_table(
-    c("window (ms)", "bad events", "hit rate", "false alarms per second",
-      "clicks at good", "clicks at nothing", "event-free windows", "false alarms per such window",
-      "d′", "criterion"),
-    sprintf("%.0f to %.0f | %d | %s | %.3f | %d | %d | %d | %s | %.2f | %.2f", matching$from_ms,
-      matching$to_ms, as.integer(matching$bad_events), or_dash(matching$hit_rate, "%.2f"),
-      matching$false_alarms_per_s, as.integer(matching$clicks_at_good),
-      as.integer(matching$clicks_at_nothing), as.integer(matching$free_windows),
-      ifelse(is.finite(matching$false_alarms_per_free_window),
-        sprintf("%.2f", matching$false_alarms_per_free_window), "–"),
-      matching$d_prime, matching$criterion)
-  )
+    if (NROW(tracked) > 0) sprintf("%s: %+.3f, 95 %% CI [%.3f, %.3f], %s.",
+      sentence_case(tracked$effect), tracked$effect_size, tracked$interval_low,
+      tracked$interval_high, both_p_words(tracked)))
 }

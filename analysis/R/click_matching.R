@@ -38,15 +38,14 @@ matching_counts <- function(clicks_s, events_s, bad, window_s, exposure_s) {
     bad = sum(bad), hits = sum(unique(stats::na.omit(matched)) %in% which(bad)),
     clicks = length(clicks_s), at_good = sum(matched %in% which(!bad)),
     at_nothing = sum(is.na(matched)), exposure_s = exposure_s,
-    free_s = without[["seconds"]], free_clicks = without[["clicks"]]
-  )
+    free_s = without[["seconds"]], free_clicks = without[["clicks"]])
 }
 
 # One row for each window: rates over all participants' trials, and the participants' mean d' and
 # criterion with log-linear correction. False alarms: clicks that belong to no bad event; for d',
 # clicks in the time free of bad events, which is cut into windows of equal length.
 matching_table <- function(trials, events, clicks) {
-  rows <- lapply(kMatchingWindowsS, function(window_s) {
+  each_row(kMatchingWindowsS, function(window_s) {
     counts <- vapply(seq_len(nrow(trials)), function(i) {
       mine <- events$row == i
       matching_counts(clicks$time_s[clicks$row == i], events$time_s[mine], events$bad[mine],
@@ -54,7 +53,6 @@ matching_table <- function(trials, events, clicks) {
     }, numeric(8))
     matching_row(t(counts), as.character(trials$participant), window_s)
   })
-  do.call(rbind, rows)
 }
 
 matching_row <- function(counts, participant, window_s) {
@@ -65,13 +63,33 @@ matching_row <- function(counts, participant, window_s) {
     log_linear_d_prime(n[["hits"]], n[["bad"]], min(n[["free_clicks"]], windows), windows)
   }))
   all <- colSums(counts)
-  data.frame(
-    from_ms = 1000 * window_s[1], to_ms = 1000 * window_s[2], participants = nrow(each),
+  data.frame(from_ms = 1000 * window_s[1], to_ms = 1000 * window_s[2], participants = nrow(each),
     bad_events = all[["bad"]], hit_rate = all[["hits"]] / all[["bad"]],
     false_alarms_per_s = (all[["at_good"]] + all[["at_nothing"]]) / all[["exposure_s"]],
     clicks_at_good = all[["at_good"]], clicks_at_nothing = all[["at_nothing"]],
     free_windows = floor(all[["free_s"]] / length_s),
     false_alarms_per_free_window = all[["free_clicks"]] / (all[["free_s"]] / length_s),
-    d_prime = mean(signal[, 1]), criterion = mean(signal[, 2])
-  )
+    d_prime = mean(signal[, 1]), criterion = mean(signal[, 2]))
+}
+
+matching_words <- function(matching) {
+  row <- matching[1, ]
+  sprintf(paste("Descriptive only, for it is biased at more than one event a second: with each",
+    "click matched to the latest collision %.0f to %.0f ms before it, of whatever kind, %s of bad",
+    "events were hit, with %.3f false alarms per second; d′ = %.2f, criterion %.2f (log-linear)."),
+    row$from_ms, row$to_ms, if (is.nan(row$hit_rate)) "none" else
+      sprintf("%.0f %%", 100 * row$hit_rate), row$false_alarms_per_s, row$d_prime, row$criterion)
+}
+
+# The table over windows as Markdown.
+matching_lines <- function(matching) {
+  matching$window <- sprintf("%.0f to %.0f", matching$from_ms, matching$to_ms)
+  per_window <- matching$false_alarms_per_free_window
+  matching$false_alarms_per_free_window <- ifelse(is.finite(per_window), per_window, NA)
+  table_as_markdown(matching, c(window = "%s", bad_events = "%.0f", hit_rate = "%.2f",
+    false_alarms_per_s = "%.3f", clicks_at_good = "%.0f", clicks_at_nothing = "%.0f",
+    free_windows = "%.0f", false_alarms_per_free_window = "%.2f", d_prime = "%.2f",
+    criterion = "%.2f"),
+    c("window (ms)", "bad events", "hit rate", "false alarms per second", "clicks at good",
+      "clicks at nothing", "event-free windows", "false alarms per such window", "d′", "criterion"))
 }

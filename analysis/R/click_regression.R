@@ -104,7 +104,7 @@ click_gains <- function(record) {
 # The participants' mean difference of gains in each of `shifts` records with shifted clicks.
 # Seeded; the caller's random numbers are left as they were.
 shifted_differences <- function(records, shifts = kShifts, seed = 1) {
-  with_seed(seed, {
+  withr::with_seed(seed, {
     each <- lapply(records, function(record) {
       whole <- crossprod(record$rows) * kClickBinS
       weights <- click_gain_weights(record)["difference", ]

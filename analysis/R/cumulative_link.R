@@ -33,7 +33,8 @@ kLinks <- list(
   })
 
 # The fit from `start`, c(alpha, beta), and `spread`, c(a, b, c): list(alpha, beta, covariance (of
-# beta), log_likelihood, spread, deviations, eta, gradient, Hessian), or list(failure = words).
+# beta), log_likelihood, df (coefficients), spread, deviations, eta, gradient, Hessian), or
+# list(failure = words).
 # `design`: one row per rating, without an intercept; `slope`: NULL for an intercept alone;
 # `person`: whole numbers from 1.
 fit_cumulative_link <- function(rating, design, person, slope, link, start, spread) {
@@ -207,13 +208,13 @@ described_link_fit <- function(data, at, found) {
   names <- colnames(data$design)
   list(alpha = parts$alpha, beta = stats::setNames(parts$beta, names),
     covariance = matrix(covariance[of_beta, of_beta], length(names), dimnames = list(names, names)),
-    log_likelihood = -here$value, spread = c(parts$a, parts$b, parts$c),
+    log_likelihood = -here$value, df = length(parts$beta), spread = c(parts$a, parts$b, parts$c),
     deviations = c(intercept = abs(parts$a),
       if (length(data$free) == 3) c(slope = sqrt(parts$b^2 + parts$c^2))),
     eta = here$eta, gradient = here$gradient, Hessian = Hessian)
 }
 
-kBelowTop <- 1e-5  # of log likelihood: a hundredth of what fit_family takes for a better model
+kBelowTop <- 1e-5  # of log likelihood: a hundredth of what fit_rating_model takes for a better model
 kNoSpread <- 1e-3  # logits: participants who differ by less do not differ
 
 # Second derivatives by central differences of the exact gradient.

@@ -51,15 +51,14 @@ with_events <- function(study) {
   study
 }
 
+mean_known <- function(x) if (all(is.na(x))) NA_real_ else mean(x, na.rm = TRUE)
+
 # The measures of one participant's trials of one kind, as a one-row data frame; NA: not known.
 exposure_of <- function(trials, collisions) {
   bad <- collisions[collisions$bad, ]
   share_bad <- function(some) if (nrow(some) > 0) mean(some$bad) else NA_real_
   middle <- function(x) stats::median(as.numeric(x), na.rm = TRUE)
-  mean_known <- function(x) if (all(is.na(x))) NA_real_ else mean(x, na.rm = TRUE)
-  data.frame(
-    trials = nrow(trials),
-    body_per_trial = sum(!collisions$wall) / nrow(trials),
+  data.frame(trials = nrow(trials), body_per_trial = sum(!collisions$wall) / nrow(trials),
     body_bad_share = share_bad(collisions[!collisions$wall, ]),
     wall_per_trial = sum(collisions$wall) / nrow(trials),
     wall_bad_share = share_bad(collisions[collisions$wall, ]),
@@ -69,44 +68,59 @@ exposure_of <- function(trials, collisions) {
     wall_bad_gap_arcmin = middle(bad$visible_gap_arcmin[bad$wall]),
     eccentricity_deg = middle(collisions$gaze_eccentricity_deg),
     bad_eccentricity_deg = middle(bad$gaze_eccentricity_deg),
-    covered_share = mean_known(trials$region_covered_share)
-  )
+    covered_share = mean_known(trials$region_covered_share))
 }
 
 # exposure_of every participant, kind of scheduling and number of bodies that has a trial.
 exposure_by_participant <- function(study) {
   columns <- c("participant", "scheduling", "bodies")
-  rows <- lapply(split(seq_len(nrow(study$trials)), study$trials[columns], drop = TRUE),
-    function(rows) {
-      cbind(study$trials[rows[1], columns],
-        exposure_of(study$trials[rows, ], study$collisions[study$collisions$row %in% rows, ]))
-    })
-  do.call(rbind, unname(rows))
+  each_row(split(seq_len(nrow(study$trials)), study$trials[columns], drop = TRUE), function(rows) {
+    cbind(study$trials[rows[1], columns],
+      exposure_of(study$trials[rows, ], study$collisions[study$collisions$row %in% rows, ]))
+  })
 }
 
 # One row per kind and number of bodies: trials, and each measure's mean over the participants who
 # have it.
 exposure_table <- function(each) {
-  cells <- split(each, each[c("bodies", "scheduling")], drop = TRUE)
-  rows <- lapply(cells, function(cell) {
-    measures <- lapply(cell[names(kExposureMeasures)], function(x) {
-      if (all(is.na(x))) NA_real_ else mean(x, na.rm = TRUE)
-    })
+  each_row(split(each, each[c("bodies", "scheduling")], drop = TRUE), function(cell) {
     data.frame(scheduling = cell$scheduling[1], bodies = cell$bodies[1],
-      participants = nrow(cell), trials = sum(cell$trials), measures)
+      participants = nrow(cell), trials = sum(cell$trials),
+      lapply(cell[names(kExposureMeasures)], mean_known))
   })
-  do.call(rbind, unname(rows))
 }
 
 # Paired t tests over participants of every measure for a pair of kinds, as an outcome. A participant's
 # value for a kind is the mean over the numbers of bodies, and is missing where one of them is.
 exposure_tests <- function(each, pair = kTrackedRandom) {
-  outcomes <- lapply(names(kExposureMeasures), function(measure) {
+  do.call(all_outcomes, lapply(names(kExposureMeasures), function(measure) {
     differences <- contrast_differences(each, measure, pair)[, kOverall]
     family <- if (measure == kManipulated && pair$of == "tracked") kManipulationFamily else
       kExposureFamily
-    paired_test(differences[!is.na(differences)], family_of(family, pair), kExposureMeasures[[measure]],
-      kExposureMeasures[[measure]])
-  })
-  do.call(all_outcomes, outcomes)
+    paired_test(differences[!is.na(differences)], family_of(family, pair),
+      kExposureMeasures[[measure]], kExposureMeasures[[measure]])
+  }))
+}
+
+# What is not known of the exposure, and how to fill it in.
+exposure_sentences <- function(study) {
+  collisions <- study$collisions
+  bad <- collisions[collisions$bad, ]
+  unmeasured <- bad[is.na(bad$visible_gap_arcmin), ]
+  unseen <- sum(is.na(study$trials$exposure_s))
+  c(
+    if (nrow(unmeasured) > 0) sprintf("The gap was not measured in %s of %s. %s",
+      format(nrow(unmeasured), big.mark = ","), count_of(nrow(bad), "bad collision"),
+      fill_in_words(study$trials[unique(unmeasured$row), ], "to have it")),
+    if (all(is.na(study$trials$merge_within_ms)))
+      "The protocol names no merge_within_ms, so every collision is an event of its own.",
+    if (unseen > 0) sprintf("No frame was recorded of %s, left out of the rates of clicks.",
+      count_of(unseen, "trial")))
+}
+
+exposure_lines <- function(table) {
+  format <- ifelse(endsWith(names(kExposureMeasures), "share"), "%.3f", "%.1f")
+  table_as_markdown(table, c(scheduling = "%s", bodies = "%s", trials = "%d",
+    stats::setNames(format, names(kExposureMeasures))),
+    c("scheduling", "bodies", "trials", kExposureMeasures))
 }

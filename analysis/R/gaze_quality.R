@@ -1,23 +1,34 @@
-# How good the gaze was and how fast the display followed it, one row per participant.
+# How good the gaze was, how fast the display followed it and how well it was calibrated, one row per
+# participant.
 #
-#   gaze_sample ─> samples per second, share lost by reason
-#   rated_trial ─> source, sample to flip, trials over the limits
+#   gaze_sample ──────> samples per second, share lost by reason
+#   rated_trial ──────> source, sample to flip, trials over the limits
+#   gaze_calibration ─> calibrations and tries, what the correction moved, what validation and drift
+#                       checks left
 #
 # Latency of a trial: the 95th percentile from sample to flip over the steps before which the eye was
 # not lost, as recorded; only trials whose detail depends on gaze have one. What blinks and other
 # losses cost is told by the shares lost. 60 ms is good, above 70 warns, above 80 the trial is marked
 # gaze_late (after Loschky and Wolverton 2007, who found 60 ms to go unnoticed).
+#
+# Accuracy is the mean distance from gaze to point in degrees: of a calibration before its correction
+# is made, of a validation and a drift check after it. The correction is the affine map of screen
+# metres that the session's last calibration gave; it takes what calibration found and leaves what
+# validation finds.
 # SPDX-License-Identifier: MIT
 
 kGoodLatencyMs <- 60
 kWarnLatencyMs <- 70
 
+for_each_participant <- function(study, row) {
+  each_row(sort(unique(as.character(study$trials$participant))), row)
+}
+
 gaze_quality <- function(study) {
-  rows <- lapply(sort(unique(as.character(study$trials$participant))), function(who) {
+  for_each_participant(study, function(who) {
     of <- function(rows) rows[as.character(rows$participant) == who, ]
     gaze_quality_of(of(study$trials), of(study$gaze))
   })
-  do.call(rbind, rows)
 }
 
 # One participant: the trials, the samples counted by trial.
@@ -28,8 +39,7 @@ gaze_quality_of <- function(trials, gaze) {
   latency_ms <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
   # n samples span n - 1 intervals.
   intervals <- sum(gaze$samples - 1)
-  data.frame(
-    participant = as.character(trials$participant[1]),
+  data.frame(participant = as.character(trials$participant[1]),
     gaze_source = if (length(source) > 0) paste(sort(source), collapse = " and ") else "none",
     trials = nrow(trials), trials_followed = sum(!is.na(trials$gaze_source)), samples = samples,
     samples_per_s = if (intervals > 0) intervals / sum(gaze$span_s) else NA_real_,
@@ -38,71 +48,111 @@ gaze_quality_of <- function(trials, gaze) {
     latency_median_ms = if (length(latency_ms) > 0) stats::median(latency_ms) else NA_real_,
     latency_largest_ms = if (length(latency_ms) > 0) max(latency_ms) else NA_real_,
     trials_over_70_ms = sum(latency_ms > kWarnLatencyMs),
-    trials_late = sum(trials$gaze_late)
-  )
+    trials_late = sum(trials$gaze_late))
 }
 
-# What a reader must know of the gaze before believing a result.
-gaze_sentences <- function(study, quality) {
-  trials <- study$trials
-  c(source_sentences(trials), latency_sentence(trials), late_gaze_sentence(trials, quality))
+# What a reader must know of the gaze before believing a result. `without`: where the results stand
+# without the trials that were marked late.
+gaze_sentences <- function(trials, without = "the planned contrast is given without them too") {
+  known <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
+  if (all(is.na(trials$gaze_source))) return("The gaze was not followed.")
+  if (length(known) == 0) {
+    return(c(source_sentences(trials), "No latency from sample to flip is known."))
+  }
+  over <- sum(known > kWarnLatencyMs)
+  late <- sum(trials$gaze_late)
+  c(source_sentences(trials), sprintf(paste(
+    "The 95th percentile from gaze sample to flip, while the eye was not lost, was %s ms by trial; it",
+    "was at most %d ms, which is good, in %d of %s whose detail depended on gaze."),
+    paste(unique(sprintf("%.0f", range(known))), collapse = " to "), kGoodLatencyMs,
+    sum(known <= kGoodLatencyMs), count_of(length(known), "trial")),
+    if (over == 0) "In no trial did the 95th percentile exceed 70 ms." else sprintf(paste(
+    "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials",
+    "are in every analysis%s."), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
+    if (late == 1) "is" else "are", if (late > 0) paste0("; ", without) else ""))
 }
 
 source_sentences <- function(trials) {
-  of <- function(source) trials[trials$gaze_source %in% source, ]
-  where <- function(some) {
-    sprintf("%s of %s", count_of(nrow(some), "trial"),
+  vapply(sort(unique(trials$gaze_source), na.last = TRUE), function(source) {
+    some <- trials[trials$gaze_source %in% source, ]
+    where <- paste(count_of(nrow(some), "trial"), "of",
       count_of(participant_count(some), "participant"))
-  }
-  mouse <- of("mouse")
-  eye <- of("simulated eye")
-  none <- of(NA)
-  c(
-    if (nrow(mouse) > 0) sprintf(paste(
-      "GAZE FROM THE MOUSE in %s: the pointer stood in for the eye, and mouse data cannot support",
-      "claims about gaze."), where(mouse)),
-    if (nrow(eye) > 0) sprintf("Gaze from a simulated eye in %s: it describes a model of the eye.",
-      where(eye)),
-    if (nrow(none) > 0) sprintf("Gaze was not followed in %s.", where(none))
-  )
-}
-
-latency_sentence <- function(trials) {
-  known <- trials$gaze_latency_p95_ms[!is.na(trials$gaze_latency_p95_ms)]
-  if (length(known) == 0) return("No latency from sample to flip is known.")
-  sprintf(paste(
-    "The 95th percentile from gaze sample to flip, while the eye was not lost, was %s ms by trial; it",
-    "was at most %d ms, which is good, in %d of %s whose detail depended on gaze."
-  ), paste(unique(sprintf("%.0f", range(known))), collapse = " to "), kGoodLatencyMs,
-  sum(known <= kGoodLatencyMs), count_of(length(known), "trial"))
-}
-
-late_gaze_sentence <- function(trials, quality) {
-  over <- sum(quality$trials_over_70_ms)
-  late <- sum(quality$trials_late)
-  if (all(is.na(trials$gaze_latency_p95_ms))) return(character())
-  if (over == 0) return("In no trial did the 95th percentile exceed 70 ms.")
-  sprintf(paste(
-    "The 95th percentile exceeds 70 ms in %s; %d of %s %s marked late (above 80 ms). Marked trials are",
-    "in every analysis%s."
-  ), count_of(over, "trial"), late, count_of(nrow(trials), "trial"),
-  if (late == 1) "is" else "are",
-  if (late > 0) "; the planned contrast is given without them too" else "")
+    if (is.na(source)) return(sprintf("Gaze was not followed in %s.", where))
+    switch(source, mouse = sprintf(paste("GAZE FROM THE MOUSE in %s: the pointer stood in for the",
+      "eye, and mouse data cannot support claims about gaze."), where),
+      "simulated eye" = sprintf("Gaze from a simulated eye in %s: it describes a model of the eye.",
+        where),
+      sprintf("Gaze from %s in %s.", source, where))
+  }, "", USE.NAMES = FALSE)
 }
 
 gaze_quality_lines <- function(quality) {
-  number <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))
-  percent <- function(x) number(100 * x, "%.1f")
-  markdown_table(
+  quality$participant <- as_typed(quality$participant)
+  quality$followed <- sprintf("%d of %d", quality$trials_followed, quality$trials)
+  shares <- c("blink_share", "off_screen_share", "lost_share")
+  quality[shares] <- 100 * quality[shares]
+  table_as_markdown(quality, c(participant = "%s", gaze_source = "%s", followed = "%s",
+    samples_per_s = "%.0f", blink_share = "%.1f", off_screen_share = "%.1f", lost_share = "%.1f",
+    trials_timed = "%d", latency_median_ms = "%.1f", latency_largest_ms = "%.1f",
+    trials_over_70_ms = "%d", trials_late = "%d"),
     c("participant", "gaze source", "trials followed", "samples per second", "blink (%)",
       "off screen (%)", "lost (%)", "trials timed", "sample to flip, p95, median trial (ms)",
-      "largest (ms)", "trials > 70 ms", "trials marked late"),
-    sprintf("%s | %s | %d of %d | %s | %s | %s | %s | %d | %s | %s | %d | %d", as_typed(quality$participant),
-      quality$gaze_source, quality$trials_followed, quality$trials,
-      number(quality$samples_per_s, "%.0f"), percent(quality$blink_share),
-      percent(quality$off_screen_share), percent(quality$lost_share),
-      quality$trials_timed, number(quality$latency_median_ms, "%.1f"),
-      number(quality$latency_largest_ms, "%.1f"),
-      quality$trials_over_70_ms, quality$trials_late)
-  )
+      "largest (ms)", "trials > 70 ms", "trials marked late"))
+}
+
+calibration_quality <- function(study) {
+  for_each_participant(study, function(who) {
+    calibration_quality_of(who, study$calibrations[study$calibrations$participant == who, ])
+  })
+}
+
+calibration_quality_of <- function(who, rows) {
+  of <- function(kind) rows[rows$kind == kind, ]
+  last <- function(x) if (length(x) > 0) x[length(x)] else NA_real_
+  largest <- function(x) if (all(is.na(x))) NA_real_ else max(x, na.rm = TRUE)
+  calibrations <- of("calibration")
+  validations <- of("validation")
+  drifts <- of("drift check")
+  data.frame(participant = who, calibrations = nrow(calibrations),
+    accuracy_before_deg = last(calibrations$accuracy_deg),
+    shift_mm = last(1000 * sqrt(calibrations$correction_x0_m^2 + calibrations$correction_y0_m^2)),
+    stretch = last(pmax(abs(calibrations$correction_xx - 1), abs(calibrations$correction_yy - 1))),
+    validation_accuracy_deg = last(validations$accuracy_deg),
+    validation_worst_deg = last(validations$worst_accuracy_deg),
+    validation_precision_rms_deg = last(validations$precision_rms_deg),
+    drift_checks = nrow(drifts), drift_largest_deg = largest(drifts$accuracy_deg),
+    not_passed = sum(rows$passed == 0, na.rm = TRUE))
+}
+
+# Nothing is said of a study without any calibration, as one with the mouse may be.
+calibration_sentences <- function(table) {
+  never <- table$participant[table$calibrations == 0]
+  known <- table$validation_accuracy_deg[!is.na(table$validation_accuracy_deg)]
+  if (all(table$calibrations == 0)) return("The gaze was never calibrated.")
+  c(
+    if (length(known) > 0) sprintf(
+      "Accuracy of the gaze when last validated, after correction: mean %.2f°, worst participant %.2f°.",
+      mean(known), max(known)),
+    if (length(never) > 0) sprintf("Never calibrated: %s.", and_words(as_typed(never))),
+    if (sum(table$not_passed) > 0) sprintf("%s over the protocol's limit, of %s.",
+      paste(count_of(sum(table$not_passed), "calibration, validation or drift check"),
+        if (sum(table$not_passed) == 1) "was" else "were"),
+      and_words(as_typed(table$participant[table$not_passed > 0]))))
+}
+
+calibration_section <- function(table) {
+  if (all(table$calibrations == 0)) return(character())
+  table$participant <- as_typed(table$participant)
+  table$stretch <- 100 * table$stretch
+  c(
+    table_as_markdown(table, c(participant = "%s", calibrations = "%d", accuracy_before_deg = "%.2f",
+      shift_mm = "%.1f", stretch = "%.1f", validation_accuracy_deg = "%.2f",
+      validation_worst_deg = "%.2f", validation_precision_rms_deg = "%.3f", drift_checks = "%d",
+      drift_largest_deg = "%.2f", not_passed = "%d"),
+      c("participant", "calibrations", "accuracy before correction (°)", "shift (mm)",
+        "stretch (%)", "validation: accuracy (°)", "worst point (°)", "precision, RMS (°)",
+        "drift checks", "largest drift (°)", "not passed")),
+    "", paste("Accuracy: mean distance from gaze to point. Shift and stretch: of the correction that",
+      "the last calibration made, at the screen's centre and the larger of the two axes'. Validation:",
+      "the last one, after it."), "")
 }

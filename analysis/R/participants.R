@@ -1,4 +1,4 @@
-# Who is analysed, and their means: the unit of every test is the participant.
+# Who is analysed, their means, which are the unit of every test, and intervals of means over them.
 # SPDX-License-Identifier: MIT
 
 # Keeps people and simulated participants apart. Where a study has both, the simulated ones are
@@ -6,14 +6,12 @@
 keep_people_apart <- function(study) {
   trials <- study$trials
   made_up <- trials$simulated == 1 | trials$device == "simulated"
-  study$excluded <- data.frame(participant = character(), trials = integer(), reason = character())
   study$all_simulated <- all(made_up)
-  if (!any(made_up) || all(made_up)) return(study)
-  counts <- table(trials$participant[made_up])
-  study$excluded <- data.frame(
-    participant = names(counts), trials = as.integer(counts),
-    reason = "simulated, in a study that has people"
-  )
+  counts <- table(trials$participant[made_up & !all(made_up)])
+  study$excluded <- data.frame(participant = as.character(names(counts)),
+    trials = as.integer(counts),
+    reason = rep("simulated, in a study that has people", length(counts)))
+  if (length(counts) == 0) return(study)
   study$trials <- trials[!made_up, ]
   study$trials[study$factors] <- lapply(study$trials[study$factors], droplevels)
   study$catch <- study$catch[study$catch$participant %in% study$trials$participant, ]
@@ -24,7 +22,7 @@ participant_count <- function(trials) length(unique(trials$participant))
 
 # The design's factors that vary in these trials.
 varying_factors <- function(trials, factors) {
-  factors[vapply(factors, function(f) nlevels(droplevels(trials[[f]])) > 1, logical(1))]
+  factors[vapply(factors, function(f) nlevels(droplevels(trials[[f]])) > 1, NA)]
 }
 
 # Means of the column `of` as a matrix: participants by cells of `factors`, the last factor varying
@@ -40,6 +38,17 @@ participant_means <- function(trials, factors, of = "rating") {
 # The participants who have a rating in every cell.
 complete_participants <- function(means) means[stats::complete.cases(means), , drop = FALSE]
 
+# participant_means in long form: participant, mean and a column for each factor; no empty cells.
+long_means <- function(means, factors) {
+  rows <- data.frame(participant = rep(rownames(means), ncol(means)), mean = as.vector(means))
+  rows[factors] <- cell_factors(rep(colnames(means), each = nrow(means)))
+  rows[!is.na(rows$mean), ]
+}
+
+cell_factors <- function(cells) {
+  do.call(rbind, strsplit(as.character(cells), " : ", fixed = TRUE))
+}
+
 # Means with within-participant intervals over the participants who have every cell; without
 # intervals, over everybody, when nobody has.
 means_with_intervals <- function(trials, factors, of = "rating") {
@@ -47,9 +56,8 @@ means_with_intervals <- function(trials, factors, of = "rating") {
   means <- participant_means(trials, factors, of)
   complete <- complete_participants(means)
   rows <- if (nrow(complete) > 0) cousineau_morey(complete) else data.frame(
-    cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_
-  )
-  rows[factors] <- do.call(rbind, strsplit(as.character(rows$cell), " : ", fixed = TRUE))
+    cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
+  rows[factors] <- cell_factors(rows$cell)
   rows$x <- position_of(rows[[factors[1]]])
   rows[!is.nan(rows$mean), ]
 }
@@ -58,4 +66,60 @@ means_with_intervals <- function(trials, factors, of = "rating") {
 position_of <- function(level) {
   number <- suppressWarnings(as.numeric(level))
   if (anyNA(number)) as.integer(factor(level, unique(level))) else number
+}
+
+# Student's t interval of the mean of `x`: c(mean, low, high); no limits for fewer than two values.
+t_interval <- function(x, level = 0.95) {
+  n <- length(x)
+  half <- if (n > 1) stats::qt((1 + level) / 2, n - 1) * stats::sd(x) / sqrt(n) else NA
+  c(mean = mean(x), low = mean(x) - half, high = mean(x) + half)
+}
+
+# Within-participant intervals of the columns' means, one row per column of `means`.
+#
+# Each participant's own mean is taken out, the grand mean put back (Cousineau 2005), and the
+# standard error widened by sqrt(J / (J - 1)) for J columns (Morey 2008). They show what a
+# comparison between the columns can show, not how people differ. Precondition: no NA.
+cousineau_morey <- function(means, level = 0.95) {
+  columns <- ncol(means)
+  normalised <- means - rowMeans(means) + mean(means)
+  half <- if (nrow(means) > 1 && columns > 1) sqrt(columns / (columns - 1)) *
+    apply(normalised, 2, function(x) diff(t_interval(x, level)[c("mean", "high")])) else NA
+  data.frame(cell = colnames(means), mean = colMeans(means), low = colMeans(means) - half,
+    high = colMeans(means) + half, row.names = NULL)
+}
+
+# Interval of partial eta squared from the noncentral F: c(low, high) (Smithson 2001; Steiger 2004).
+#
+# A limit is lambda / (lambda + df1 + df2 + 1), where the noncentrality lambda puts the observed F
+# at the tail's probability. 90 % by convention: its lower limit exceeds 0 just when p < .05.
+eta_squared_interval <- function(F, df1, df2, level = 0.90) {
+  tail <- (1 - level) / 2
+  lambda <- vapply(c(low = 1 - tail, high = tail), function(p) noncentrality_at(p, F, df1, df2), 0)
+  as_eta_squared(lambda, df1, df2)
+}
+
+as_eta_squared <- function(lambda, df1, df2) lambda / (lambda + df1 + df2 + 1)
+
+# The noncentrality at which P(F' <= F) = probability; 0 where even the central F is below it.
+noncentrality_at <- function(probability, F, df1, df2) {
+  below <- function(lambda) stats::pf(F, df1, df2, ncp = lambda) - probability
+  if (below(0) <= 0) return(0)
+  upper <- max(1, F * df1)
+  while (suppressWarnings(below(upper)) > 0) upper <- 2 * upper
+  suppressWarnings(stats::uniroot(below, c(0, upper), tol = 1e-9 * upper)$root)
+}
+
+# Percentile bootstrap over participants (rows) of `statistic(means)`: c(low, high). Its tails are
+# those that the normal law gives Student's t interval, wider by sqrt(n / (n - 1)): plain percentiles
+# of n participants are too narrow (Hesterberg 2015, "expanded percentile"). Seeded, so that a table is
+# the same every time it is made; the caller's random numbers are left as they were.
+bootstrap_interval <- function(means, statistic, level = 0.95, draws = 2000, seed = 1) {
+  n <- nrow(means)
+  values <- withr::with_seed(seed, replicate(draws, {
+    statistic(means[sample(n, replace = TRUE), , drop = FALSE])
+  }))
+  tail <- if (n < 2) (1 - level) / 2 else
+    stats::pnorm(-sqrt(n / (n - 1)) * stats::qt((1 + level) / 2, n - 1))
+  stats::setNames(stats::quantile(values, c(tail, 1 - tail), na.rm = TRUE), c("low", "high"))
 }

@@ -1,17 +1,40 @@
-# The planned contrast of a gaze-contingent study, such as tracked − random, overall and at each
-# number of bodies, for ratings.
+# The pairs of kinds that a gaze-contingent study compares, such as tracked − random, overall and at
+# each number of bodies, for ratings and clicks.
 #
-#   trials of these two kinds ─┬─> mixed model, odds ratios            primary
+#   trials of these two kinds ─┬─> mixed model, odds or rate ratios      primary
 #                              └─> participants' differences ─┬─> paired t tests
 #                                                             └─> equivalence tests
 #
 # The model sees the trials of the two kinds alone: its random slope is then the contrast's own, which
-# a test of it needs (Barr 2013), and odds have to be proportional between these two only.
+# a test of it needs (Barr 2013), and odds have to be proportional between these two only. A pair is
+# list(of, against, planned): a difference is `of` minus `against`.
+#
+# Invariant: the families of tests of two pairs have different names, so Holm's correction never
+# runs over both.
 # SPDX-License-Identifier: MIT
 
 kContrastFamily <- "planned contrast tracked − random, mixed model"
 kContrastMeansFamily <- "planned contrast tracked − random, participants' means"
+kClickContrastFamily <- "clicks, planned contrast tracked / random"
+kClickEquivalenceFamily <- "clicks, equivalence of rates"
+kRateMargin <- c(0.8, 1.25)
 kOverall <- "overall"
+kTrackedRandom <- list(of = "tracked", against = "random", planned = TRUE)
+
+planned_pair <- function(study) study$pairs[[1]]
+
+pair_words <- function(pair, between = " − ") paste0(pair$of, between, pair$against)
+
+# The name of a family of tests for this pair, from its name for tracked and random.
+family_of <- function(family, pair) {
+  named <- sub("tracked( [−/] )random", paste0(pair$of, "\\1", pair$against), family)
+  if (pair$planned) return(named)
+  paste0(sub("planned contrast", "contrast", named),
+    if (!grepl("tracked [−/] random", family)) paste0(", ", pair_words(pair)))
+}
+
+# Outcomes of `tests(pair)` for every pair of the study, as one.
+for_each_pair <- function(study, tests) do.call(all_outcomes, lapply(study$pairs, tests))
 
 # The trials of a pair; `against` is the first level, so a coefficient is of − against.
 contrast_trials <- function(trials, pair = kTrackedRandom) {
@@ -45,53 +68,44 @@ contrast_label <- function(place, pair = kTrackedRandom) {
   paste0(pair_words(pair), ", ", ifelse(place == kOverall, place, paste("at", place, "bodies")))
 }
 
-# Odds ratios of a higher rating in a trial of one kind against the other, as an outcome.
-# `without`: words added to the family when some trials are left out.
-contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom) {
-  two <- contrast_trials(trials, pair)
-  reason <- why_no_contrast(two, pair)
+# Odds ratios of a higher rating, or rate ratios of clicks with their equivalence tests, in a trial of
+# one kind against the other, as an outcome. `without`: words added to the family when some trials
+# are left out.
+contrast_model_tests <- function(trials, without = "", pair = kTrackedRandom,
+                                 response = "rating") {
+  is_rating <- response == "rating"
+  two <- contrast_trials(if (is_rating) trials else trials_with_exposure(trials), pair)
+  reason <- why_no_contrast(two, response, pair)
   if (!is.null(reason)) return(outcome(remarks = reason))
-  two$rating <- factor(two$rating, ordered = TRUE)
-  terms <- c("scheduling", varying_factors(two, "bodies"))
-  fit <- function(terms, kind) {
-    fit_family_or_fall_back(two, terms, "scheduling", tested = character(), kind = kind)
-  }
+  if (is_rating) two$rating <- factor(two$rating, ordered = TRUE)
+  family <- family_of(if (is_rating) kContrastFamily else kClickContrastFamily, pair)
+  kind <- paste("mixed model of", pair_words(pair, " and "), "trials")
   row <- function(models, coefficients, place) {
-    estimate <- sum_of_coefficients(models$full$beta, models$full$covariance, coefficients)
-    method <- sprintf("cumulative-link mixed model of %s trials, logit, %s; Wald",
-      pair_words(pair, " and "), models$random)
-    ratio_row(paste0(family_of(kContrastFamily, pair), without), method,
-      contrast_label(place, pair), estimate,
-      "odds ratio of a higher rating", two)
+    estimate <- sum_of_coefficients(models$full, coefficients)
+    label <- contrast_label(place, pair)
+    rbind(ratio_row(paste0(family, without), paste0(model_method(models, kind), "; Wald"), label,
+      estimate, response_model(response)$size, two),
+      if (!is_rating && without == "") rate_equivalence_row(estimate, label, two, pair))
   }
-  contrast_rows(two, terms, fit, row, has_one_sided_cell(two, "scheduling:bodies"))
+  contrast_rows(two, response, row)
 }
 
-why_no_contrast <- function(two, pair = kTrackedRandom) {
-  none <- why_no_test(two)
-  if (!is.null(none)) return(none)
-  if (participant_count(two) < 3) {
-    return("The mixed model of the planned contrast needs three participants or more.")
-  }
-  if (nlevels(droplevels(two$scheduling)) < 2) {
-    return(sprintf("There is no planned contrast: it needs rated trials of %s and of %s.",
-      pair$of, pair$against))
+# The contrast from mixed models of the response, overall and at each number of bodies.
+# `row(models, coefficients, place)`: its rows at one place.
+contrast_rows <- function(two, response, row) {
+  fit <- function(terms, kind) {
+    fit_models(two, terms, "scheduling", character(), response,
+      paste0(kind, if (response == "clicks") " of clicks"))
   }
   terms <- c("scheduling", varying_factors(two, "bodies"))
-  if (!any(vapply(terms, function(term) separates(two, term), NA))) return(NULL)
-  paste("The levels of scheduling or bodies separate the ratings of", pair_words(pair, " and "),
-    "trials completely, so the mixed model of the planned contrast was not fitted.")
-}
-
-# The contrast from a fitted model, overall and at each number of bodies, whatever the model is.
-# `fit(terms, kind)`: models, or their failure and remarks. `row(models, coefficients, place)`: one
-# row. `endless`: a cell would push an estimate of the interaction to infinity.
-contrast_rows <- function(two, terms, fit, row, endless) {
   alone <- fit(terms, "mixed model of the planned contrast")
   if (!is.null(alone$failure)) return(outcome(remarks = alone$remarks))
   coefficient <- paste0("scheduling", levels(two$scheduling)[2])
   overall <- outcome(row(alone, coefficient, kOverall), alone$remarks)
   if (!"bodies" %in% terms) return(overall)
+  # Would an estimate of the interaction be pushed to infinity?
+  endless <- if (response == "rating") has_one_sided_cell(two, "scheduling:bodies") else
+    has_cell_without_clicks(two)
   if (endless) {
     return(all_outcomes(overall, outcome(remarks = paste(
       "A cell of the planned contrast holds one end of the scale only, so the mixed model gives it",
@@ -100,57 +114,45 @@ contrast_rows <- function(two, terms, fit, row, endless) {
   both <- fit(c(terms, "scheduling:bodies"), "mixed model of the contrast by number of bodies")
   if (!is.null(both$failure)) return(all_outcomes(overall, outcome(remarks = both$remarks)))
   bodies <- levels(two$bodies)
-  apart <- lapply(bodies, function(place) {
-    beside <- if (place != bodies[1]) paste0(coefficient, ":bodies", place)
-    row(both, c(coefficient, beside), place)
+  apart <- each_row(bodies, function(place) {
+    row(both, c(coefficient, if (place != bodies[1]) paste0(coefficient, ":bodies", place)), place)
   })
-  all_outcomes(overall, outcome(do.call(rbind, apart), both$remarks))
+  all_outcomes(overall, outcome(apart, both$remarks))
 }
 
-# c(estimate, error) of the sum of the named coefficients.
-sum_of_coefficients <- function(beta, covariance, names) {
-  c(estimate = sum(beta[names]), error = sqrt(sum(covariance[names, names])))
+why_no_contrast <- function(two, response, pair) {
+  none <- if (response == "rating") why_no_test(two)
+  if (!is.null(none)) return(none)
+  if (nlevels(droplevels(two$scheduling)) < 2) {
+    return(sprintf("There is no planned contrast: it needs trials of %s and of %s.", pair$of,
+      pair$against))
+  }
+  why_no_model(two, c("scheduling", if (response == "rating") varying_factors(two, "bodies")),
+    response, paste(response_model(response)$kind, "of the planned contrast"))
 }
 
-# A row for exp(estimate) with its 95 % Wald interval.
-ratio_row <- function(family, method, effect, estimate, size_name, trials) {
-  z <- estimate[["estimate"]] / estimate[["error"]]
-  limits <- estimate[["estimate"]] + c(-1, 1) * stats::qnorm(0.975) * estimate[["error"]]
-  test_row(family, method, effect, "z", z, NA, p = 2 * stats::pnorm(-abs(z)),
-    size_name = size_name, size = exp(estimate[["estimate"]]), interval = exp(limits),
-    interval_level = 0.95, participants = participant_count(trials), trials = nrow(trials))
+# Two one-sided z tests of the log ratio against ratios of .8 and 1.25, with a 90 % interval.
+rate_equivalence_row <- function(estimate, label, trials, pair) {
+  tests <- two_one_sided(estimate[["estimate"]], estimate[["error"]], log(kRateMargin))
+  test_row(family_of(kClickEquivalenceFamily, pair),
+    sprintf("two one-sided z tests, margin %.2f to %.2f", kRateMargin[1], kRateMargin[2]), label,
+    "z", tests$statistic, NA, p = tests$p, size_name = "rate ratio",
+    size = exp(estimate[["estimate"]]), interval = exp(tests$interval), interval_level = 0.90,
+    participants = participant_count(trials), trials = nrow(trials))
 }
 
 # Paired t tests and equivalence tests of participants' mean ratings, as an outcome. `margin`: in
 # rating points.
 contrast_means_tests <- function(trials, margin, pair = kTrackedRandom) {
   differences <- contrast_differences(trials, pair = pair)
-  outcomes <- lapply(colnames(differences), function(place) {
+  do.call(all_outcomes, lapply(colnames(differences), function(place) {
     known <- differences[!is.na(differences[, place]), place]
-    remark <- left_out_remark(paste("the paired tests of", contrast_label(place, pair)),
-      nrow(differences) - length(known))
-    all_outcomes(
-      outcome(remarks = remark),
-      paired_test(known, family_of(kContrastMeansFamily, pair), contrast_label(place, pair),
+    label <- contrast_label(place, pair)
+    all_outcomes(outcome(remarks = left_out_remark(paste("the paired tests of", label),
+        nrow(differences) - length(known))),
+      paired_test(known, family_of(kContrastMeansFamily, pair), label,
         "difference in rating points"),
-      if (length(known) > 1) equivalence_test(known, contrast_label(place, pair), margin,
-        family_of(kEquivalenceFamily, pair))
-    )
-  })
-  do.call(all_outcomes, outcomes)
-}
-
-# A paired t test of participants' differences, with their mean's 95 % interval; none for fewer than
-# two participants.
-paired_test <- function(differences, family, effect, size_name) {
-  n <- length(differences)
-  if (n < 2) return(outcome())
-  if (stats::sd(differences) < 1e-9) {  # means of counts and small numbers: below is rounding
-    return(outcome(remarks = sprintf("No t test of %s: the differences do not vary.", effect)))
-  }
-  interval <- t_interval(differences)
-  t <- mean(differences) / (stats::sd(differences) / sqrt(n))
-  outcome(test_row(family, "paired t test of participants' means", effect, "t", t, n - 1,
-    p = 2 * stats::pt(-abs(t), n - 1), size_name = size_name, size = mean(differences),
-    interval = interval[c("low", "high")], interval_level = 0.95, participants = n))
+      if (length(known) > 1) equivalence_test(known, label, margin,
+        family_of(kEquivalenceFamily, pair)))
+  }))
 }

@@ -1,13 +1,90 @@
-# A power analysis as one page of HTML, its figure and its table.
+# A power analysis as one page of HTML, its figure and its table: how often the tests of simulated
+# studies reject.
 #
-#   ledger ─> rates ─> power.html, power.svg, power.pdf, power.csv
+#   ledger: study, test ─> one row per (effect, participants, factor): rejected, rate, its interval
+#                       ─> power.html, power.svg, power.pdf, power.csv
 #
+# The interval is the Monte-Carlo one: exact (Clopper and Pearson 1934), for a limited number of
+# studies. Rejected: p < .05 after Holm within the factors that are tested, as the report of a real
+# study decides; `alone`: p < .05 as it is, which is what a test's own type-I error is about.
+# A study whose test could not be made did not reject.
 # SPDX-License-Identifier: MIT
 
+kWantedPower <- 0.8
+
+power_rates <- function(ledger) {
+  tests <- DBI::dbGetQuery(ledger, "SELECT * FROM test ORDER BY effect DESC, number, participants, factor")
+  if (nrow(tests) == 0) refuse("expected studies in the ledger, got none yet")
+  study <- paste(tests$effect, tests$number, tests$participants)
+  tests$p_holm <- stats::ave(tests$p, study, FUN = function(p) stats::p.adjust(p, "holm"))
+  cells <- split(tests, list(tests$participants, tests$effect, tests$factor), drop = TRUE)
+  rates <- each_row(cells, function(cell) {
+    alone <- stats::setNames(rejection_share(cell$p), c("alone", "alone_rate", "alone_low",
+      "alone_high"))
+    data.frame(cell[1, c("factor", "effect", "participants")], studies = nrow(cell),
+      untested = sum(is.na(cell$p)), rejection_share(cell$p_holm), alone, row.names = NULL)
+  })
+  rates[order(-rates$effect, rates$factor, rates$participants), ]
+}
+
+# How many p are below .05, with the exact 95 % interval of the rate.
+rejection_share <- function(p) {
+  rejected <- sum(p < kSignificance, na.rm = TRUE)
+  interval <- stats::binom.test(rejected, length(p))$conf.int
+  data.frame(rejected = rejected, rate = rejected / length(p), low = interval[1],
+    high = interval[2])
+}
+
+# The families of a factor tested alone need no correction.
+power_family_size <- function(rates) length(unique(rates$factor))
+
+# ".987 [.978, .993]"
+rate_words <- function(rate, low, high) {
+  digits <- function(x) ifelse(x == 1, "1", sub("^0", "", sprintf("%.3f", x)))
+  sprintf("%s [%s, %s]", digits(rate), digits(low), digits(high))
+}
+
+kPowerColours <- c(planted = "#000000", none = "#D55E00")
+kPowerShapes <- c(planted = 16, none = 17)
+
+# list(name, caption, plot, height_mm), as column_figures.R writes it.
+power_figure <- function(rates, question) {
+  planted <- rates$effect == 1
+  shown <- data.frame(
+    factor = vapply(rates$factor, label_of, ""), participants = rates$participants,
+    series = factor(ifelse(planted, "planted", "none"), names(kPowerColours)),
+    rate = ifelse(planted, rates$rate, rates$alone_rate),
+    low = ifelse(planted, rates$low, rates$alone_low),
+    high = ifelse(planted, rates$high, rates$alone_high))
+  labels <- c(planted = "effect as planted", none = "effect set to zero")
+  plot <- ggplot2::ggplot(shown, ggplot2::aes(participants, rate, colour = series, shape = series)) +
+    ggplot2::geom_hline(yintercept = c(kSignificance, kWantedPower), linewidth = 0.25,
+      linetype = "22", colour = "grey55") +
+    (if (length(unique(shown$participants)) > 1) ggplot2::geom_line(linewidth = 0.4)) +
+    interval_bars(0.7) + ggplot2::geom_point(size = 1.5) +
+    series_scales(NULL, kPowerColours, kPowerShapes, labels = labels, drop = TRUE) +
+    ggplot2::scale_x_continuous("Participants", breaks = sort(unique(shown$participants)),
+      expand = ggplot2::expansion(mult = 0.08)) +
+    ggplot2::scale_y_continuous("Share of studies that reject", breaks = c(0.05, 0.2, 0.4, 0.6, 0.8, 1),
+      labels = c(".05", ".2", ".4", ".6", ".8", "1"), limits = c(0, 1)) +
+    ggplot2::facet_wrap("factor", ncol = 2) + column_theme() +
+    ggplot2::theme(legend.position = "bottom")
+  list(name = "power", plot = plot, caption = power_caption(rates, question),
+    height_mm = 20 + 48 * ceiling(length(unique(shown$factor)) / 2))
+}
+
+power_caption <- function(rates, question) {
+  family <- power_family_size(rates)
+  paste0("Share of simulated studies of ", question$protocol, " in which the test of a factor",
+    " rejects, by number of participants, with its exact 95 % Monte-Carlo interval. Black: ",
+    "the effect as planted", if (family > 1) paste0(", p < .05 after Holm over the ", family,
+      " factors") else ", p < .05", "; this is the power of factors that have an effect",
+    if (any(rates$effect == 0)) paste0(". Orange: the effect set to zero, p < .05",
+      if (family > 1) " uncorrected", "; this is the type-I error"), ". Dashed: .05 and .8.")
+}
+
 write_power_page <- function(path, folder) {
-  ledger <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(ledger))
-  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger <- withr::local_db_connection(open_ledger(path))
   question <- power_question(ledger)
   rates <- power_rates(ledger)
   figure <- power_figure(rates, question)
@@ -20,12 +97,16 @@ write_power_page <- function(path, folder) {
 
 # What the command says at its end: a line for each factor.
 power_lines <- function(rates) {
-  planted <- rates[rates$effect == 1, ]
-  vapply(unique(planted$factor), function(factor) {
-    mine <- planted[planted$factor == factor, ]
-    paste0(factor, ": ", paste(sprintf("%d participants %s", mine$participants,
+  for_each_planted(rates, function(mine) {
+    paste0(mine$factor[1], ": ", paste(sprintf("%d participants %s", mine$participants,
       rate_words(mine$rate, mine$low, mine$high)), collapse = "; "))
-  }, "")
+  })
+}
+
+# `words` of the rates of each factor with the effect as planted.
+for_each_planted <- function(rates, words) {
+  planted <- rates[rates$effect == 1, ]
+  vapply(unname(split(planted, planted$factor)), words, "")
 }
 
 power_page <- function(ledger, question, rates, figure, svg) {
@@ -33,10 +114,8 @@ power_page <- function(ledger, question, rates, figure, svg) {
     paste0("<p class=\"simulated\">SIMULATED: everything here follows from an observer model and its",
       " assumptions, listed below. People may differ from it.</p>"),
     html_paragraphs(c(paste(power_answers(rates), collapse = " "), type_one_words(rates))),
-    "<figure>", inline_svg(svg, "power", figure$caption),
-    sprintf("<figcaption>%s</figcaption>", html_text(figure$caption)), "</figure>",
-    "<h2>Rates</h2>", html_table(rates_shown(rates), kRatesHeads),
-    untested_lines(ledger),
+    html_figure(svg, "power", figure$caption),
+    "<h2>Rates</h2>", html_table(rates_shown(rates), kRatesHeads), untested_lines(ledger),
     "<h2>Method, in words</h2>", html_paragraphs(power_method(ledger, question, rates)),
     "<h2>What was assumed of participants</h2>", html_table(assumptions_of(ledger, "observer"),
       c("Parameter", "Value", "Unit", "Source")),
@@ -46,20 +125,19 @@ power_page <- function(ledger, question, rates, figure, svg) {
 
 # For each factor the least number whose power is .8 beyond Monte-Carlo error, or that none is.
 power_answers <- function(rates) {
-  planted <- rates[rates$effect == 1, ]
-  vapply(unique(planted$factor), function(factor) {
-    mine <- planted[planted$factor == factor, ]
+  for_each_planted(rates, function(mine) {
+    factor <- name_and_unit(mine$factor[1])
     enough <- mine[mine$low >= kWantedPower, ]
     if (nrow(enough) == 0) {
       best <- mine[nrow(mine), ]
       return(sprintf(paste("The test of %s reaches a power of .8 at none of these numbers beyond",
         "Monte-Carlo error; with %d participants it rejects in %s of the studies."),
-        name_and_unit(factor), best$participants, rate_words(best$rate, best$low, best$high)))
+        factor, best$participants, rate_words(best$rate, best$low, best$high)))
     }
     sprintf(paste("Of these numbers of participants, %d is the least at which the test of %s has a",
-      "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], name_and_unit(factor),
+      "power of .8 beyond Monte-Carlo error: %s."), enough$participants[1], factor,
       rate_words(enough$rate[1], enough$low[1], enough$high[1]))
-  }, "")
+  })
 }
 
 type_one_words <- function(rates) {
@@ -68,9 +146,9 @@ type_one_words <- function(rates) {
   off <- none[none$alone_low > kSignificance | none$alone_high < kSignificance, ]
   of_all <- sprintf("With the effect set to zero, p was below .05 in %s of %s tests;",
     format(sum(none$alone), big.mark = ","), format(sum(none$studies), big.mark = ","))
-  each <- "each factor and number of participants"
   if (nrow(off) == 0) {
-    return(paste(of_all, "the interval of the type-I error holds .05 for", paste0(each, ".")))
+    return(paste(of_all, "the interval of the type-I error holds .05 for each factor and number of",
+      "participants."))
   }
   paste(of_all, sprintf("the interval of the type-I error does not hold .05 for %s.",
     paste(sprintf("%s with %d participants (%s)", vapply(off$factor, name_and_unit, ""),

@@ -10,7 +10,14 @@
 # SPDX-License-Identifier: MIT
 
 power_packages <- function(model) {
-  c("RSQLite", "ggplot2", if (model == "mixed") c("ordinal", "lme4", "glmmTMB"))
+  c("RSQLite", "ggplot2", "commonmark", if (model == "mixed") c("ordinal", "lme4", "glmmTMB"))
+}
+
+# A ledger that other processes write to as well.
+open_ledger <- function(path) {
+  ledger <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger
 }
 
 # What a ledger asks, as a list; `factors` and `compared` as words.
@@ -25,24 +32,20 @@ power_question <- function(ledger) {
 
 # The part of a simulated study that the question is about.
 power_part <- function(path, question) {
+  protocol <- question$protocol
   part <- switch(question$response,
-    rating = rating_part(path, question$protocol),
-    clicks = click_part(with_clicked_trials(path), question$protocol),
-    answer = answer_part(path, question$protocol, answer_kind(path, question$protocol)))
-  with_levels_compared(with_click_rate(part), question$compared)
+    rating = rating_part(path, protocol),
+    clicks = click_part(with_clicked_trials(path), protocol),
+    answer = answer_part(path, protocol, intersect(kThresholdKinds,
+      rows_of_view(path, "trial_response", protocol)$kind)[1]))
+  with_levels_compared(part, question$compared)
 }
 
 # Simulated studies are thrown away, so the view may be made in the file itself.
 with_clicked_trials <- function(path) {
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
   DBI::dbExecute(study, kClickedTrialSql)
   path
-}
-
-answer_kind <- function(path, protocol) {
-  answers <- rows_of_view(path, "trial_response", protocol)
-  intersect(kThresholdKinds, answers$kind)[1]
 }
 
 # Only the trials of two levels of a factor, where the question compares those.
@@ -71,10 +74,10 @@ power_tests <- function(part, question) {
     refuse(part$files[1], ": expected a factor between whose levels the ", part$response,
       "s can be compared, got none")
   }
-  rows <- if (part$response == "threshold") power_tests_of_thresholds(part, tested, question) else
-    if (question$model == "mixed") power_tests_of_models(part, tested) else
-      power_tests_of_means(part$trials, tested, measure_name(part))
-  do.call(rbind, rows)
+  if (part$response == "threshold") return(power_tests_of_thresholds(part, tested, question))
+  if (question$model == "mixed") return(power_tests_of_models(part, tested))
+  power_tests_of_means(part$trials, tested, switch(part$response, rating = "rating",
+    clicks = "click_rate", "positive"))
 }
 
 power_row <- function(factor, p, method, remark = "") {
@@ -82,11 +85,8 @@ power_row <- function(factor, p, method, remark = "") {
     remark = if (is.na(p) && remark == "") "nothing varies" else remark)
 }
 
-measure_name <- function(part) switch(part$response, rating = "rating", clicks = "click_rate",
-  "positive")
-
 power_tests_of_means <- function(trials, tested, of) {
-  lapply(tested, function(factor) {
+  each_row(tested, function(factor) {
     method <- "repeated-measures ANOVA of participants' means, Greenhouse–Geisser"
     if (is.null(trials[[factor]])) return(power_row(factor, NA, method, "no such factor varies"))
     trials[[factor]] <- droplevels(trials[[factor]])
@@ -100,14 +100,13 @@ power_tests_of_means <- function(trials, tested, of) {
 
 power_tests_of_models <- function(part, tested) {
   factors <- varying_factors(part$trials, unname(part$factors))
-  fit <- switch(part$response, rating = rating_factor_tests, clicks = click_factor_tests,
-    answer = answer_factor_tests)
-  result <- suppressMessages(fit(part$trials, factors, intersect(tested, factors)))
-  family <- response_families(part$response)
-  lapply(tested, function(factor) {
-    row <- if (!is.null(result$rows)) tests_of(result, family$effects, factor)
+  result <- suppressMessages(factor_tests(part$trials, factors, part$response,
+    intersect(tested, factors)))
+  of <- response_model(part$response)
+  each_row(tested, function(factor) {
+    row <- if (!is.null(result$rows)) tests_of(result, of$effects, factor)
     if (NROW(row) == 0) {
-      return(power_row(factor, NA, family$model, c(result$remarks, "no test was made")[1]))
+      return(power_row(factor, NA, of$model, c(result$remarks, "no test was made")[1]))
     }
     power_row(factor, row$p, row$method)
   })
@@ -121,22 +120,17 @@ power_tests_of_thresholds <- function(part, tested, question) {
   rows <- psychometric_functions(part, draws = 0)$rows
   rows <- rows[rows$use, ]
   result <- power_tests_of_means(rows, tested, "threshold")
-  lapply(result, function(row) {
-    row$method <- sub("participants' means", "participants' thresholds", row$method)
-    row
-  })
+  result$method <- sub("participants' means", "participants' thresholds", result$method)
+  result
 }
 
 # Tests the studies listed in a table of files, and writes all that is found in one transaction.
 write_power_tests <- function(ledger_path, list_path) {
-  ledger <- DBI::dbConnect(RSQLite::SQLite(), ledger_path)
-  on.exit(DBI::dbDisconnect(ledger))
-  DBI::dbExecute(ledger, "PRAGMA busy_timeout = 60000")
+  ledger <- withr::local_db_connection(open_ledger(ledger_path))
   question <- power_question(ledger)
   studies <- utils::read.delim(list_path, colClasses = c(file = "character", sizes = "character",
     build = "character"))
-  found <- lapply(seq_len(nrow(studies)), function(i) {
-    study <- studies[i, ]
+  found <- lapply(split(studies, seq_len(nrow(studies))), function(study) {
     part <- power_part(file.path(dirname(list_path), study$file), question)
     lapply(as.integer(strsplit(study$sizes, ",")[[1]]), function(size) {
       key <- data.frame(effect = study$effect, number = study$number, participants = size)
@@ -145,10 +139,10 @@ write_power_tests <- function(ledger_path, list_path) {
         test = cbind(key, power_tests(first_participants(part, size), question)))
     })
   })
-  found <- unlist(found, recursive = FALSE)
+  found <- unlist(unname(found), recursive = FALSE)
   DBI::dbExecute(ledger, "BEGIN IMMEDIATE")
   for (table in c("study", "test")) {
-    rows <- do.call(rbind, lapply(found, `[[`, table))
+    rows <- each_row(found, `[[`, table)
     names <- names(rows)
     DBI::dbExecute(ledger, sprintf("INSERT OR IGNORE INTO %s (%s) VALUES (%s)", table,
       paste(names, collapse = ", "), paste0(":", names, collapse = ", ")), params = as.list(rows))

@@ -1,9 +1,9 @@
-# Reads the rated main trials of one protocol from study files, by the documented views alone.
+# Reads the main trials of one protocol from study files, by the documented views alone.
 #
 #   rated_trial ─┐
 #   trial_level ─┴─> trials: one row per rating, one column per factor
 #   enrolment_summary ─> enrolments: one row per participant, planned and completed
-#   excluded, ... ─────> exclusions.R: what is left out, and what else must be known
+#   excluded, ... ─────> trials_analysed.R: what is left out, and what else must be known
 #
 # Invariant: every rating returned was given on one and the same scale, in the main phase, outside
 # catch trials, and is not excluded; every participant is one person: a pseudonym is never in two
@@ -23,7 +23,7 @@ kScaleColumns <- c("rating_minimum", "rating_maximum", "rating_best", "low_ancho
 read_studies <- function(paths, protocol, factors, views = character()) {
   study <- read_trials(paths, protocol, "rated_trial", "rated main trials", views)
   study <- with_factor_columns(study, factors)
-  c(study, list(scale = one_scale(rbind(study$trials[kScaleColumns], study$catch[kScaleColumns]))))
+  c(study, list(scale = one_scale(study)))
 }
 
 # The main trials of one protocol in a view that has a row per trial, of all files together.
@@ -31,46 +31,47 @@ read_studies <- function(paths, protocol, factors, views = character()) {
 read_trials <- function(paths, protocol, view, what, views = character(), where = "1") {
   repeated <- basename(paths[duplicated(normalizePath(paths, mustWork = FALSE))])
   if (length(repeated) > 0) refuse(repeated[1], ": was given twice")
-  parts <- lapply(paths, read_one_study, protocol = protocol, view = view,
-    views = c(kViews, views), where = where)
-  together <- function(part) do.call(rbind, lapply(parts, `[[`, part))
-  names_of_files <- paste(basename(paths), collapse = ", ")
-  if (is.null(together("trials"))) {
-    refuse(names_of_files, ": expected ", what, " of '", protocol, "', got none yet")
-  }
-  refuse_shared_pseudonyms(together("enrolments"))
-  study <- lapply(stats::setNames(nm = names(parts[[1]])), together)
-  study$protocol <- protocol
+  parts <- lapply(paths, read_one_study, protocol, view, c(kViews, views), where)
+  study <- lapply(stats::setNames(nm = names(parts[[1]])), function(part) {
+    each_row(parts, `[[`, part)
+  })
   study$files <- basename(paths)
+  if (is.null(study$trials)) {
+    refuse(file_names(study), ": expected ", what, " of '", protocol, "', got none yet")
+  }
+  refuse_shared_pseudonyms(study$enrolments)
+  study$protocol <- protocol
   study$hashes <- unique(study$trials$protocol_hash)
   without_left_out(study, what)
 }
 
+file_names <- function(study) paste(study$files, collapse = ", ")
+
+# What tells trials of all files apart.
+trial_key <- function(rows) paste(rows$path, rows$trial)
+
 # The study with a column for each of its factors, and study$factors.
 with_factor_columns <- function(study, factors) {
-  mine <- study$levels[paste(study$levels$path, study$levels$trial) %in%
-    paste(study$trials$path, study$trials$trial), ]
-  study$factors <- factor_columns(mine, factors, paste(study$files, collapse = ", "))
+  mine <- study$levels[trial_key(study$levels) %in% trial_key(study$trials), ]
+  study$factors <- factor_columns(mine, factors, file_names(study))
   for (column in study$factors) study$trials[[column]] <- factor_of_trials(study$trials, mine, column)
   study
 }
 
 read_one_study <- function(path, protocol, view, views, where) {
-  study <- open_study(path, views)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(open_study(path, views))
   ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
   enrolments <- ask("SELECT * FROM enrolment_summary WHERE protocol = ?")
   if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
   answered <- paste(view, "WHERE protocol = ? AND phase = 'main' AND", where)
-  trials <- ask("SELECT * FROM", answered, "ORDER BY participant, slot")
   # As text: a view's column may hold numbers and words, an R column cannot.
-  levels <- ask(
-    "SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level",
-    "WHERE trial IN (SELECT trial FROM", answered, ")"
-  )
-  file <- basename(path)
-  mark <- function(rows) if (nrow(rows) > 0) cbind(rows, file = file, path = path) else NULL
-  c(list(trials = mark(trials), levels = mark(levels), enrolments = mark(enrolments)),
+  levels <- ask("SELECT trial, factor, CAST(level AS TEXT) AS level FROM trial_level",
+    "WHERE trial IN (SELECT trial FROM", answered, ")")
+  mark <- function(rows) {
+    if (nrow(rows) > 0) cbind(rows, file = basename(path), path = path) else NULL
+  }
+  c(list(trials = mark(ask("SELECT * FROM", answered, "ORDER BY participant, slot")),
+    levels = mark(levels), enrolments = mark(enrolments)),
     read_remarkable(study, protocol, enrolments, mark))
 }
 
@@ -80,12 +81,10 @@ open_study <- function(path, views = kViews) {
   if (dir.exists(path)) refuse(path, ": expected a study file, got a folder")
   study <- tryCatch(
     DBI::dbConnect(RSQLite::SQLite(), path, flags = RSQLite::SQLITE_RO, synchronous = NULL),
-    error = function(condition) refuse(path, ": expected a study file, could not open it")
-  )
+    error = function(condition) refuse(path, ": expected a study file, could not open it"))
   present <- tryCatch(
     DBI::dbGetQuery(study, "SELECT name FROM sqlite_master WHERE type = 'view'")$name,
-    error = function(condition) NULL
-  )
+    error = function(condition) NULL)
   absent <- setdiff(views, present)
   if (length(absent) == 0) return(study)
   DBI::dbDisconnect(study)
@@ -97,23 +96,45 @@ open_study <- function(path, views = kViews) {
     "; opening it with `impetus run` brings it up to date")
 }
 
+# Rows of a query on the views of the file at `path`; `...` stand for its question marks.
+query_study <- function(path, query, ...) {
+  study <- withr::local_db_connection(open_study(path, "enrolment_summary"))
+  DBI::dbGetQuery(study, query, params = if (...length() > 0) list(...))
+}
+
+# All rows of a view for one protocol.
+rows_of_view <- function(path, view, protocol) {
+  query_study(path, sprintf("SELECT * FROM %s WHERE protocol = ?", view), protocol)
+}
+
+# The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
+# row in study$trials, and participant, scheduling and bodies are that row's.
+rows_of_trials <- function(study, select, ending = "") {
+  query <- paste(select, "WHERE protocol = ? AND phase = 'main'", ending)
+  rows <- each_row(unique(study$trials$path), function(path) {
+    rows <- query_study(path, query, study$protocol)
+    mine <- which(study$trials$path == path)
+    rows$row <- mine[match(rows$trial, study$trials$trial[mine])]
+    rows[!is.na(rows$row), ]
+  })
+  columns <- intersect(c("participant", "scheduling", "bodies"), names(study$trials))
+  rows[columns] <- study$trials[rows$row, columns]
+  rows
+}
+
 refuse_protocol <- function(study, path, protocol) {
   others <- DBI::dbGetQuery(study, "SELECT DISTINCT protocol FROM enrolment_summary")$protocol
-  refuse(
-    path, ": expected protocol '", protocol, "', got ",
-    if (length(others) == 0) "no protocol at all" else paste0("'", others, "'", collapse = ", ")
-  )
+  refuse(path, ": expected protocol '", protocol, "', got ",
+    if (length(others) == 0) "no protocol at all" else paste0("'", others, "'", collapse = ", "))
 }
 
 refuse_shared_pseudonyms <- function(enrolments) {
   homes <- unique(enrolments[c("participant", "path", "file")])
   twice <- homes$participant[duplicated(homes$participant)]
   if (length(twice) == 0) return(invisible())
-  refuse(
-    "participant ", twice[1], " is in ",
+  refuse("participant ", twice[1], " is in ",
     paste(homes$file[homes$participant == twice[1]], collapse = " and in "),
-    ": expected every pseudonym in one file only"
-  )
+    ": expected every pseudonym in one file only")
 }
 
 # The column that holds each factor: the name itself or the name and a unit.
@@ -122,42 +143,36 @@ factor_columns <- function(levels, factors, files) {
   vapply(factors, function(name) {
     found <- present[present == name | startsWith(present, paste0(name, "_"))]
     if (length(found) == 1) return(found)
-    refuse(
-      files, ": expected one factor '", name, "' or '", name, "_<unit>' in every main trial, got ",
-      paste(if (length(found) > 1) found else present, collapse = ", ")
-    )
+    refuse(files, ": expected one factor '", name, "' or '", name,
+      "_<unit>' in every main trial, got ",
+      paste(if (length(found) > 1) found else present, collapse = ", "))
   }, "")
 }
 
-factor_of_trials <- function(trials, levels, column) {
-  key <- function(rows) paste(rows$path, rows$trial)
-  mine <- levels[levels$factor == column, ]
-  value <- mine$level[match(key(trials), key(mine))]
+# The factor `name` of each trial, called `column` where it is refused.
+factor_of_trials <- function(trials, levels, column, name = column) {
+  mine <- levels[levels$factor == name, ]
+  value <- mine$level[match(trial_key(trials), trial_key(mine))]
   if (anyNA(value)) {
-    refuse(
-      trials$file[which(is.na(value))[1]], ": expected a level of ", column,
-      " in every main trial, trial ", trials$trial[which(is.na(value))[1]], " has none"
-    )
+    first <- which(is.na(value))[1]
+    refuse(trials$file[first], ": expected a level of ", column, " in every main trial, trial ",
+      trials$trial[first], " has none")
   }
   number <- suppressWarnings(as.numeric(value))
   if (anyNA(number)) factor(value) else factor(number)
 }
 
 # The one scale of all ratings, as a one-row data frame; refuses to pool two.
-one_scale <- function(trials) {
-  scales <- unique(trials[kScaleColumns])
+one_scale <- function(study) {
+  scales <- unique(rbind(study$trials[kScaleColumns], study$catch[kScaleColumns]))
   if (nrow(scales) == 1) return(scales)
   described <- vapply(seq_len(nrow(scales)), function(i) describe_scale(scales[i, ]), "")
-  refuse(
-    "expected ratings on one scale, got ", paste(described, collapse = "; and "),
-    ": scales that differ are never pooled"
-  )
+  refuse("expected ratings on one scale, got ", paste(described, collapse = "; and "),
+    ": scales that differ are never pooled")
 }
 
 # "1 (very believable) to 3 (very unbelievable), 1 best"
 describe_scale <- function(scale) {
-  sprintf(
-    "%d (%s) to %d (%s), %d best", scale$rating_minimum, scale$low_anchor, scale$rating_maximum,
-    scale$high_anchor, scale$rating_best
-  )
+  sprintf("%d (%s) to %d (%s), %d best", scale$rating_minimum, scale$low_anchor,
+    scale$rating_maximum, scale$high_anchor, scale$rating_best)
 }

@@ -22,12 +22,9 @@ kComputedWords <- c("trial_level.factor", "trial_level.level")
 
 # Writes the tables of the study at `path` to `folder`.
 write_report_data <- function(path, folder) {
-  study <- open_study(path, names(kReportViews))
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(open_study(path, names(kReportViews)))
   DBI::dbExecute(study, "BEGIN")
-  columns <- do.call(rbind, lapply(names(kReportViews), function(view) {
-    write_view(study, view, folder)
-  }))
+  columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
   DBI::dbExecute(study, "COMMIT")
   utils::write.csv(columns, file.path(folder, "columns.csv"), row.names = FALSE)
   utils::write.csv(data.frame(study = basename(path),
@@ -66,8 +63,7 @@ study_of_report_data <- function(folder) {
   name <- utils::read.csv(file.path(folder, "study.csv"), colClasses = "character")$study
   path <- file.path(tempfile("study"), basename(name))
   dir.create(dirname(path))
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  on.exit(DBI::dbDisconnect(study))
+  study <- withr::local_db_connection(DBI::dbConnect(RSQLite::SQLite(), path))
   for (view in unique(columns$view)) {
     mine <- columns[columns$view == view, ]
     class <- c(INTEGER = "numeric", REAL = "numeric", TEXT = "character")[mine$type]
@@ -90,11 +86,3 @@ kClickedTrialSql <- "CREATE VIEW clicked_trial AS SELECT clicked.*,
   coalesce(rated.late_timed_frames, 0) AS late_timed_frames,
   coalesce(rated.sync_overridden, 0) AS sync_overridden, coalesce(rated.gaze_late, 0) AS gaze_late
   FROM click_trial AS clicked LEFT JOIN rated_trial AS rated USING (trial)"
-
-# All rows of a view for one protocol.
-rows_of_view <- function(path, view, protocol) {
-  study <- open_study(path, view)
-  on.exit(DBI::dbDisconnect(study))
-  DBI::dbGetQuery(study, sprintf("SELECT * FROM %s WHERE protocol = ?", view),
-    params = list(protocol))
-}

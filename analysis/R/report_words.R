@@ -1,79 +1,76 @@
-# Results in words: one paragraph, a caption, and the file that holds them.
+# Results in words: sentences on each test, a caption, and the file that holds them.
 #
 # Three rules: a p above .05 is never called "no difference" (the equivalence tests speak to that);
 # beside every test's own p stands the one corrected within its family, by name; and what is said to
 # be found rests on the corrected one.
 # SPDX-License-Identifier: MIT
 
-# The paragraph. `main`: the factor of interest; `others`: those tested for equivalence too.
-results_paragraph <- function(trials, scale, tests, main, others) {
-  sentences <- c(
-    scale_words(scale), means_words(trials, main), model_words(tests, main),
-    odds_words(tests, main, scale),
-    unlist(lapply(others, function(factor) other_factor_words(tests, factor))),
-    interaction_words(tests),
-    anova_words(tests, main), friedman_words(tests, main), pooled_words(tests, main)
-  )
-  paste(sentences, collapse = " ")
-}
-
 scale_words <- function(scale) sprintf("Ratings ran from %s.", as_typed(describe_scale(scale)))
 
-means_words <- function(trials, main) {
-  rows <- means_with_intervals(trials, main)
+# `measure`: list(of, title), the column and what its mean is called.
+means_words <- function(trials, factor, measure = list(of = "rating", title = "Mean rating")) {
+  rows <- means_with_intervals(trials, factor, measure$of)
   limits <- ifelse(is.na(rows$low), "", sprintf(" [%.2f, %.2f]", rows$low, rows$high))
-  sprintf("Mean ratings by %s: %s%s.", name_and_unit(main),
+  sprintf("%s by %s: %s%s.", measure$title, name_and_unit(factor),
     paste0(rows$cell, ": ", sprintf("%.2f", rows$mean), limits, collapse = "; "),
     if (all(is.na(rows$low))) "" else " (within-participant 95 % intervals)")
 }
 
-model_words <- function(tests, main) {
-  row <- tests_of(tests, kEffectsFamily, main)
+# What the mixed model of a response found about one factor.
+model_words <- function(tests, factor, response = "rating") {
+  of <- response_model(response)
+  row <- tests_of(tests, of$effects, factor)
   if (nrow(row) == 0) return(character())
-  sprintf("In the cumulative-link mixed model (%s), %s: %s.", random_words(row$method),
-    effect_words(row), chi_squared_words(row))
+  sprintf("In the %s for %s (%s), %s: %s.", sub("(mixed model).*", "\\1", row$method),
+    plain_name(factor), random_words(row$method), if (row$p_holm < kSignificance)
+    paste(of$noun, "depended on", plain_name(factor)) else paste("an effect of",
+      plain_name(factor), "was not detected, which is not evidence of its absence"),
+    chi_squared_words(row))
 }
 
-effect_words <- function(row) {
-  name <- plain_name(row$effect)
-  if (row$p_holm < kSignificance) return(paste("ratings depended on", name))
-  paste("an effect of", name, "was not detected, which is not evidence of its absence")
-}
+random_words <- function(method) paste("random", random_part(method), "for each participant")
 
-odds_words <- function(tests, main, scale) {
-  rows <- tests_of(tests, kOddsFamily)
-  rows <- rows[startsWith(rows$effect, paste0(main, ": ")), ]
+# Odds or rate ratios of a factor's levels; `scale`: of ratings, to say which end is high.
+ratio_words <- function(tests, factor, response = "rating", scale = NULL) {
+  of <- response_model(response)
+  rows <- level_comparisons(tests, of$ratios, factor)
   if (nrow(rows) == 0) return(character())
-  sprintf("Odds ratios of a higher rating (towards \"%s\"): %s.", as_typed(scale$high_anchor), paste(sprintf(
-    "%s, %.2f, 95 %% CI [%.2f, %.2f]", sub("^.*: ", "", rows$effect), rows$effect_size,
-    rows$interval_low, rows$interval_high
-  ), collapse = "; "))
+  sprintf("%s%s: %s.", sub("ratio", "ratios", sentence_case(of$size)), if (is.null(scale)) "" else
+    sprintf(" (towards \"%s\")", as_typed(scale$high_anchor)),
+    paste0(sub("^.*?: ", "", rows$effect, perl = TRUE), ", ", size_words(rows), collapse = "; "))
 }
 
-# Each interaction that the mixed model tested.
-interaction_words <- function(tests) {
-  rows <- tests_of(tests, kInteractionFamily)
+# What the mixed model found about one factor: its effect and its ratios.
+factor_words <- function(tests, factor, response = "rating", scale = NULL) {
+  c(model_words(tests, factor, response), ratio_words(tests, factor, response, scale))
+}
+
+# "1.92, 95 % CI [1.20, 3.05]" of each row.
+size_words <- function(rows, format = "%.2f") {
+  sprintf(gsub("N", format, "N, %.0f %% CI [N, N]", fixed = TRUE), rows$effect_size,
+    100 * rows$interval_level, rows$interval_low, rows$interval_high)
+}
+
+# Each interaction that the mixed model of a response tested.
+interaction_words <- function(tests, response = "rating") {
+  of <- response_model(response)
+  rows <- tests_of(tests, of$interactions)
   vapply(seq_len(nrow(rows)), function(i) {
     names <- vapply(strsplit(rows$effect[i], ":", fixed = TRUE)[[1]], plain_name, "")
-    sprintf("In the mixed model with interactions, one of %s was %s: %s.",
-      paste(names, collapse = " and "),
-      if (rows$p_holm[i] < kSignificance) "detected" else
+    sprintf("In the %s with interactions, one of %s was %s: %s.", of$kind,
+      paste(names, collapse = " and "), if (rows$p_holm[i] < kSignificance) "detected" else
         "not detected, which is not evidence of its absence", chi_squared_words(rows[i, ]))
   }, "")
 }
 
 # One other factor: what the model found, then what the equivalence tests show.
 other_factor_words <- function(tests, factor) {
-  row <- tests_of(tests, kEffectsFamily, factor)
-  effect <- if (nrow(row) > 0) sprintf("In the model for %s (%s), %s: %s.", plain_name(factor),
-    random_words(row$method), effect_words(row), chi_squared_words(row))
-  rows <- tests_of(tests, kEquivalenceFamily)
-  rows <- rows[startsWith(rows$effect, paste0(factor, ": ")), ]
-  if (nrow(rows) == 0) return(effect)
-  c(effect, equivalence_words(rows, factor))
+  c(model_words(tests, factor),
+    equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor))
 }
 
 equivalence_words <- function(rows, factor) {
+  if (nrow(rows) == 0) return(character())
   shown <- rows$p_holm < kSignificance
   largest <- rows[which.max(abs(rows$effect_size)), ]
   summary <- sprintf("largest difference %+.2f, 90 %% CI [%.2f, %.2f]", largest$effect_size,
@@ -81,39 +78,43 @@ equivalence_words <- function(rows, factor) {
   pairs <- sub("^.*: ", "", rows$effect)
   margin <- if (grepl("margin ±", rows$method[1])) sub("^.*margin ", "", rows$method[1]) else
     sprintf("±%.2f", kEquivalenceMargin)
-  margin <- paste(margin, "points")
   if (all(shown)) {
-    return(sprintf("All differences by %s lie within %s (two one-sided tests, %s; %s).",
+    return(sprintf("All differences by %s lie within %s points (two one-sided tests, %s; %s).",
       plain_name(factor), margin, largest_p(rows), summary))
   }
-  sprintf("For %s, equivalence within %s was not shown between %s (%s).", name_and_unit(factor),
-    margin, paste(gsub("against", "and", pairs[!shown]), collapse = ", "), summary)
+  sprintf("For %s, equivalence within %s points was not shown between %s (%s).",
+    name_and_unit(factor), margin, paste(gsub("against", "and", pairs[!shown]), collapse = ", "),
+    summary)
 }
 
-anova_words <- function(tests, main) {
-  rows <- tests_of(tests, kAnovaFamily)
-  if (nrow(rows) == 0) return(character())
-  row <- rows[rows$effect == main, ]
-  sentence <- sprintf(
-    paste(
-      "Repeated-measures ANOVA of cell means (Greenhouse–Geisser), %s: %s,",
-      "generalised η² = %.3f, 90 %% CI [%.3f, %.3f]."
-    ),
-    plain_name(main), F_words(row), row$effect_size, row$interval_low, row$interval_high
-  )
-  interactions <- rows[grepl(":", rows$effect, fixed = TRUE), ]
-  if (nrow(interactions) == 0) return(sentence)
-  found <- interactions[interactions$p_holm < kSignificance, ]
-  paste(sentence, if (nrow(found) == 0) "No interaction was detected." else
-    sprintf("Interactions detected: %s.", paste(found$effect, both_p_words(found),
-      sep = ", ", collapse = "; ")))
-}
-
-friedman_words <- function(tests, main) {
-  row <- tests_of(tests, kFriedmanFamily, main)
+anova_words <- function(tests, factor) {
+  row <- tests_of(tests, kAnovaFamily, factor)
   if (nrow(row) == 0) return(character())
-  sprintf("Friedman's test, %s: %s, Kendall's W = %.2f.", plain_name(main), chi_squared_words(row),
-    row$effect_size)
+  sprintf("Repeated-measures ANOVA of cell means (%s), %s: %s, generalised η² = %s.",
+    sub("^.*, ", "", row$method), plain_name(factor), F_words(row), size_words(row, "%.3f"))
+}
+
+# The interactions of the ANOVA.
+anova_interaction_words <- function(tests) {
+  rows <- tests_of(tests, kAnovaFamily)
+  rows <- rows[grepl(":", rows$effect, fixed = TRUE), ]
+  if (nrow(rows) == 0) return(character())
+  names <- vapply(strsplit(rows$effect, ":", fixed = TRUE), function(parts) {
+    paste(vapply(parts, plain_name, ""), collapse = " × ")
+  }, "")
+  found <- rows$p_holm < kSignificance
+  c(
+    if (any(found)) sprintf("Interactions in the repeated-measures ANOVA: %s.", paste(names[found],
+      vapply(which(found), function(i) F_words(rows[i, ]), ""), sep = ", ", collapse = "; ")),
+    if (any(!found)) sprintf("Not detected, which is not evidence of absence: %s.",
+      paste(names[!found], both_p_words(rows[!found, ]), sep = ", ", collapse = "; ")))
+}
+
+friedman_words <- function(tests, factor) {
+  row <- tests_of(tests, kFriedmanFamily, factor)
+  if (nrow(row) == 0) return(character())
+  sprintf("Friedman's test, %s: %s, Kendall's W = %.2f.", plain_name(factor),
+    chi_squared_words(row), row$effect_size)
 }
 
 pooled_words <- function(tests, main) {
@@ -134,6 +135,23 @@ name_and_unit <- function(factor) {
   label <- label_of(factor)
   paste0(tolower(substr(label, 1, 1)), substring(label, 2))
 }
+
+sentence_case <- function(words) paste0(toupper(substr(words, 1, 1)), substring(words, 2))
+
+and_words <- function(words) {
+  n <- length(words)
+  if (n < 2) words else paste(paste(words[-n], collapse = ", "), "and", words[n])
+}
+
+# "1 rating", "2 ratings"
+count_of <- function(count, noun) {
+  paste0(format(count, big.mark = ",", trim = TRUE), " ", noun, if (count == 1) "" else "s")
+}
+
+who_words <- function(simulated) if (simulated) "simulated participant" else "participant"
+
+# Before a number stands a minus sign, not a hyphen.
+with_minus_signs <- function(words) gsub("(^|[ [])-([0-9])", "\\1−\\2", words)
 
 chi_squared_words <- function(row) {
   sprintf("χ²(%d) = %.1f, %s", as.integer(row$df1), row$statistic, both_p_words(row))
@@ -164,13 +182,11 @@ figure_caption <- function(trials, main, beside, simulated) {
   shown <- nrow(complete_participants(participant_means(trials, main)))
   split <- vapply(varying_factors(trials, beside), name_and_unit, "")
   paste0(
-    "Mean rating by ", name_and_unit(main), ", ", count_of(max(shown, 1),
-      if (simulated) "simulated participant" else "participant"), ". ",
-    if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
+    "Mean rating by ", name_and_unit(main), ", ", count_of(max(shown, 1), who_words(simulated)),
+    ". ", if (shown > 1) "Bars: within-participant 95 % confidence intervals (Cousineau–Morey). ",
     "Thin lines: participants, shifted sideways a little to keep them apart.",
     if (length(split) > 0) paste0(" Beside it, the same by ", paste(split, collapse = " and by "),
-      ".")
-  )
+      "."))
 }
 
 # Writes the report as Markdown: results, the data behind them, what is left out, remarks, caption.
@@ -180,8 +196,7 @@ write_report <- function(path, title, paragraph, sentences, remarks, caption, se
   bullets <- function(lines) if (length(lines) > 0) paste("-", lines) else "- none"
   text <- c(
     paste("#", title), "", paragraph, "", section, "## Data", "", bullets(sentences), "",
-    if (!is.null(left_out)) c("## Left out, and other trials to know of", "", left_out, ""),
-    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption
-  )
+    "## Left out, and other trials to know of", "", left_out, "",
+    "## Remarks on the tests", "", bullets(remarks), "", "## Figure", "", caption)
   writeLines(enc2utf8(text), path, useBytes = TRUE)
 }

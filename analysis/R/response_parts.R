@@ -12,14 +12,8 @@
 
 kFewestThresholdLevels <- 4
 # Columns that models make themselves.
-kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file", "cell", "mean",
-  "low", "high", "positive", "click_rate")
-
-protocols_of <- function(path) {
-  study <- open_study(path, "enrolment_summary")
-  on.exit(DBI::dbDisconnect(study))
-  DBI::dbGetQuery(study, "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol
-}
+kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file", "cell",
+  "mean", "low", "high", "positive")
 
 # Every part of a protocol that has answers in the main phase, and list(why) of those refused.
 parts_of_protocol <- function(path, protocol) {
@@ -30,8 +24,7 @@ parts_of_protocol <- function(path, protocol) {
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
     lapply(kinds, function(kind) read_part(answer_part(path, protocol, kind))),
-    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol)))
-  )
+    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol))))
   Filter(Negate(is.null), parts)
 }
 
@@ -42,14 +35,14 @@ read_part <- function(part) {
 
 rating_part <- function(path, protocol) {
   part <- with_every_factor(read_trials(path, protocol, "rated_trial", "rated main trials"))
-  part$scale <- one_scale(rbind(part$trials[kScaleColumns], part$catch[kScaleColumns]))
+  part$scale <- one_scale(part)
   part$response <- "rating"
   with_factors_that_vary(keep_people_apart(part))
 }
 
 answer_part <- function(path, protocol, kind) {
   part <- read_trials(path, protocol, "trial_response", "answered main trials",
-    where = sprintf("kind = '%s' AND positive IS NOT NULL AND timed_out = 0", kind))
+    where = answered_where(kind))
   part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
   part$kind <- kind
   axis <- threshold_factor(part)
@@ -88,6 +81,7 @@ is_realised_hold <- function(trials, axis, levels) {
   endsWith(axis, "_ms") && !anyNA(hold) && any(hold > 0) && all(abs(hold - levels) < 20)
 }
 
+# Trials with clicks, of which the rate is that of the exposure.
 click_part <- function(path, protocol) {
   part <- read_trials(path, protocol, "clicked_trial", "main trials with clicks")
   part$trials <- trials_with_exposure(part$trials)
@@ -95,6 +89,7 @@ click_part <- function(path, protocol) {
     refuse(part$files[1], ": expected frames of the trials with clicks, got none, so how long one could",
       " click is not known and clicks are not analysed")
   }
+  part$trials$click_rate <- part$trials$clicks / part$trials$exposure_s
   part$response <- "clicks"
   with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
@@ -102,17 +97,14 @@ click_part <- function(path, protocol) {
 # A column for each factor of any main trial, under its own name or, where that is taken,
 # factor_NAME: R factors with their levels in rising order.
 with_every_factor <- function(part) {
-  key <- function(rows) paste(rows$path, rows$trial)
-  mine <- part$levels[key(part$levels) %in% key(part$trials), ]
-  taken <- c(names(part$trials), kTakenColumns)
+  mine <- part$levels[trial_key(part$levels) %in% trial_key(part$trials), ]
   names <- unique(mine$factor)
   if (length(names) == 0) refuse(part$files[1], ": expected a design with factors, got none")
-  part$factors <- stats::setNames(ifelse(names %in% taken, paste0("factor_", names), names), names)
+  taken <- names %in% c(names(part$trials), kTakenColumns)
+  part$factors <- stats::setNames(ifelse(taken, paste0("factor_", names), names), names)
   for (name in names) {
-    mine_too <- mine[mine$factor == name, ]
-    mine_too$factor <- part$factors[[name]]
-    part$trials[[part$factors[[name]]]] <- factor_of_trials(part$trials, mine_too,
-      part$factors[[name]])
+    column <- part$factors[[name]]
+    part$trials[[column]] <- factor_of_trials(part$trials, mine, column, name)
   }
   part
 }
@@ -126,9 +118,6 @@ with_factors_that_vary <- function(part) {
   part$factors <- stats::setNames(nm = vary)
   part
 }
-
-# "rating", "answer" or "trial": what there is one of in each row.
-noun_of <- function(part) switch(part$response, rating = "rating", clicks = "trial", "answer")
 
 # The title of a part's section.
 title_of_part <- function(part) {

@@ -6,11 +6,8 @@ place_of <- function(effect) sub("^.*, ", "", effect)
 
 # "overall 1.92, 95 % CI [1.20, 3.05], p = .012, Holm-corrected p = .048; at 5 bodies ..."
 estimates_words <- function(rows, format = "%.2f") {
-  number <- function(x) sub("-", "−", sprintf(format, x), fixed = TRUE)
-  paste0(place_of(rows$effect), " ", number(rows$effect_size), ", ",
-    round(100 * rows$interval_level), " % CI [", number(rows$interval_low), ", ",
-    number(rows$interval_high), "]", ifelse(is.na(rows$p_holm), "", paste0(", ",
-      both_p_words(rows))), collapse = "; ")
+  paste0(place_of(rows$effect), " ", gsub("-", "−", size_words(rows, format), fixed = TRUE),
+    ifelse(is.na(rows$p_holm), "", paste0(", ", both_p_words(rows))), collapse = "; ")
 }
 
 # What the primary tests of a contrast allow to be said. `better`, `worse`: "rated better" ...;
@@ -22,27 +19,19 @@ verdict_words <- function(rows, good, better, worse, pair = kTrackedRandom) {
       pair$against, and_words(place_of(rows$effect[chosen])))
   }
   paste(c(
-    said(found & good, better), said(found & !good, worse),
-    if (any(!found)) sprintf(
+    said(found & good, better), said(found & !good, worse), if (any(!found)) sprintf(
       "A difference was not detected %s, which is not evidence of its absence.",
       and_words(place_of(rows$effect[!found])))
   ), collapse = " ")
-}
-
-and_words <- function(words) {
-  n <- length(words)
-  if (n < 2) words else paste(paste(words[-n], collapse = ", "), "and", words[n])
 }
 
 # Which of the equivalence tests showed it; `margin`: the margin in words.
 equivalence_verdict <- function(rows, margin) {
   if (nrow(rows) == 0) return(character())
   shown <- rows$p_holm < kSignificance
-  places <- function(chosen) and_words(place_of(rows$effect[chosen]))
-  paste(c(
-    if (any(shown)) sprintf("Equivalence within %s was shown %s.", margin, places(shown)),
-    if (any(!shown)) sprintf("Equivalence within %s was not shown %s.", margin, places(!shown))
-  ), collapse = " ")
+  said <- function(chosen, was) if (any(chosen)) sprintf("Equivalence within %s %s shown %s.",
+    margin, was, and_words(place_of(rows$effect[chosen])))
+  paste(c(said(shown, "was"), said(!shown, "was not")), collapse = " ")
 }
 
 # The contrast of ratings: model, means, equivalence, the thesis's test.
@@ -52,9 +41,10 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
   means <- tests_of(tests, family_of(kContrastMeansFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf(paste("%s, %s (cumulative-link mixed model of these",
-        "two kinds, %s; Holm over %d tests): odds ratio of a higher rating %s."),
-        contrast_title(pair), pair_words(pair, " against "), random_words(rows$method[1]), nrow(rows), estimates_words(rows)),
+      sprintf(paste("%s, %s (cumulative-link mixed model of these two kinds, %s; Holm over %d",
+        "tests): odds ratio of a higher rating %s."),
+        contrast_title(pair), pair_words(pair, " against "), random_words(rows$method[1]),
+        nrow(rows), estimates_words(rows)),
       verdict_words(rows, (rows$effect_size > 1) == up_is_good, "rated better", "rated worse",
         pair)),
     if (nrow(means) > 0) sprintf(
@@ -62,16 +52,10 @@ rating_contrast_words <- function(tests, scale, pair = kTrackedRandom) {
       pair_words(pair), estimates_words(means, "%+.2f")),
     equivalence_verdict(tests_of(tests, family_of(kEquivalenceFamily, pair)),
       sprintf("±%.2f points", equivalence_margin(scale))),
-    if (pair$planned) thesis_words(tests, kPooledFamily)
-  )
+    if (pair$planned) thesis_words(tests, kPooledFamily))
 }
 
 contrast_title <- function(pair) if (pair$planned) "Planned contrast" else "Beside it"
-
-random_words <- function(method) {
-  sprintf("random %s for each participant", if (grepl("slope", method)) "intercept and slope" else
-    "intercept")
-}
 
 # The thesis quoted 1 − p of this test as "significance": > 70 %, > 55 % and > 80 % for ratings.
 thesis_words <- function(tests, family) {
@@ -89,33 +73,10 @@ thesis_words <- function(tests, family) {
 click_rate_words <- function(trials) {
   known <- trials_with_exposure(trials)
   if (nrow(known) == 0) return("No trial's exposure is known, so there is no rate of clicks.")
-  totals <- tapply(known$clicks, droplevels(known$scheduling), sum)
-  rates <- totals / tapply(known$exposure_s, droplevels(known$scheduling), sum)
-  sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(totals), ": ",
-    sprintf("%.2f (%d)", 10 * rates, as.integer(totals)), collapse = "; "))
-}
-
-click_model_words <- function(tests) {
-  effects <- rbind(tests_of(tests, kClickFamily), tests_of(tests, kClickInteractionFamily))
-  ratios <- tests_of(tests, kClickRatioFamily)
-  c(
-    if (nrow(effects) > 0) sprintf(
-      "In the %s of all kinds (log exposure as offset; %s): %s.",
-      sub(" mixed model.*$", " mixed model of clicks", effects$method[1]),
-      random_words(effects$method[1]), paste(click_effect_words(effects), collapse = "; ")),
-    if (nrow(ratios) > 0) sprintf("Rate ratios: %s.", paste0(sub("^.*: ", "", ratios$effect), " ",
-      sprintf("%.2f, 95 %% CI [%.2f, %.2f]", ratios$effect_size, ratios$interval_low,
-        ratios$interval_high), collapse = "; "))
-  )
-}
-
-click_effect_words <- function(rows) {
-  vapply(seq_len(nrow(rows)), function(i) {
-    name <- sub(":", " × ", rows$effect[i], fixed = TRUE)
-    sprintf(if (rows$p_holm[i] < kSignificance) "clicks depended on %s, %s" else
-      "an effect of %s was not detected, which is not evidence of its absence, %s", name,
-      chi_squared_words(rows[i, ]))
-  }, "")
+  cells <- split(known, droplevels(known$scheduling))
+  sprintf("Clicks per 10 s by scheduling (and in all): %s.", paste0(names(cells), ": ",
+    sprintf("%.2f (%.0f)", 10 * vapply(cells, rate_of, 0),
+      vapply(cells, function(cell) sum(cell$clicks), 0)), collapse = "; "))
 }
 
 click_contrast_words <- function(tests, pair = kTrackedRandom) {
@@ -123,8 +84,8 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
   bootstrap <- tests_of(tests, family_of(kClickBootstrapFamily, pair))
   c(
     if (nrow(rows) > 0) c(
-      sprintf(paste("%s of clicks (%s of %s trials, %s; Holm over %d",
-        "tests): rate ratio %s %s."), if (pair$planned) "Planned contrast" else "Beside it, contrast",
+      sprintf("%s of clicks (%s of %s trials, %s; Holm over %d tests): rate ratio %s %s.",
+        if (pair$planned) "Planned contrast" else "Beside it, contrast",
         sub(" mixed model.*$", " mixed model", rows$method[1]), pair_words(pair, " and "),
         random_words(rows$method[1]), nrow(rows), pair_words(pair, " / "), estimates_words(rows)),
       verdict_words(rows, rows$effect_size < 1, "clicked at less often", "clicked at more often",
@@ -133,8 +94,7 @@ click_contrast_words <- function(tests, pair = kTrackedRandom) {
       estimates_words(bootstrap)),
     equivalence_verdict(tests_of(tests, family_of(kClickEquivalenceFamily, pair)),
       sprintf("a ratio of %.2f to %.2f", kRateMargin[1], kRateMargin[2])),
-    if (pair$planned) thesis_words(tests, kClickPooledFamily)
-  )
+    if (pair$planned) thesis_words(tests, kClickPooledFamily))
 }
 
 # Did the manipulation work, and did the two kinds differ in more than it?
@@ -143,8 +103,7 @@ exposure_words <- function(tests, pair = kTrackedRandom) {
   if (nrow(rows) == 0) return(character())
   found <- rows$p_holm < kSignificance
   c(
-    if (pair$of == "tracked") manipulation_words(tests, pair),
-    if (any(found)) sprintf(paste(
+    if (pair$of == "tracked") manipulation_words(tests, pair), if (any(found)) sprintf(paste(
       "%s differed in exposure too (%s; paired t tests over",
       "participants, Holm over %d): %s. A difference between their ratings or clicks may come from",
       "this as much as from where the good collisions were."),
@@ -153,8 +112,7 @@ exposure_words <- function(tests, pair = kTrackedRandom) {
       sprintf("Of %d measures of exposure none was found to differ between %s.",
         nrow(rows), pair_words(pair, " and ")),
     if (any(!found)) sprintf(paste("A difference was not detected, which is not evidence of its",
-      "absence, in: %s."), differences_words(rows[!found, ]))
-  )
+      "absence, in: %s."), differences_words(rows[!found, ])))
 }
 
 manipulation_words <- function(tests, pair = kTrackedRandom) {
@@ -182,8 +140,7 @@ sensitivity_words <- function(tests, late, without, pair = kTrackedRandom) {
   clicks <- tests_of(tests, paste0(family_of(kClickContrastFamily, pair), without))
   what <- c(
     if (nrow(ratings) > 0) sprintf("odds ratio of a higher rating %s", estimates_words(ratings)),
-    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks))
-  )
+    if (nrow(clicks) > 0) sprintf("for clicks, rate ratio %s", estimates_words(clicks)))
   sprintf("Sensitivity: without the %s marked late, %s: %s.", count_of(late, "trial"),
     pair_words(pair, " against "), if (length(what) == 0) "too few trials are left" else
       paste(what, collapse = "; "))

@@ -13,114 +13,123 @@
 # differed in their slopes (.7 logit): tests/analysis/null_studies.csv.
 kPooledNullRate <- 0.4505
 
-# Which trials each choice of data keeps: a named list of data frames. `everything`: the trials with
-# those that are excluded.
+# The tables of a part's sensitivity. `fitted`: its mixed models; `everything`: the trials with those
+# that are excluded; `clicked`: of clicked_events.
+sensitivity_tables <- function(part, fitted, measure, everything, clicked) {
+  if (participant_count(part$trials) < 2 || length(part$factors) == 0) return(list())
+  links <- if (!is.null(fitted$models) && part$response != "clicks") link_sensitivity(part, fitted)
+  pooled <- each_row(unname(part$factors), function(factor) {
+    pooled_tests(part$trials, factor, of = measure$of)$rows
+  })
+  list(
+    list(name = "sensitivity-data", title = "Sensitivity: which trials are in",
+      heads = c("Comparison", "Choice", "Participants", "Trials", "Difference", "95 % CI, from", "to",
+        "p"), rows = data_sensitivity(part, measure, everything),
+      note = sprintf(paste("The last against the first level of each factor: paired t tests of",
+        "participants' means of %s, p uncorrected."), tolower(measure$title))),
+    if (!is.null(links)) list(name = "sensitivity-link", title = "Sensitivity: the link",
+      heads = c("Comparison", "Link", "Coefficient", "Standard error", "z", "p"), rows = links,
+      note = paste("The same mixed model under other links; compare z, for the unit of a",
+        "coefficient is that of its link; p uncorrected. – did not converge.")),
+    if (!is.null(clicked$matching)) list(name = "sensitivity-windows",
+      title = "Sensitivity: windows in which a click belongs to a collision",
+      heads = gsub("_", " ", names(clicked$matching)), rows = clicked$matching,
+      note = "Descriptive only: at more than one event a second, windows bias d′ downwards."),
+    if (!is.null(pooled)) list(name = "sensitivity-pooled", title = "The pooled test over trials",
+      heads = c("Factor", "F", "df", "df of the error", "p"),
+      rows = data.frame(factor = vapply(pooled$effect, label_of, ""), F = pooled$statistic,
+        df1 = pooled$df1, df2 = pooled$df2, p = pooled$p, row.names = NULL),
+      note = sprintf(paste("A pooled test treats trials as independent, which they are not: where",
+        "participants differ in their slopes (standard deviation .7 logit) it rejected in %.0f %% of",
+        "2,000 simulated studies without any effect, instead of 5 %%. It is given for comparison",
+        "with older work, and is no evidence; p uncorrected."), 100 * kPooledNullRate)))
+}
+
+# Which trials each choice of data keeps: a named list of data frames.
 data_choices <- function(part, everything = NULL) {
   trials <- part$trials
   finished <- part$enrolments$participant[!is.na(part$enrolments$finished_utc)]
-  choices <- list("as reported" = trials)
-  keep <- function(name, rows) {
-    if (sum(rows) < nrow(trials) && any(rows)) choices[[name]] <<- trials[rows, ]
-  }
-  keep("without trials with late frames", trials$late_timed_frames == 0)
-  if (!is.null(trials$gaze_late)) keep("without trials with late gaze", trials$gaze_late %in% 0)
-  if (!is.null(trials$gaze_lost_share)) {
-    keep("without trials with gaze lost for a quarter or more",
-      !(trials$gaze_lost_share %in% NA) & trials$gaze_lost_share < 0.25 |
-        all(is.na(trials$gaze_lost_share)))
-  }
-  keep("without trials of an overridden sync test", trials$sync_overridden == 0)
-  keep("participants who have finished", trials$participant %in% finished)
-  if (!is.null(everything) && nrow(everything) > nrow(trials)) {
-    choices[["with what was excluded"]] <- everything
-  }
-  choices
+  kept <- list(
+    "without trials with late frames" = trials$late_timed_frames == 0,
+    "without trials with late gaze" = trials$gaze_late %in% 0,
+    "without trials with gaze lost for a quarter or more" =
+      trials$gaze_lost_share < 0.25 | all(is.na(trials$gaze_lost_share)),
+    "without trials of an overridden sync test" = trials$sync_overridden == 0,
+    "participants who have finished" = trials$participant %in% finished)
+  # What the response does not know, or what keeps all or nothing, is no choice.
+  kept <- Filter(function(rows) any(rows %in% TRUE) && !all(rows %in% TRUE), kept)
+  c(list("as reported" = trials), lapply(kept, function(rows) trials[rows %in% TRUE, ]),
+    if (NROW(everything) > nrow(trials)) list("with what was excluded" = everything))
 }
 
 # One row per factor and choice of data.
 data_sensitivity <- function(part, measure, everything = NULL) {
   choices <- data_choices(part, everything)
-  rows <- lapply(unname(part$factors), function(factor) {
+  each_row(unname(part$factors), function(factor) {
     ends <- levels(part$trials[[factor]])[c(1, nlevels(part$trials[[factor]]))]
-    do.call(rbind, lapply(names(choices), function(name) {
+    each_row(names(choices), function(name) {
       means <- participant_means(choices[[name]], factor, measure$of)
       difference <- if (all(ends %in% colnames(means))) means[, ends[2]] - means[, ends[1]] else NA
       difference <- difference[!is.na(difference)]
-      difference_row(difference, sprintf("%s: %s − %s", label_of(factor), ends[2], ends[1]), name,
-        nrow(choices[[name]]))
-    }))
+      interval <- t_interval(difference)
+      varies <- length(difference) > 1 && stats::sd(difference) > 1e-9
+      data.frame(comparison = sprintf("%s: %s − %s", label_of(factor), ends[2], ends[1]),
+        choice = name, participants = length(difference), trials = nrow(choices[[name]]),
+        difference = if (length(difference) > 0) interval[["mean"]] else NA,
+        low = interval[["low"]], high = interval[["high"]],
+        p = if (varies) stats::t.test(difference)$p.value else NA)
+    })
   })
-  do.call(rbind, rows)
-}
-
-difference_row <- function(difference, comparison, choice, trials) {
-  n <- length(difference)
-  interval <- if (n > 0) t_interval(difference) else c(mean = NA, low = NA, high = NA)
-  varies <- n > 1 && stats::sd(difference) > 1e-9
-  t <- if (varies) interval[["mean"]] / (stats::sd(difference) / sqrt(n)) else NA
-  data.frame(comparison = comparison, choice = choice, participants = n, trials = trials,
-    difference = interval[["mean"]], low = interval[["low"]], high = interval[["high"]],
-    p = if (varies) 2 * stats::pt(-abs(t), n - 1) else NA)
-}
-
-kDataHeads <- c("Comparison", "Choice", "Participants", "Trials", "Difference", "95 % CI, from", "to",
-  "p")
-
-# The last against the first level of each factor under other links, by the model as it was fitted:
-# coefficients are in units of the link and cannot be compared across links, z can.
-link_sensitivity <- function(part, fitted) {
-  rows <- lapply(names(fitted$models), function(factor) {
-    models <- fitted$models[[factor]]
-    if (!is.null(models$failure)) return(NULL)
-    trials <- fitted$trials
-    trials$slope <- as.numeric(scale(values_of(trials[[factor]])))
-    last <- utils::tail(levels(droplevels(trials[[factor]])), 1)
-    do.call(rbind, lapply(c("logit", kOtherLinks), function(link) {
-      if (link %in% kOtherLinks) say_progress(link_step(factor, link))
-      estimate <- link_estimate(part, trials, unname(part$factors), models, link,
-        paste0(factor, last))
-      data.frame(comparison = sprintf("%s: %s against %s", label_of(factor), last,
-        levels(droplevels(trials[[factor]]))[1]), link = link, coefficient = estimate[1],
-        error = estimate[2], z = estimate[1] / estimate[2],
-        p = 2 * stats::pnorm(-abs(estimate[1] / estimate[2])))
-    }))
-  })
-  do.call(rbind, rows)
-}
-
-# c(coefficient, standard error); NA where the model does not converge.
-link_estimate <- function(part, trials, factors, models, link, coefficient) {
-  if (part$response == "rating") {
-    fit <- if (link == "logit") list(model = models$full) else
-      fit_rating_model(trials, factors, models$random, link = link)
-    if (!is.null(fit$failure)) return(c(NA, NA))
-    return(c(fit$model$beta[[coefficient]], sqrt(diag(fit$model$covariance))[[coefficient]]))
-  }
-  fit <- if (link == "logit") list(model = models$full) else
-    fit_answer_model(trials, c(factors, models$random), link)
-  if (!is.null(fit$failure)) return(c(NA, NA))
-  c(lme4::fixef(fit$model)[[coefficient]],
-    sqrt(diag(as.matrix(stats::vcov(fit$model))))[[coefficient]])
 }
 
 kOtherLinks <- c("probit", "cloglog")
 
-kLinkHeads <- c("Comparison", "Link", "Coefficient", "Standard error", "z", "p")
-
-# The thesis's test over trials, for comparison alone.
-pooled_sensitivity <- function(trials, factors, of) {
-  rows <- lapply(factors, function(factor) pooled_tests(trials, factor, of = of)$rows)
-  rows <- do.call(rbind, rows)
-  if (is.null(rows)) return(NULL)
-  data.frame(factor = vapply(rows$effect, label_of, ""), F = rows$statistic, df1 = rows$df1,
-    df2 = rows$df2, p = rows$p, row.names = NULL)
+# The last against the first level of each factor under other links, by the model as it was fitted:
+# coefficients are in units of the link and cannot be compared across links, z can.
+link_sensitivity <- function(part, fitted) {
+  factors <- unname(part$factors)
+  each_row(names(fitted$models), function(factor) {
+    models <- fitted$models[[factor]]
+    if (!is.null(models$failure)) return(NULL)
+    trials <- fitted$trials
+    trials$slope <- slope_values(trials[[factor]])
+    last <- utils::tail(levels(trials[[factor]]), 1)
+    fit <- if (part$response == "rating") fit_rating_model else fit_answer_model
+    each_row(c("logit", kOtherLinks), function(link) {
+      if (link %in% kOtherLinks) say_progress(link_step(factor, link))
+      model <- if (link == "logit") models$full else
+        fit(trials, factors, models$attempt[["random"]], link = link)
+      # NA where the model does not converge.
+      estimate <- if (is.null(model$failure)) sum_of_coefficients(model, paste0(factor, last)) else
+        c(estimate = NA, error = NA)
+      z <- estimate[["estimate"]] / estimate[["error"]]
+      data.frame(comparison = sprintf("%s: %s against %s", label_of(factor), last,
+        levels(trials[[factor]])[1]), link = link, coefficient = estimate[["estimate"]],
+        error = estimate[["error"]], z = z, p = 2 * stats::pnorm(-abs(z)))
+    })
+  })
 }
 
-kPooledHeads <- c("Factor", "F", "df", "df of the error", "p")
-
-pooled_warning <- function() {
-  sprintf(paste("A pooled test treats trials as independent, which they are not: where participants",
-    "differ in their slopes (standard deviation .7 logit) it rejected in %.0f %% of 2,000 simulated",
-    "studies without any effect, instead of 5 %%. It is given for comparison with older work, and",
-    "is no evidence; p uncorrected."), 100 * kPooledNullRate)
+# Mean thresholds under other choices: no lapses; without late frames; one guess rate of 0.
+threshold_sensitivity <- function(part) {
+  choices <- list("as reported" = part)
+  on_time <- part$trials$late_timed_frames == 0
+  if (!all(on_time) && any(on_time)) {
+    choices[["without trials with late frames"]] <- c(part[names(part) != "trials"],
+      list(trials = part$trials[on_time, ]))
+  }
+  if (is.null(part$guess)) {
+    choices[["guess rate of 0"]] <- c(part[names(part) != "guess"], list(guess = 0))
+  }
+  rows <- each_row(names(choices), function(name) {
+    functions <- psychometric_functions(choices[[name]], draws = 0)
+    means <- threshold_means(part, functions$rows)
+    if (is.null(means)) return(NULL)
+    data.frame(condition = means$condition, choice = name, participants = means$participants,
+      threshold = means$mean, low = means$low, high = means$high)
+  })
+  if (is.null(rows)) return(NULL)
+  list(name = "sensitivity", title = "Sensitivity: thresholds under other choices",
+    heads = c("Condition", "Choice", "Participants", "Mean threshold", "95 % CI, from", "to"),
+    rows = rows[order(rows$condition), ])
 }

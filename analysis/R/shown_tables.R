@@ -5,13 +5,11 @@
 # One row per participant of a protocol; `out`: codes wholly left out.
 participants_table <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
-  out <- query_study(path, "SELECT participant, trial, reason FROM excluded")
-  whole <- out[is.na(out$trial), ]
+  whole <- query_study(path, "SELECT participant, reason FROM excluded WHERE trial IS NULL")
   state <- ifelse(!is.na(rows$finished_utc), "finished",
     ifelse(rows$completed_trials > 0, "in progress", "enrolled"))
   at <- match(rows$participant, whole$participant)
-  data.frame(
-    participant = rows$participant, who = ifelse(rows$simulated == 1, "simulated", "person"),
+  data.frame(participant = rows$participant, who = ifelse(rows$simulated == 1, "simulated", "person"),
     planned = rows$planned_trials, completed = rows$completed_trials, sittings = rows$sessions,
     state = state, late = ifelse(rows$timed_frames > 0,
       sprintf("%.2f %%", 100 * rows$late_timed_frames / rows$timed_frames), NA),
@@ -21,23 +19,15 @@ participants_table <- function(path, protocol) {
 kParticipantHeads <- c("Participant", "Who", "Main trials planned", "completed", "Sittings", "State",
   "Late frames", "Left out, why")
 
-# Rows of any query on the views.
-query_study <- function(path, query, ...) {
-  study <- open_study(path, "enrolment_summary")
-  on.exit(DBI::dbDisconnect(study))
-  DBI::dbGetQuery(study, query, ...)
-}
-
 # Sentences about timing, freezes, collisions and gaze of the main trials of a protocol.
 shown_sentences <- function(path, protocol) {
+  rows <- rows_of_view(path, "rated_trial", protocol)
   c(
     frame_sentences(rows_of_view(path, "enrolment_summary", protocol)),
-    hold_sentence(rows_of_view(path, "rated_trial", protocol)),
-    gaze_shown_sentences(path, protocol), collision_sentences(path, protocol),
+    hold_sentence(rows), gaze_shown_sentences(rows), collision_sentences(path, protocol),
     pop_sentence(query_study(path, paste("SELECT count(DISTINCT trial) AS trials, sum(pops) AS pops,",
       "max(largest_pop_deg) AS largest FROM popped_step WHERE protocol = ? AND phase = 'main'"),
-      params = list(protocol)))
-  )
+      protocol)))
 }
 
 frame_sentences <- function(rows) {
@@ -62,40 +52,25 @@ hold_sentence <- function(rows) {
   paste0("Freeze at contact as realised on the display's frames: ", paste(words, collapse = "; "), ".")
 }
 
-gaze_shown_sentences <- function(path, protocol) {
-  rows <- rows_of_view(path, "rated_trial", protocol)
+gaze_shown_sentences <- function(rows) {
   rows <- rows[rows$phase == "main", ]
-  sources <- unique(stats::na.omit(rows$gaze_source))
-  if (nrow(rows) == 0) return(character())
-  if (length(sources) == 0) return("The gaze was not followed.")
-  without <- sum(is.na(rows$gaze_source))
   lost <- rows$gaze_lost_share[!is.na(rows$gaze_lost_share)]
-  latency <- rows$gaze_latency_p95_ms[!is.na(rows$gaze_latency_p95_ms)]
-  c(
-    sprintf("Gaze came from: %s.%s%s", paste(sources, collapse = ", "),
-      if (without > 0) sprintf(" %s without it.", count_of(without, "trial")) else "",
-      if ("mouse" %in% sources) " The mouse stands in for the eye: nothing here is about gaze." else ""),
-    if (length(lost) > 0) sprintf(paste("It was lost for %.1f %% of the stimulus on average",
-      "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)),
-    if (length(latency) > 0) sprintf(paste("From sample to flip the 95th percentile of a trial was",
-      "%.1f ms in the median and %.1f ms at most; %s late (above 80 ms)."), stats::median(latency),
-      max(latency), paste(count_of(sum(rows$gaze_late), "trial"),
-        if (sum(rows$gaze_late) == 1) "was" else "were")) else
-      "Detail did not depend on the gaze, so no latency was measured."
-  )
+  if (nrow(rows) == 0) return(character())
+  c(gaze_sentences(rows, "the tables of sensitivity show the comparisons without them"),
+    if (length(lost) > 0) sprintf(paste("The gaze was lost for %.1f %% of the stimulus on average",
+      "(at most %.1f %% of a trial)."), 100 * mean(lost), 100 * max(lost)))
 }
 
 collision_sentences <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT count(*) AS n, count(gap_arcmin) AS measured,",
     "count(DISTINCT trial) AS trials FROM seen_collision WHERE protocol = ? AND phase = 'main'"),
-    params = list(protocol))
+    protocol)
   if (rows$n == 0) return("No collision was recorded in the main trials.")
   c(
     sprintf("%s in %s.", count_of(rows$n, "collision"), count_of(rows$trials, "main trial")),
     if (rows$measured == 0) paste("No gap has been measured: `impetus replay STUDY --truth` does it,",
       "before the report is made.") else if (rows$measured < rows$n)
-      sprintf("The gap was measured in %s of them.", format(rows$measured, big.mark = ","))
-  )
+      sprintf("The gap was measured in %s of them.", format(rows$measured, big.mark = ",")))
 }
 
 pop_sentence <- function(row) {
@@ -108,7 +83,7 @@ pop_sentence <- function(row) {
 levels_reached <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT level, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
     "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision",
-    "WHERE protocol = ? AND phase = 'main'"), params = list(protocol))
+    "WHERE protocol = ? AND phase = 'main'"), protocol)
   if (nrow(rows) == 0) return(NULL)
   gaps_by(rows, rows$level, function(cell) data.frame(stopped = paste(vapply(names(table(
     cell$stopped)), function(why) sprintf("%s: %.0f %%", why, 100 * mean(cell$stopped == why)), ""),
@@ -123,9 +98,9 @@ levels_by_factor <- function(path, protocol) {
   rows <- query_study(path, paste("SELECT factor, CAST(trial_level.level AS TEXT) AS of,",
     "seen_collision.level AS reached, stopped, CAST(gap_arcmin AS REAL) AS gap_arcmin,",
     "CAST(hidden_share AS REAL) AS hidden_share FROM seen_collision JOIN trial_level USING (trial)",
-    "WHERE protocol = ? AND phase = 'main'"), params = list(protocol))
+    "WHERE protocol = ? AND phase = 'main'"), protocol)
   if (nrow(rows) == 0) return(NULL)
-  parts <- lapply(split(rows, rows$factor), function(mine) {
+  each_row(split(rows, rows$factor), function(mine) {
     levels <- unique(mine$of)
     number <- suppressWarnings(as.numeric(levels))
     levels <- if (anyNA(number)) sort(levels) else levels[order(number)]
@@ -134,7 +109,6 @@ levels_by_factor <- function(path, protocol) {
       reached = paste(range(cell$reached)[c(TRUE, diff(range(cell$reached)) > 0)], collapse = " to ")))
     cbind(factor = label_of(mine$factor[1]), table)
   })
-  do.call(rbind, unname(parts))
 }
 
 kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (â€²)",
@@ -142,11 +116,10 @@ kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (â
 
 gaps_by <- function(rows, by, more) {
   cells <- split(rows, by, drop = TRUE)
-  share <- vapply(cells, nrow, 0L) / nrow(rows)
-  table <- do.call(rbind, lapply(cells, function(cell) data.frame(collisions = nrow(cell),
-    share = NA, median = stats::median(cell$gap_arcmin, na.rm = TRUE),
+  table <- each_row(cells, function(cell) data.frame(collisions = nrow(cell),
+    share = sprintf("%.1f %%", 100 * nrow(cell) / nrow(rows)),
+    median = stats::median(cell$gap_arcmin, na.rm = TRUE),
     p95 = stats::quantile(cell$gap_arcmin, 0.95, na.rm = TRUE, names = FALSE),
-    hidden = stats::median(cell$hidden_share, na.rm = TRUE), more(cell))))
-  table$share <- sprintf("%.1f %%", 100 * share)
+    hidden = stats::median(cell$hidden_share, na.rm = TRUE), more(cell)))
   cbind(level = names(cells), table, row.names = NULL)
 }

@@ -4,38 +4,20 @@
 #         ─> report.html, figures/*.svg, *.pdf, tables/*.csv
 # SPDX-License-Identifier: MIT
 
-kReportPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2")
+kReportPackages <- c("RSQLite", "ordinal", "lme4", "afex", "ggplot2", "commonmark")
 
 # Those that the data in folder/data need beside: the models of clicks have a package of their own.
 packages_for_data <- function(data) {
   if (nrow(utils::read.csv(file.path(data, "click_trial.csv"), nrows = 1)) > 0) "glmmTMB"
 }
 
-kPageStyle <- "
-body { font: 16px/1.5 'Source Sans 3', 'Segoe UI', 'Noto Sans', Arial, sans-serif; color: #1b1b1b;
-  background: #fff; max-width: 50rem; margin: 2rem auto; padding: 0 1.2rem; }
-h1 { font-size: 1.8rem; line-height: 1.2; } h2 { margin-top: 3rem; border-top: 2px solid #1b1b1b;
-  padding-top: .6rem; } h3 { margin-top: 2rem; } h4 { margin: 1.4rem 0 .4rem; }
-table { border-collapse: collapse; font-size: .84rem; margin: .4rem 0 .2rem; }
-th { text-align: left; vertical-align: bottom; border-bottom: 1.5px solid #1b1b1b; }
-th, td { padding: .18rem .7rem .18rem 0; vertical-align: top; }
-td { border-bottom: 1px solid #ddd; } .number, th.number { text-align: right; }
-td.number { white-space: nowrap; font-variant-numeric: tabular-nums; }
-.wide { overflow-x: auto; } .note, figcaption, nav { font-size: .88rem; color: #444; }
-figure { display: inline-block; vertical-align: top; margin: .6rem 1.2rem 1rem 0; width: 85mm;
-  max-width: 100%; } figure svg { width: 85mm; max-width: 100%; height: auto; }
-.simulated { border: 2px solid #D55E00; padding: .5rem .8rem; }
-code { background: #f3f3f3; padding: 0 .2rem; overflow-wrap: anywhere; } ul { padding-left: 1.2rem; }
-nav ul { columns: 2; } @media print { body { max-width: none; margin: 0; } figure, tr {
-  break-inside: avoid; } }
-"
-
 # Makes the whole report in `folder` from the data in folder/data.
 write_study_report <- function(folder) {
   for (part in c("figures", "tables")) dir.create(file.path(folder, part), showWarnings = FALSE)
   path <- study_of_report_data(file.path(folder, "data"))
   about <- utils::read.csv(file.path(folder, "data/study.csv"), colClasses = "character")
-  protocols <- protocols_of(path)
+  protocols <- query_study(path,
+    "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol
   parts <- lapply(protocols, parts_of_protocol, path = path)
   expect_steps(unlist(lapply(parts, steps_of_parts)))
   body <- if (length(protocols) == 0) "<p>Nobody has been enrolled yet.</p>" else
@@ -56,9 +38,11 @@ page_of <- function(about, protocols, body) {
 # A page of its own: it fetches nothing and runs nothing. `body`: lines below its heading.
 html_page <- function(title, body) {
   c("<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\">",
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">",
+    paste0("<meta http-equiv=\"Content-Security-Policy\" ",
+      "content=\"default-src 'none'; style-src 'unsafe-inline'\">"),
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">",
-    sprintf("<title>%s</title>", html_text(title)), "<style>", kPageStyle, "</style>", "</head>",
+    sprintf("<title>%s</title>", html_text(title)), "<style>", readLines(code_file("page.css")),
+    "</style>", "</head>",
     "<body>", sprintf("<h1>%s</h1>", html_text(title)), body, "</body>", "</html>")
 }
 
@@ -73,26 +57,19 @@ protocol_lines <- function(protocol, parts, path, folder) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
   c(sprintf("<h2 id=\"%s\">%s</h2>", anchor_of(protocol), html_text(protocol)),
-    simulated_lines(path, protocol),
-    "<h3>Participants and exclusions</h3>",
+    simulated_lines(path, protocol), "<h3>Participants and exclusions</h3>",
     html_table(participants_table(path, protocol), kParticipantHeads),
     unlist(lapply(parts, part_data_lines)), design_lines(parts),
     "<h3>What was really shown</h3>", shown_lines(path, protocol),
     html_paragraphs(vapply(refused, `[[`, "", "why")),
     if (length(parts) + length(refused) == 0) paste0("<h3>Results</h3><p>There are no answers of the",
       " main phase yet, or the protocol asks for none: nothing was tested.</p>"),
-    unlist(lapply(results, result_lines, folder = folder)),
-    "<h3>Methods, in words</h3>",
+    unlist(lapply(results, result_lines, folder = folder)), "<h3>Methods, in words</h3>",
     html_paragraphs(paste(methods_sentences(path, protocol, parts), collapse = " ")),
-    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(references_of(parts))), "</ul>")
+    "<h4>References</h4>", "<ul>", sprintf("<li>%s</li>", html_text(cited_references(parts))), "</ul>")
 }
 
-# Sentences that may hold what as_typed kept; one paragraph each.
-html_paragraphs <- function(words) {
-  words <- words[nzchar(words)]
-  if (length(words) > 0) sprintf("<p>%s</p>", html_of_line(words))
-}
-
+# The box that stands above whatever is simulated.
 simulated_lines <- function(path, protocol) {
   rows <- rows_of_view(path, "enrolment_summary", protocol)
   if (any(rows$simulated == 0)) return(NULL)
@@ -101,35 +78,32 @@ simulated_lines <- function(path, protocol) {
 }
 
 part_data_lines <- function(part) {
+  words <- c(participants_sentence(part), exclusions_sentence(part), catch_sentence(part),
+    hashes_sentence(part))
   c(sprintf("<h4>%s: what is in the analysis</h4>", html_text(title_of_part(part))),
-    html_paragraphs(paste(data_sentences(part), collapse = " ")),
-    html_of_lines(left_out_section(part)))
-}
-
-data_sentences <- function(part) {
-  noun <- noun_of(part)
-  words <- c(participants_sentence(part), exclusions_sentence(part))
-  if (noun == "trial") words <- gsub("answer", "trial", words)
-  c(words, catch_sentence(part), hashes_sentence(part))
+    html_paragraphs(paste(words, collapse = " ")), html_of_lines(left_out_section(part)))
 }
 
 design_lines <- function(parts) {
   if (length(parts) == 0) return(NULL)
   part <- parts[[1]]
   trials <- part$trials
-  factors <- c(unname(part$factors), part$constant)
-  rows <- do.call(rbind, lapply(factors, function(f) {
-    levels <- levels(droplevels(trials[[f]]))
+  rows <- each_row(c(unname(part$factors), part$constant), function(f) {
     per <- table(trials$participant, droplevels(trials[[f]]))
-    data.frame(factor = label_of(f), levels = if (length(levels) > 12) sprintf("%d, %s to %s",
-      length(levels), levels[1], levels[length(levels)]) else paste(levels, collapse = ", "),
+    data.frame(factor = label_of(f), levels = levels_words(colnames(per), "%d, %s to %s"),
       trials = paste(unique(range(per)), collapse = " to "))
-  }))
+  })
   c("<h3>Design</h3>", html_table(rows, c("Factor", "Levels", "Main trials of a participant at each")),
     html_paragraphs(c(
       if (any(!is.na(trials$track))) "Levels were chosen trial by trial (adaptive tracks).",
       if (length(unique(trials$block)) > 1) sprintf("Trials came in %s.",
         count_of(length(unique(trials$block)), "block")))))
+}
+
+# All of the levels or, of more than twelve, `many`: how many, the first and the last.
+levels_words <- function(levels, many) {
+  if (length(levels) <= 12) return(paste(levels, collapse = ", "))
+  sprintf(many, length(levels), levels[1], levels[length(levels)])
 }
 
 shown_lines <- function(path, protocol) {
@@ -148,10 +122,9 @@ result_lines <- function(result, folder) {
     figure <- result$figures[[i]]
     say_progress(figure_step(part, figure$name))
     svg <- write_column_figure(figure, file.path(folder, "figures", anchor_of(name, figure$name)))
-    c("<figure>", inline_svg(svg, paste0(name, "-", i), figure$caption),
-      sprintf("<figcaption>%s</figcaption>", html_text(figure$caption)), "</figure>")
+    html_figure(svg, paste0(name, "-", i), figure$caption)
   }))
-  write_test_table(result$tests, file.path(folder, "tables", paste0(name, "-tests.csv")))
+  write_table(result$tests$rows, file.path(folder, "tables", paste0(name, "-tests.csv")))
   tables <- unlist(lapply(result$tables, function(table) {
     write_table(table$rows, file.path(folder, "tables", paste0(name, "-", table$name, ".csv")))
     c(sprintf("<h4>%s</h4>", html_text(table$title)), html_table(table$rows, table$heads),
@@ -175,13 +148,19 @@ test_lines <- function(rows) {
       sub("chi-squared", "χ²", mine$statistic_name), df_words(mine), format_number(mine$statistic)))
     statistic <- gsub(" ", "\u00a0", statistic)  # a table breaks no line inside a number
     effect <- gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE)
+    interval <- ifelse(is.na(mine$interval_low), NA, sprintf("%s to %s",
+      format_number(mine$interval_low), format_number(mine$interval_high)))
     shown <- data.frame(effect = effect, statistic = statistic, p = p_cell(mine$p),
-      holm = p_cell(mine$p_holm), size = mine$effect_size, interval = interval_cell(mine),
+      holm = p_cell(mine$p_holm), size = mine$effect_size, interval = interval,
       participants = mine$participants)
+    size <- unique(stats::na.omit(mine$effect_size_name))
+    level <- unique(stats::na.omit(mine$interval_level))
     c(sprintf("<h4>%s</h4>", html_text(family)),
       sprintf("<p class=\"note\">%s</p>", html_text(paste(unique(mine$method), collapse = "; or "))),
-      html_table(shown, c("Effect", "Statistic", "p", "Holm-corrected p", size_head(mine),
-        interval_head(mine), "Participants")))
+      html_table(shown, c("Effect", "Statistic", "p", "Holm-corrected p",
+        if (length(size) == 1) sentence_case(size) else "Effect size",
+        if (length(level) == 1) sprintf("%.0f %% interval", 100 * level) else "Interval",
+        "Participants")))
   }))
 }
 
@@ -189,21 +168,6 @@ df_words <- function(rows) {
   df <- function(x) format(round(x, 1), trim = TRUE, drop0trailing = TRUE)
   ifelse(is.na(rows$df1), "", ifelse(is.na(rows$df2), sprintf("(%s)", df(rows$df1)),
     sprintf("(%s, %s)", df(rows$df1), df(rows$df2))))
-}
-
-size_head <- function(rows) {
-  name <- unique(stats::na.omit(rows$effect_size_name))
-  if (length(name) == 1) sentence_case(name) else "Effect size"
-}
-
-interval_head <- function(rows) {
-  level <- unique(stats::na.omit(rows$interval_level))
-  if (length(level) == 1) sprintf("%.0f %% interval", 100 * level) else "Interval"
-}
-
-interval_cell <- function(rows) {
-  ifelse(is.na(rows$interval_low), NA, sprintf("%s to %s", format_number(rows$interval_low),
-    format_number(rows$interval_high)))
 }
 
 # The part's trials with what was excluded, for the table of sensitivity; NULL where none can be read.
@@ -217,7 +181,7 @@ trials_with_excluded <- function(path, part) {
   parts <- parts_of_protocol(again, part$protocol)
   same <- Filter(function(other) identical(other$response, part$response) &&
     identical(other$kind, part$kind), parts)
-  if (length(same) == 1) with_click_rate(same[[1]])$trials
+  if (length(same) == 1) same[[1]]$trials
 }
 
 repeat_lines <- function() {

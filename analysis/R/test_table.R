@@ -8,35 +8,32 @@ kSignificance <- 0.05
 
 outcome <- function(rows = NULL, remarks = character()) list(rows = rows, remarks = remarks)
 
+# What `make` gives for each of the items, row by row as one table.
+each_row <- function(items, make, ...) do.call(rbind, unname(lapply(items, make, ...)))
+
 test_row <- function(family, method, effect, statistic_name, statistic, df1, df2 = NA, p,
                      size_name = NA, size = NA, interval = c(NA, NA), interval_level = NA,
                      participants = NA, trials = NA) {
-  data.frame(
-    family = family, method = method, effect = effect, statistic_name = statistic_name,
+  data.frame(family = family, method = method, effect = effect, statistic_name = statistic_name,
     statistic = statistic, df1 = df1, df2 = df2, p = p, p_holm = NA_real_,
     effect_size_name = size_name, effect_size = size, interval_low = interval[[1]],
     interval_high = interval[[2]], interval_level = interval_level, participants = participants,
-    trials = trials, row.names = NULL
-  )
+    trials = trials, row.names = NULL)
 }
 
 # All outcomes as one, rows and remarks in their order.
 all_outcomes <- function(...) {
-  outcomes <- list(...)
-  outcome(do.call(rbind, lapply(outcomes, `[[`, "rows")),
-    as.character(unlist(lapply(outcomes, `[[`, "remarks"))))
+  outcome(each_row(list(...), `[[`, "rows"),
+    as.character(unlist(lapply(list(...), `[[`, "remarks"), use.names = FALSE)))
 }
 
 # All outcomes as one: rows with Holm's p within each family, remarks without repeats.
 combine_outcomes <- function(...) {
-  outcomes <- list(...)
-  rows <- do.call(rbind, lapply(outcomes, `[[`, "rows"))
-  if (!is.null(rows)) {
-    rows$p_holm <- stats::ave(rows$p, rows$family, FUN = function(p) stats::p.adjust(p, "holm"))
-  } else {
-    rows <- test_row("", "", "", "", NA, NA, p = NA)[0, ]
-  }
-  outcome(rows, unique(unlist(lapply(outcomes, `[[`, "remarks"))))
+  all <- all_outcomes(...)
+  if (is.null(all$rows)) all$rows <- test_row("", "", "", "", NA, NA, p = NA)[0, ]
+  all$rows$p_holm <- stats::ave(all$rows$p, all$rows$family,
+    FUN = function(p) stats::p.adjust(p, "holm"))
+  outcome(all$rows, unique(all$remarks))
 }
 
 # The rows of a family, of one effect when it is named.
@@ -45,12 +42,15 @@ tests_of <- function(tests, family, effect = NULL) {
   if (is.null(effect)) rows else rows[rows$effect == effect, ]
 }
 
-# Writes the table of tests.
-write_test_table <- function(tests, path) write_table(tests$rows, path)
+# The rows of a family whose effect compares levels of this factor: "factor: 2 against 1".
+level_comparisons <- function(tests, family, factor) {
+  rows <- tests_of(tests, family)
+  rows[startsWith(rows$effect, paste0(factor, ": ")), ]
+}
 
 # Writes any table as CSV, numbers with six significant digits; NA is left empty.
 write_table <- function(rows, path) {
-  numeric <- vapply(rows, is.numeric, logical(1))
+  numeric <- vapply(rows, is.numeric, NA)
   six_digits <- function(x) ifelse(is.na(x), NA, vapply(x, format, "", digits = 6))
   rows[numeric] <- lapply(rows[numeric], six_digits)
   utils::write.csv(rows, path, row.names = FALSE, na = "", quote = which(!numeric),
@@ -59,8 +59,15 @@ write_table <- function(rows, path) {
 
 # A table as Markdown; `rows` have " | " between their cells.
 markdown_table <- function(heads, rows) {
-  c(
-    sprintf("| %s |", paste(heads, collapse = " | ")), paste0("|", strrep("---|", length(heads))),
-    sprintf("| %s |", rows)
-  )
+  sprintf("|%s|", c(paste0(" ", paste(heads, collapse = " | "), " "),
+    paste(rep("---", length(heads)), collapse = "|"), if (length(rows) > 0) paste0(" ", rows, " ")))
 }
+
+# A data frame as Markdown. `columns`: the format of each, named by the column; NULL in place of one
+# writes its words, NA is a dash. `heads`: the words above.
+table_as_markdown <- function(table, columns, heads) {
+  cells <- Map(function(name, format) or_dash(table[[name]], format), names(columns), columns)
+  markdown_table(heads, do.call(paste, c(unname(cells), sep = " | ")))
+}
+
+or_dash <- function(x, format) ifelse(is.na(x), "–", sprintf(format, x))

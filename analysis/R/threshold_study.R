@@ -1,40 +1,45 @@
-# A study of thresholds from its views to one psychometric function per participant and condition.
+# A study of thresholds from its views to figures, tables and words.
 #
 #   trial_response ──> trials: x (the level on its scale), positive ──> functions
 #   trial_level ─────> condition: every other factor that varies
 #
-# Invariant: answers that never came are no trials; excluded and catch trials are out (exclusions.R).
+#   functions ─┬─> <protocol>-functions.csv, -curves.png      each participant
+#              ├─> <protocol>-thresholds.png, .md             means by condition
+#              └─> <protocol>.csv                             tests, hierarchical model
+#
+# Invariant: answers that never came are no trials; excluded and catch trials are out
+# (trials_analysed.R).
 # SPDX-License-Identifier: MIT
 
 kBootstrapDraws <- 200
 kThresholdKinds <- c("yes_no", "two_interval")
 kConditionSeparator <- " × "
 
-# What a script of thresholds says about its study: `factor`, the one on the axis, without unit;
-# `log10`: is the scale logarithmic; `realised_hold`: take the freeze on the display's frames for it.
-open_threshold_study <- function(words, usage, protocol, factor, log10 = FALSE,
-                                 realised_hold = FALSE) {
-  arguments <- read_arguments(words, usage)
-  need_packages(c("RSQLite", "lme4", "afex", "ggplot2"))
-  where <- paste0("kind IN (", paste0("'", kThresholdKinds, "'", collapse = ", "), ")",
-    " AND positive IS NOT NULL AND timed_out = 0")
-  study <- read_trials(arguments$studies, protocol, "trial_response", "answered main trials",
-    where = where)
-  names <- unique(study$levels$factor)
-  study <- with_factor_columns(study, c(level = factor, stats::setNames(names, names)[
-    names != factor & !startsWith(names, paste0(factor, "_"))]))
-  study <- keep_people_apart(study)
+# Reads what the command line names; refuses before anything is written.
+open_threshold_study <- function(study, words) {
+  arguments <- study_arguments(study, words, c("RSQLite", "lme4", "afex", "ggplot2"))
+  read <- read_trials(arguments$studies, study$protocol, "trial_response", "answered main trials",
+    where = answered_where(kThresholdKinds))
+  names <- unique(read$levels$factor)
+  axis <- names == study$factors | startsWith(names, paste0(study$factors, "_"))
+  read <- keep_people_apart(with_factor_columns(read, c(level = study$factors,
+    stats::setNames(nm = names[!axis]))))
   prepare_folder(arguments$out)
-  study$out <- arguments$out
-  study$log10 <- log10
-  with_scale_and_condition(study, realised_hold)
+  read[c("out", "title", "log10")] <- list(arguments$out, study$title, isTRUE(study$log10))
+  with_scale_and_condition(read, isTRUE(study$realised_hold))
+}
+
+# The rows of trial_response that are answers of these kinds.
+answered_where <- function(kinds) {
+  sprintf("kind IN (%s) AND positive IS NOT NULL AND timed_out = 0",
+    paste0("'", kinds, "'", collapse = ", "))
 }
 
 # Adds x, level and condition to the trials; refuses two kinds of answer and levels that are no
 # numbers or, on a logarithmic scale, not above 0.
 with_scale_and_condition <- function(study, realised_hold) {
   trials <- study$trials
-  files <- paste(study$files, collapse = ", ")
+  files <- file_names(study)
   kinds <- unique(trials$kind)
   if (length(kinds) > 1) {
     refuse(files, ": expected answers of one kind, got ", paste(kinds, collapse = " and "))
@@ -69,8 +74,8 @@ condition_names <- function(trials, split) {
 psychometric_functions <- function(study, draws = kBootstrapDraws) {
   cells <- split(study$trials, list(study$trials$condition_of,
     as.character(study$trials$participant)), drop = TRUE, sep = "\r")
-  fitted <- with_seed(1, lapply(unname(cells), one_function, study$guess, draws))
-  rows <- do.call(rbind, lapply(fitted, `[[`, "row"))
+  fitted <- withr::with_seed(1, lapply(unname(cells), one_function, study$guess, draws))
+  rows <- each_row(fitted, `[[`, "row")
   for (factor in study$split) {
     rows[[factor]] <- droplevels(study$trials[[factor]])[match(rows$condition,
       study$trials$condition_of)]
@@ -87,8 +92,7 @@ one_function <- function(trials, guess, draws) {
     spread = NA_real_, guess = NA_real_, lapse = NA_real_, deviance = NA_real_,
     deviance_p = NA_real_, use = FALSE)
   if (is.null(fit)) return(list(row = row, data = data))
-  row[c("threshold", "spread", "guess", "lapse", "deviance")] <-
-    fit[c("threshold", "spread", "guess", "lapse", "deviance")]
+  row[names(fit)] <- fit
   row$use <- fit$threshold >= min(data$x) && fit$threshold <= max(data$x)
   if (draws > 0) {
     again <- bootstrap_psychometric(data, fit, guess, draws)
@@ -102,3 +106,57 @@ one_function <- function(trials, guess, draws) {
 
 # A threshold in the unit of the factor, from the scale that it was fitted on.
 in_unit <- function(study, x) if (study$log10) 10^x else x
+
+report_threshold_study <- function(study) {
+  say_progress(kFunctionsStep)
+  functions <- psychometric_functions(study)
+  tests <- threshold_tests(study, functions$rows)
+  means <- threshold_means(study, functions$rows)
+  results <- paste(threshold_words(study, functions$rows, means, tests), collapse = " ")
+  say_progress("drawing the figures ...")
+  captions <- threshold_captions(study)
+  write_outputs(study, tests, results, c(study_sentences(study), scale_sentence(study)),
+    c(paste("Curves.", captions[["curves"]]), "", captions[["thresholds"]]),
+    threshold_section(study, means), write_threshold_figures(study, functions),
+    list(functions = functions$rows))
+}
+
+scale_sentence <- function(study) {
+  kind <- if (is.null(study$guess)) "yes or no (guess rate fitted, 0 to .5)" else
+    "a choice of two intervals (guess rate 1/2)"
+  method <- if (all(is.na(study$trials$track))) "levels fixed before" else
+    "levels chosen trial by trial; trials as shown are analysed, never means of reversals"
+  sprintf("Answers were %s; %s. Cumulative normal in %s%s, lapse rate fitted within 0 to %.2f.",
+    kind, method, if (study$log10) "log₁₀ of " else "", name_and_unit(study$axis), kLargestLapse)
+}
+
+threshold_words <- function(study, rows, means, tests) {
+  used <- sum(rows$use)
+  if (used == 0) return("No participant has a threshold yet.")
+  limits <- ifelse(is.na(means$low), "", sprintf(" [%.3g, %.3g]", means$low, means$high))
+  each <- paste0(if (length(study$split) > 0) paste0(means$condition, ": "),
+    sprintf("%.3g", means$mean), limits, collapse = "; ")
+  anova <- tests_of(tests, kThresholdAnovaFamily)
+  model <- tests_of(tests, kThresholdFamily)
+  c(
+    sprintf("Mean threshold%s, %s%s: %s (95 %% t intervals over participants; %s).",
+      if (study$log10) " (geometric)" else "", name_and_unit(study$axis),
+      if (length(study$split) > 0) paste(", by", condition_label(study)) else "", each,
+      count_of(used, "function")),
+    vapply(seq_len(nrow(anova)), function(i) sprintf(
+      "%s: %s, generalised η² = %.3f.", gsub(":", " × ", anova$effect[i]), F_words(anova[i, ]),
+      anova$effect_size[i]), ""),
+    if (nrow(model) > 0) sprintf("Hierarchical model: %s.", paste(model$effect,
+      size_words(model, "%.3g"), sep = ", ", collapse = "; ")))
+}
+
+threshold_section <- function(study, means) {
+  if (is.null(means)) return(NULL)
+  means$interval <- ifelse(is.na(means$low), NA, sprintf("%.3g to %.3g", means$low, means$high))
+  c("## Thresholds", "",
+    table_as_markdown(means, c(condition = "%s", participants = "%d", mean = "%.3g", interval = "%s"),
+      c(condition_label(study), "participants",
+        paste("mean threshold,", name_and_unit(study$axis)), "95 % CI")), "",
+    paste0("Each participant's functions, with bootstrap intervals and goodness of fit: ",
+      study$protocol, "-functions.csv."), "")
+}

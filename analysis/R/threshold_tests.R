@@ -10,13 +10,10 @@ kThresholdAnovaFamily <- "thresholds, repeated-measures ANOVA"
 threshold_means <- function(study, rows) {
   rows <- rows[rows$use, ]
   cells <- split(rows, factor(rows$condition, levels(study$trials$condition_of)), drop = TRUE)
-  means <- lapply(cells, function(cell) {
-    interval <- t_interval(cell$threshold)
+  each_row(cells, function(cell) {
     data.frame(condition = cell$condition[1], participants = nrow(cell),
-      mean = in_unit(study, interval[["mean"]]), low = in_unit(study, interval[["low"]]),
-      high = in_unit(study, interval[["high"]]), cell[1, study$split, drop = FALSE])
+      as.list(in_unit(study, t_interval(cell$threshold))), cell[1, study$split, drop = FALSE])
   })
-  do.call(rbind, unname(means))
 }
 
 # Repeated-measures ANOVA of thresholds over the factors that vary, and the hierarchical model.
@@ -93,7 +90,7 @@ hierarchical_rows <- function(study, model, trials, random) {
   beta <- lme4::fixef(model)
   covariance <- as.matrix(stats::vcov(model))
   slope <- beta[["centred"]]
-  rows <- lapply(setdiff(names(beta), "centred"), function(name) {
+  each_row(setdiff(names(beta), "centred"), function(name) {
     gradient <- c(-1 / slope, beta[[name]] / slope^2)
     unit <- stats::sd(trials$x)
     error <- unit * sqrt(drop(t(gradient) %*% covariance[c(name, "centred"), c(name, "centred")] %*%
@@ -107,7 +104,6 @@ hierarchical_rows <- function(study, model, trials, random) {
       size = in_unit(study, x), interval = limits, interval_level = 0.95,
       participants = participant_count(trials), trials = nrow(trials))
   })
-  do.call(rbind, rows)
 }
 
 # The link of a choice between two intervals: mean = 1/2 + 1/2 Phi(eta).
@@ -116,6 +112,5 @@ half_probit <- function() {
     linkfun = function(mu) stats::qnorm(pmin(pmax(2 * mu - 1, 1e-6), 1 - 1e-6)),
     linkinv = function(eta) pmin(0.5 + stats::pnorm(eta) / 2, 1 - 1e-9),
     mu.eta = function(eta) pmax(stats::dnorm(eta) / 2, 1e-9),
-    valideta = function(eta) TRUE, name = "half probit"
-  ))
+    valideta = function(eta) TRUE, name = "half probit"))
 }

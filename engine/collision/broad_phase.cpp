@@ -1,9 +1,96 @@
 // SPDX-License-Identifier: MIT
 #include "engine/collision/broad_phase.hpp"
 
-#include "engine/collision/all_pairs.hpp"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace impetus::inline collision {
+namespace {
+
+using Ends = SweptIntervals::Ends;
+
+IMPETUS_INLINED std::uint32_t meeting_by_lanes(const Ends& one, const Ends& others) {
+  const double greatest = one.greatest[0];
+  const double least_across[2] = {one.across_least[0][0], one.across_least[1][0]};
+  const double greatest_across[2] = {one.across_greatest[0][0], one.across_greatest[1][0]};
+  std::uint64_t meets[kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const bool along = others.least[lane] <= greatest;
+    const bool second = (others.across_least[0][lane] <= greatest_across[0]) &
+                        (least_across[0] <= others.across_greatest[0][lane]);
+    const bool third = (others.across_least[1][lane] <= greatest_across[1]) &
+                       (least_across[1] <= others.across_greatest[1][lane]);
+    meets[lane] = (along & second & third) ? std::uint64_t{1} << lane : 0;
+  }
+  std::uint64_t bits = 0;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    bits |= meets[lane];
+  }
+  return static_cast<std::uint32_t>(bits);
+}
+
+#ifdef IMPETUS_EIGHT_LANES
+IMPETUS_EIGHT_LANES std::uint32_t meeting_by_eight(const Ends& one, const Ends& others) {
+  return meeting_by_lanes(one, others);
+}
+
+IMPETUS_FOUR_LANES std::uint32_t meeting_by_four(const Ends& one, const Ends& others) {
+  return meeting_by_lanes(one, others);
+}
+#endif
+
+/// Far beyond what rounding can do to the test of two spheres, as a share of the numbers in it.
+constexpr double kSlack = 1e-14;
+/// Squares of less are lost below the smallest number, squares of more are no numbers.
+constexpr double kTiny_m = 1e-150;
+constexpr double kHuge_m = 1e150;
+
+/// Fewer bodies are swept in one strip; more strips than this would not fit a cache.
+constexpr std::size_t kLeastBodiesForStrips = 128;
+constexpr double kMostStrips = 256.0;
+
+/// What a body covers along one axis.
+struct Span {
+  double least{-std::numeric_limits<double>::infinity()};
+  double greatest{std::numeric_limits<double>::infinity()};
+};
+
+/// What the body covers along the axis; everything when that cannot be told.
+Span span_of(const MovedBound& body, int axis) {
+  const double place_m = body.bound.centre[axis];
+  const double reach_m = body.bound.radius_m + body.travelled_m;
+  if (!(std::abs(place_m) < kHuge_m) || !(std::abs(reach_m) < kHuge_m)) {
+    return {};
+  }
+  const double grown_m = reach_m + kSlack * (std::abs(place_m) + std::abs(reach_m)) + kTiny_m;
+  return {place_m - grown_m, place_m + grown_m};
+}
+
+/// The axis along which the bodies' centres spread most; the first of equals.
+int widest_axis(const std::vector<MovedBound>& bodies) {
+  int widest = 0;
+  double most_m = -1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    Span span{kHuge_m, -kHuge_m};
+    for (const MovedBound& body : bodies) {
+      const double place_m = body.bound.centre[axis];
+      if (std::abs(place_m) < kHuge_m) {
+        span = {std::min(span.least, place_m), std::max(span.greatest, place_m)};
+      }
+    }
+    if (span.greatest - span.least > most_m) {
+      most_m = span.greatest - span.least;
+      widest = axis;
+    }
+  }
+  return widest;
+}
+
+}  // namespace
 
 bool could_meet(const MovedBound& a, const MovedBound& b) {
   Sphere swept = a.bound;
@@ -30,6 +117,184 @@ std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
   std::vector<PairBounds> pairs;
   find_among_all(bodies, pairs);
   return pairs;
+}
+
+void SweptIntervals::take(const std::vector<SweptInterval>& sorted) {
+  size_ = sorted.size();
+  const std::size_t readable = size_ + kLanes - 1;
+  for (std::vector<double>* ends : {&least_, &greatest_, &across_least_[0], &across_least_[1],
+                                    &across_greatest_[0], &across_greatest_[1]}) {
+    ends->resize(readable);
+  }
+  for (std::size_t i = 0; i < size_; ++i) {
+    least_[i] = sorted[i].least;
+    greatest_[i] = sorted[i].greatest;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      across_least_[axis][i] = sorted[i].across_least[axis];
+      across_greatest_[axis][i] = sorted[i].across_greatest[axis];
+    }
+  }
+  // Nothing reaches what is not there, not even what has no end.
+  std::fill(least_.begin() + static_cast<std::ptrdiff_t>(size_), least_.end(),
+            std::numeric_limits<double>::quiet_NaN());
+}
+
+SweptIntervals::Ends SweptIntervals::from(std::size_t index) const {
+  return {&least_[index],
+          &greatest_[index],
+          {&across_least_[0][index], &across_least_[1][index]},
+          {&across_greatest_[0][index], &across_greatest_[1][index]}};
+}
+
+std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first, LaneWidth width) const {
+  const Ends one = from(index);
+  const Ends others = from(first);
+#ifdef IMPETUS_EIGHT_LANES
+  if (width == LaneWidth::kEight) {
+    return meeting_by_eight(one, others);
+  }
+  if (width == LaneWidth::kFour) {
+    return meeting_by_four(one, others);
+  }
+#endif
+  return meeting_by_lanes(one, others);
+}
+
+void SweepAndPrune::cover(const std::vector<MovedBound>& bodies, int axis) {
+  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+  if (order.size() != bodies.size()) {
+    order.resize(bodies.size());
+    std::iota(order.begin(), order.end(), 0);
+  }
+  intervals_.clear();
+  for (const std::int32_t body : order) {
+    const MovedBound& moved = bodies[static_cast<std::size_t>(body)];
+    const Span along = span_of(moved, axis);
+    const Span second = span_of(moved, (axis + 1) % 3);
+    const Span third = span_of(moved, (axis + 2) % 3);
+    intervals_.push_back({along.least,
+                          along.greatest,
+                          {second.least, third.least},
+                          {second.greatest, third.greatest},
+                          body,
+                          moved.movable});
+  }
+}
+
+void SweepAndPrune::sort() {
+  const auto goes_before = [](const SweptInterval& x, const SweptInterval& y) {
+    return x.least != y.least ? x.least < y.least : x.body < y.body;
+  };
+  std::size_t moves_left = 8 * intervals_.size();
+  for (std::size_t i = 1; i < intervals_.size(); ++i) {
+    for (std::size_t j = i; j > 0 && goes_before(intervals_[j], intervals_[j - 1]); --j) {
+      std::swap(intervals_[j], intervals_[j - 1]);
+      if (--moves_left == 0) {
+        std::sort(intervals_.begin(), intervals_.end(), goes_before);
+        return;
+      }
+    }
+  }
+}
+
+/// As many strips as keep them twice as wide as the widest body, of those whose ends are numbers.
+void SweepAndPrune::part_into_strips() {
+  Span all{kHuge_m, -kHuge_m};
+  double widest_m = kTiny_m;
+  for (const SweptInterval& interval : intervals_) {
+    const double width_m = interval.across_greatest[0] - interval.across_least[0];
+    if (width_m < kHuge_m) {
+      widest_m = std::max(widest_m, width_m);
+      all = {std::min(all.least, interval.across_least[0]),
+             std::max(all.greatest, interval.across_greatest[0])};
+    }
+  }
+  const double room = (all.greatest - all.least) / (2.0 * widest_m);
+  const bool worth_it = intervals_.size() >= kLeastBodiesForStrips && room >= 2.0;
+  strip_count_ = worth_it ? static_cast<std::size_t>(std::min(room, kMostStrips)) : 1;
+  strips_begin_m_ = all.least;
+  strip_width_m_ = (all.greatest - all.least) / static_cast<double>(strip_count_);
+  if (strips_.size() < strip_count_) {
+    strips_.resize(strip_count_);
+  }
+  for (std::vector<SweptInterval>& strip : strips_) {
+    strip.clear();
+  }
+  for (const SweptInterval& interval : intervals_) {
+    const std::size_t last = strip_at(interval.across_greatest[0]);
+    for (std::size_t strip = strip_at(interval.across_least[0]); strip <= last; ++strip) {
+      strips_[strip].push_back(interval);
+    }
+  }
+}
+
+/// Never falls as the place rises.
+std::size_t SweepAndPrune::strip_at(double place_m) const {
+  if (strip_count_ == 1) {
+    return 0;
+  }
+  const double strip = (place_m - strips_begin_m_) / strip_width_m_;
+  return static_cast<std::size_t>(std::clamp(strip, 0.0, static_cast<double>(strip_count_) - 1.0));
+}
+
+void SweepAndPrune::sweep(std::size_t strip) {
+  const std::vector<SweptInterval>& intervals = strips_[strip];
+  swept_.take(intervals);
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const SweptInterval& x = intervals[i];
+    for (std::size_t first = i + 1; swept_.reaches(i, first); first += kLanes) {
+      for (std::uint32_t bits = swept_.meeting(i, first); bits != 0; bits &= bits - 1) {
+        const SweptInterval& y =
+            intervals[first + static_cast<std::size_t>(std::countr_zero(bits))];
+        const bool found_before =
+            strip_count_ > 1 && strip_at(std::max(x.across_least[0], y.across_least[0])) != strip;
+        if ((x.movable || y.movable) && !found_before) {
+          found_.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
+        }
+      }
+    }
+  }
+}
+
+/// By (b, a): by a first, then by b, each in the order before.
+void SweepAndPrune::sort_found(std::size_t bodies) {
+  const auto sort_by = [&](std::int32_t BodyPair::*body, const std::vector<BodyPair>& from,
+                           std::vector<BodyPair>& to) {
+    places_.assign(bodies + 1, 0);
+    for (const BodyPair& pair : from) {
+      ++places_[static_cast<std::size_t>(pair.*body) + 1];
+    }
+    std::partial_sum(places_.begin(), places_.end(), places_.begin());
+    to.resize(from.size());
+    for (const BodyPair& pair : from) {
+      to[places_[static_cast<std::size_t>(pair.*body)]++] = pair;
+    }
+  };
+  sort_by(&BodyPair::a, found_, half_sorted_);
+  sort_by(&BodyPair::b, half_sorted_, found_);
+}
+
+void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs) {
+  const int axis = widest_axis(bodies);
+  cover(bodies, axis);
+  sort();
+  std::vector<std::int32_t>& order = orders_[static_cast<std::size_t>(axis)];
+  std::transform(intervals_.begin(), intervals_.end(), order.begin(),
+                 [](const SweptInterval& interval) { return interval.body; });
+  part_into_strips();
+  found_.clear();
+  for (std::size_t strip = 0; strip < strip_count_; ++strip) {
+    sweep(strip);
+  }
+  sort_found(bodies.size());
+  pairs.clear();
+  for (const BodyPair& pair : found_) {
+    const MovedBound& a = bodies[static_cast<std::size_t>(pair.a)];
+    const MovedBound& b = bodies[static_cast<std::size_t>(pair.b)];
+    if (could_meet(a, b)) {
+      pairs.push_back({pair, a.bound, b.bound});
+    }
+  }
 }
 
 }  // namespace impetus::inline collision

@@ -2,7 +2,6 @@
 #include "engine/collision/contact_model.hpp"
 
 #include <algorithm>
-#include <memory>
 
 namespace impetus::inline collision {
 namespace {
@@ -172,22 +171,6 @@ void ContactModelling::add_wall_contacts(std::int32_t body, const PairRefinement
       contacts[i].touch.normal = normal;  // whatever a mean of equals rounds to
     }
   }
-}
-
-std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
-                                   const MovingTree& b, const NormalFallbacks& fallbacks,
-                                   const ContactModel& model, std::vector<Contact>* watched) {
-  std::vector<Contact> contacts;
-  ContactModelling().add_pair_contacts(bodies, pair, a, b, fallbacks, model, contacts, watched);
-  return contacts;
-}
-
-std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
-                                   const MovingTree& a, const Enclosure& walls,
-                                   const ContactModel& model, std::vector<Contact>* watched) {
-  std::vector<Contact> contacts;
-  ContactModelling().add_wall_contacts(body, pair, a, walls, model, contacts, watched);
-  return contacts;
 }
 
 }  // namespace impetus::inline collision

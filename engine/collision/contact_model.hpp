@@ -89,19 +89,4 @@ class ContactModelling {
   std::vector<Contact>* watched_{nullptr};
 };
 
-/// The contacts of two bodies whose nodes overlap, reduced and capped as `model` says; none when
-/// they are apart. `watched`, when there is one, gets the contact of every overlapping pair of
-/// nodes added.
-std::vector<Contact> pair_contacts(BodyPair bodies, const PairRefinement& pair, const MovingTree& a,
-                                   const MovingTree& b, const NormalFallbacks& fallbacks,
-                                   const ContactModel& model,
-                                   std::vector<Contact>* watched = nullptr);
-
-/// The contacts of body `body` with each wall that its nodes reach, reduced and capped wall by
-/// wall. The normal is the wall's. `bodies` of each is {body, wall_index(wall)}, by rising wall.
-std::vector<Contact> wall_contacts(std::int32_t body, const PairRefinement& pair,
-                                   const MovingTree& a, const Enclosure& walls,
-                                   const ContactModel& model,
-                                   std::vector<Contact>* watched = nullptr);
-
 }  // namespace impetus::inline collision

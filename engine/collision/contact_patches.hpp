@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/collision/node_contact.hpp"
+#include "engine/collision/contact_reduction.hpp"
 
 namespace impetus::inline collision {
 
@@ -24,6 +24,7 @@ namespace impetus::inline collision {
 /// grid scatter by as much as 45° about that of a plane.
 inline constexpr double kOneSurfaceCosine = 0.5;
 
+/// The patches of the contacts that were added.
 class ContactPatches {
  public:
   /// Adds a contact of weight P ≥ 0.
@@ -36,6 +37,7 @@ class ContactPatches {
   void add_contacts_to(std::vector<TouchPoint>& contacts) const;
 
  private:
+  /// What is summed over the contacts of one patch.
   struct Patch {
     std::int32_t group_a{kNoGroup};
     std::int32_t group_b{kNoGroup};
@@ -62,6 +64,64 @@ class ContactPatches {
 
   std::vector<Patch> patches_;
   mutable std::vector<Patch> whole_;  ///< memory for patches that are one again
+};
+
+/// What the sums of reductions by patches have in common: they leave a contact for each patch.
+class PatchSums : public ContactSums {
+ public:
+  void begin(const Vector3& /*fallback*/) override { patches_.clear(); }
+  void reduce_to(std::vector<TouchPoint>& contacts) const override {
+    patches_.add_contacts_to(contacts);
+  }
+
+ protected:
+  ContactPatches patches_;
+};
+
+// Pre-processed grouping: one mean for each pair of nearly plane pieces of surface that meet.
+// (Dingliana 2002, sec. 4.2.3)
+
+/// Sums of the reduction `groups`.
+class GroupedContacts final : public PatchSums {
+ public:
+  void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
+};
+
+// Groups whose normals come from the density gradients of the two nodes.
+//
+// The outward normal of b points to a, that of a to b, so the pair's is (n_b − n_a) made unit.
+// (Dingliana 2002, sec. 4.2.4, eq. 4.10, corrected)
+
+/// Outward normals less than 90° apart, whose difference is shorter than this, are not of surfaces
+/// that face each other: the geometric normal stands.
+inline constexpr double kLeastOpposed = 1.4142135623730951;
+
+/// The normal, unit and from b to a, that the densities of the two nodes give.
+inline Vector3 density_contact_normal(const NodeContact& contact) {
+  const Vector3 difference = contact.outward_b - contact.outward_a;
+  const double length = difference.norm();
+  return length >= kLeastOpposed ? Vector3(difference / length) : contact.touch.normal;
+}
+
+/// Sums of the reduction `density`.
+class DensityContacts final : public PatchSums {
+ public:
+  void add(const NodeContact& contact) override {
+    NodeContact faced = contact;
+    faced.touch.normal = density_contact_normal(contact);
+    patches_.add(faced, /*weight=*/1.0);
+  }
+};
+
+// Groups weighted by the probability that the solids meet, P = κ ρ_a ρ_b.
+// (Dingliana 2002, sec. 4.2.5, eq. 4.6, 4.11 and 4.12, corrected)
+
+/// Sums of the reduction `weighted`.
+class WeightedContacts final : public PatchSums {
+ public:
+  void add(const NodeContact& contact) override {
+    patches_.add(contact, collision_probability(contact));
+  }
 };
 
 }  // namespace impetus::inline collision

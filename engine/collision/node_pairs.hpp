@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +17,57 @@
 #include <utility>
 #include <vector>
 
-#include "engine/collision/node_blocks.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 
 namespace impetus::inline collision {
+
+/// Nodes of a and b that overlap; b is 0 when a touches a wall.
+struct NodePair {
+  std::int32_t a{0};
+  std::int32_t b{0};
+
+  friend bool operator==(const NodePair&, const NodePair&) = default;
+};
+
+/// Pairs of siblings of `first`: bit kLanes · row + column is its a's node `row` and its b's node
+/// `column` after them.
+struct NodeBlock {
+  NodePair first;
+  std::uint64_t bits{0};  ///< not 0
+};
+
+/// Memory for lists of blocks that many descents share, by size: a list that is full gives its
+/// memory back and takes one twice as large, one that is done gives it back. So however the pairs
+/// of bodies are ordered from step to step, what one of them needed another gets, and once a scene
+/// has been as full as it gets nothing is allocated.
+class NodeBlockStore {
+ public:
+  /// Room for `blocks`, a power of two.
+  std::vector<NodeBlock> take(std::size_t blocks) {
+    std::vector<std::vector<NodeBlock>>& as_large = by_size_[size_class(blocks)];
+    if (as_large.empty()) {
+      return std::vector<NodeBlock>(blocks);
+    }
+    std::vector<NodeBlock> memory = std::move(as_large.back());
+    as_large.pop_back();
+    return memory;
+  }
+
+  /// What take() gave, or nothing.
+  void give_back(std::vector<NodeBlock>&& memory) {
+    if (!memory.empty()) {
+      const std::size_t size = size_class(memory.size());
+      by_size_[size].push_back(std::move(memory));
+    }
+  }
+
+ private:
+  static std::size_t size_class(std::size_t blocks) {
+    return static_cast<std::size_t>(std::countr_zero(blocks));
+  }
+
+  std::array<std::vector<std::vector<NodeBlock>>, 64> by_size_;  ///< by the power of two
+};
 
 /// How many bits are set. (Without an instruction for it, std::popcount is a call.)
 inline std::int64_t bits_in(std::uint64_t bits) {
@@ -29,6 +77,7 @@ inline std::int64_t bits_in(std::uint64_t bits) {
   return static_cast<std::int64_t>((bits * 0x0101010101010101) >> 56);
 }
 
+/// A list of overlapping node pairs.
 class NodePairs {
  public:
   /// Which of them, in a list of any address.
@@ -57,6 +106,7 @@ class NodePairs {
     return {block.first.a + bit / kLanes, block.first.b + bit % kLanes};
   }
 
+  /// Goes through the pairs in their order.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;

@@ -4,45 +4,41 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/collision/sphere_block.hpp"
+#include "engine/volumes/core.hpp"
+
 namespace impetus::inline collision {
 namespace {
 
-/// The nodes that stand for `index` one level deeper: its children, or itself when it has none.
-struct NodeRange {
-  std::int32_t first;
-  std::int32_t count;
-};
-
-SphereLanes from(const SphereLanes& lanes, std::int32_t index) {
-  return {lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
+/// κ of the spheres about the nodes, (R_a + R_b − d) / (2 min(R_a, R_b)) in [0, 1], for it need
+/// only order the pairs.
+double nesting(const Sphere& a, const Sphere& b) {
+  const double smaller_m = std::min(a.radius_m, b.radius_m);
+  const double reach_m = a.radius_m + b.radius_m - (a.centre - b.centre).norm();
+  return smaller_m > 0.0 ? std::clamp(reach_m / (2.0 * smaller_m), 0.0, 1.0) : 1.0;
 }
 
-/// `placed` is null for walls, which have one node.
-NodeRange one_level_deeper(const PlacedTree* placed, std::int32_t index) {
-  if (placed == nullptr) {
-    return {index, 1};
-  }
-  const NodeLinks& node = placed->tree().links(index);
-  return node.child_count > 0 ? NodeRange{node.first_child, node.child_count} : NodeRange{index, 1};
+/// By how far two cored volumes would have to move apart along `axis` (unit) to part.
+double overlap_along(const CoredVolume& a, const CoredVolume& b, const Vector3& axis) {
+  return a.radius_m + b.radius_m + reach_along(a.core, axis) + reach_along(b.core, axis) -
+         std::abs((a.core.centre - b.core.centre).dot(axis));
 }
 
-/// Adds what overlaps of a block of two trees of spheres, row by row.
-void add_overlaps_of_spheres(PlacedTree& a, const NodeRange& of_a, PlacedTree& b,
-                             const NodeRange& of_b, NodePairs& found) {
-  const SphereLanes rows = a.world_lanes(of_a.first, of_a.count);
-  const SphereLanes columns = b.world_lanes(of_b.first, of_b.count);
-  if (of_a.count <= kLanes && of_b.count <= kLanes) {
-    found.add_block({of_a.first, of_b.first},
-                    overlaps_of_block(rows, of_a.count, columns, of_b.count));
-    return;
-  }
-  for (std::int32_t row = 0; row < of_a.count; ++row) {
-    for (std::int32_t column = 0; column < of_b.count; column += kLanes) {
-      const std::int32_t count = std::min(of_b.count - column, kLanes);
-      found.add_block({of_a.first + row, of_b.first + column},
-                      overlaps_of_block(from(rows, row), /*rows=*/1, from(columns, column), count));
+double overlap_m(const CoredVolume& a, const CoredVolume& b) {
+  const Vector3 offset = a.core.centre - b.core.centre;
+  const double distance_m = offset.norm();
+  double least_m = overlap_along(
+      a, b, distance_m > 0.0 ? Vector3(offset / distance_m) : Vector3(Vector3::UnitX()));
+  for (const Core* core : {&a.core, &b.core}) {
+    for (int axis = 0; core->dimension > 0 && axis < 3; ++axis) {
+      least_m = std::min(least_m, overlap_along(a, b, core->axes.col(axis)));
     }
   }
+  return least_m;
+}
+
+double overlap_m(const Sphere& a, const Sphere& b) {
+  return a.radius_m + b.radius_m - (a.centre - b.centre).norm();
 }
 
 }  // namespace
@@ -128,18 +124,22 @@ void PairRefinement::refine_one_block() {
 }
 
 void PairRefinement::expand(const NodePair& pair) {
-  const NodeRange of_a = one_level_deeper(a_, pair.a);
-  const NodeRange of_b = one_level_deeper(b_, pair.b);
   if (of_spheres()) {
-    add_overlaps_of_spheres(*a_, of_a, *b_, of_b, expanding_);
+    for_each_block_below(*a_, *b_, pair, [this](const SphereBlock& block) {
+      expanding_.add_block(block.first,
+                           overlaps_of_block(block.a, block.rows, block.b, block.columns));
+    });
     return;
   }
-  a_->place_siblings(of_a.first, of_a.count);
+  const NodeLinks of_a = one_level_deeper(a_->tree(), pair.a);
+  const NodeLinks of_b =
+      b_ != nullptr ? one_level_deeper(b_->tree(), pair.b) : NodeLinks{pair.b, 1};  // of the walls
+  a_->place_siblings(of_a.first_child, of_a.child_count);
   if (b_ != nullptr) {
-    b_->place_siblings(of_b.first, of_b.count);
+    b_->place_siblings(of_b.first_child, of_b.child_count);
   }
-  for (std::int32_t i = of_a.first; i < of_a.first + of_a.count; ++i) {
-    for (std::int32_t j = of_b.first; j < of_b.first + of_b.count; ++j) {
+  for (std::int32_t i = of_a.first_child; i < of_a.first_child + of_a.child_count; ++i) {
+    for (std::int32_t j = of_b.first_child; j < of_b.first_child + of_b.child_count; ++j) {
       if (b_ != nullptr ? nodes_overlap(*a_, i, *b_, j) : node_reaches_wall(*a_, i, *walls_)) {
         expanding_.add({i, j});
       }
@@ -187,6 +187,50 @@ StopReason PairRefinement::stop_reason() const {
     return StopReason::kFinest;
   }
   return level_ < greatest_level_ ? StopReason::kBudgetSpent : at_greatest_;
+}
+
+// How likely it is that the surfaces of a pair meet where its nodes do.
+// (Dingliana 2002, eq. 4.6)
+double PairRefinement::likeliest_collision() const {
+  double likeliest = 0.0;
+  for (const NodePair& pair : committed_) {
+    const Sphere of_a = bounding_sphere(a_->world_volume(pair.a));
+    double kappa = 0.0;
+    double occupancy = a_->tree().surface(pair.a).occupancy;
+    if (b_ != nullptr) {
+      kappa = nesting(of_a, bounding_sphere(b_->world_volume(pair.b)));
+      occupancy *= b_->tree().surface(pair.b).occupancy;
+    } else {
+      for (int wall = 0; wall < kWallCount; ++wall) {
+        const double depth_m = touch_of_wall(*a_, pair.a, *walls_, wall).depth_m;
+        kappa = std::max(kappa, of_a.radius_m > 0.0
+                                    ? std::clamp(depth_m / (2.0 * of_a.radius_m), 0.0, 1.0)
+                                    : 1.0);
+      }
+    }
+    likeliest = std::max(likeliest, kappa * occupancy);
+  }
+  return likeliest;
+}
+
+// How deep the nodes of a pair overlap, at most: cheap beside their contact, and close to its depth
+// where it is little.
+double PairRefinement::deepest_overlap_m() const {
+  double deepest_m = 0.0;
+  for (const NodePair& pair : committed_) {
+    double depth_m = 0.0;
+    if (of_spheres_) {
+      depth_m = overlap_m(a_->world_sphere(pair.a), b_->world_sphere(pair.b));
+    } else if (b_ != nullptr) {
+      depth_m = overlap_m(cored(a_->world_volume(pair.a)), cored(b_->world_volume(pair.b)));
+    } else {
+      for (int wall = 0; wall < kWallCount; ++wall) {
+        depth_m = std::max(depth_m, reach_beyond(*walls_, wall, a_->world_volume(pair.a)));
+      }
+    }
+    deepest_m = std::max(deepest_m, depth_m);
+  }
+  return deepest_m;
 }
 
 }  // namespace impetus::inline collision

@@ -24,6 +24,7 @@ namespace impetus::inline collision {
 /// list goes no deeper, or the bodies are too fast for finer nodes.
 enum class StopReason { kSeparated, kFinest, kBudgetSpent, kGreatestLevel, kCapped };
 
+/// The descent of one pair of bodies, or of a body and the walls.
 class PairRefinement {
  public:
   /// Of nothing, until it begins.

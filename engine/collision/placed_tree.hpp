@@ -11,11 +11,12 @@
 
 #include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/enclosure.hpp"
-#include "engine/volumes/pair_procedures.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
+#include "engine/volumes/volume.hpp"
 
 namespace impetus::inline collision {
 
+/// A tree and where its nodes are in the world.
 class PlacedTree {
  public:
   /// `tree` must outlive this.

@@ -14,10 +14,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/collision/push_cone.hpp"
+#include "engine/numerics/vector.hpp"
 #include "engine/volumes/sphere.hpp"
 
 namespace impetus::inline collision {
+
+/// A push and its torque over the body's size, which makes them comparable.
+using Wrench = Eigen::Matrix<double, 6, 1>;
+
+/// The distance of `wrench` from the nearest Σ λ_i w_i with all λ_i ≥ 0, the w_i the `generators`
+/// of the cone, of any length but zero: exact to rounding. (Lawson and Hanson 1974, ch. 23:
+/// non-negative least squares)
+double distance_from_cone(const std::vector<Wrench>& generators, const Wrench& wrench);
 
 /// Finds them in memory that it keeps.
 class TorqueSpan {
@@ -32,11 +40,7 @@ class TorqueSpan {
 
   std::vector<Wrench> wrenches_;
   std::vector<std::size_t> kept_;
-  PushCone cone_;
+  std::vector<Wrench> cone_;  ///< of those kept
 };
-
-/// The same, of a list of its own.
-std::vector<TouchPoint> spanning_most_torque(std::vector<TouchPoint> contacts, int most,
-                                             double size_m);
 
 }  // namespace impetus::inline collision

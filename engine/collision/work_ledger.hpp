@@ -20,6 +20,7 @@
 
 namespace impetus::inline collision {
 
+/// A pair, or a body and the walls, that is refined in a step.
 struct RefinedPair {
   BodyPair bodies;
   int list{0};
@@ -63,6 +64,7 @@ class PhaseCosts {
   ContactModel contacts_;
 };
 
+/// Keeps account of the work of one step.
 class WorkLedger {
  public:
   /// Forgets all before. `already_spent` is part of the floor.

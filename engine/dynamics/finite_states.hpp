@@ -31,6 +31,7 @@ struct NotFiniteBody {
 /// is as it should be.
 std::optional<StateField> not_finite_field(const BodyState& state);
 
+/// Who of a world is out, and where everybody was before the step.
 class FiniteStates {
  public:
   /// All of `states` must be finite.

@@ -9,7 +9,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -19,7 +18,7 @@
 namespace impetus::inline dynamics {
 
 /// How the impulses of contacts that affect each other are found: one after the other, or for all
-/// of an island together, after which nothing approaches (see simultaneous_response.hpp).
+/// of an island together, after which nothing approaches (see impulses_together.hpp).
 enum class ResponseMethod { kInTurn, kTogether };
 
 inline constexpr int kUnlimitedPasses = std::numeric_limits<int>::max();
@@ -43,6 +42,7 @@ double separation_speed(const Contact& contact, const std::vector<BodyModel>& mo
 /// Share of the largest incoming speed below which an approach is rounding.
 inline constexpr double kNegligibleApproach = 1e-9;
 
+/// What the response did.
 struct ResponseResult {
   std::vector<double> impulse_Ns;     ///< per contact, along its normal, ≥ 0
   std::vector<double> approach_m_s;   ///< per contact before the response; 0 when separating
@@ -50,14 +50,9 @@ struct ResponseResult {
   double residual_approach_m_s{0.0};  ///< largest approach that the passes left; 0 if negligible
 };
 
-/// Applies impulses to `states` until no contact approaches or the passes (two per contact) are
-/// used up; what is left is reported. A restitution in [0, 1] for each contact.
-ResponseResult respond(const std::vector<Contact>& contacts,
-                       const std::vector<double>& restitutions,
-                       const std::vector<BodyModel>& models, std::vector<BodyState>& states);
-
-/// The same with one restitution for all.
-ResponseResult respond(const std::vector<Contact>& contacts, double restitution,
-                       const std::vector<BodyModel>& models, std::vector<BodyState>& states);
+/// The direction of the impulses' sum, unit, and their mean place; of impulses that are all zero,
+/// the deepest contact. `impulse_Ns` (along each contact's normal) is as long as `contacts`, which
+/// must not be empty.
+TouchPoint net_contact(const std::vector<Contact>& contacts, const std::vector<double>& impulse_Ns);
 
 }  // namespace impetus::inline dynamics

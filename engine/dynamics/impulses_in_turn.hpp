@@ -22,6 +22,34 @@
 
 namespace impetus::inline dynamics {
 
+/// What is known of the contacts of `bodies` before any impulse, the approaches of the first
+/// `reported` alone; returns no impulses yet.
+template <typename Bodies>
+void note_incoming(const Bodies& bodies, std::size_t reported, ResponseResult& result) {
+  result.impulse_Ns.assign(bodies.contact_count(), 0.0);
+  result.approach_m_s.clear();
+  result.fastest_m_s = 0.0;
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    result.fastest_m_s = std::max(result.fastest_m_s, bodies.incoming_speed(i));
+    if (i < reported) {
+      result.approach_m_s.push_back(std::max(0.0, -bodies.separation_speed(i)));
+    }
+  }
+}
+
+/// What the impulses have left.
+template <typename Bodies>
+void note_residual(const Bodies& bodies, ResponseResult& result) {
+  result.residual_approach_m_s = 0.0;
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    result.residual_approach_m_s =
+        std::max(result.residual_approach_m_s, -bodies.separation_speed(i));
+  }
+  if (result.residual_approach_m_s <= kNegligibleApproach * result.fastest_m_s) {
+    result.residual_approach_m_s = 0.0;
+  }
+}
+
 /// `Bodies` are the bodies at the contacts: as ContactBodies, of whose members it uses those named
 /// here. Keeps its arrays from one step to the next.
 template <typename Bodies>

@@ -2,8 +2,11 @@
 #include "engine/dynamics/motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "engine/dynamics/far_turn.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/trees/builders/part_shape.hpp"
 
 namespace impetus::inline dynamics {
 namespace {
@@ -59,6 +62,153 @@ Vector3 with_fall(const Vector3& step, double dt_s, const Fall& fall) {
   return fall.resting && down > 0.0 ? Vector3(step - down / gravity.squaredNorm() * gravity) : step;
 }
 
+/// Radians that L can turn within the body in a step and the iterations converge well.
+constexpr double kFar = 0.5;
+/// Share of the energy that it is found to again.
+constexpr double kRounding = 1e-15;
+/// Geometric mean of the turns about the two axes in a part of the step (radians).
+constexpr double kPartOfTurn = 0.2;
+
+/// Right-handed, unit columns.
+Matrix3 principal_axes(const BodyModel& model) {
+  Matrix3 axes = eigenvectors_of(model.inverse_inertia);
+  if (axes.determinant() < 0.0) {
+    axes.col(2) = -axes.col(2);
+  }
+  return axes;
+}
+
+/// About a unit axis; any finite angle.
+Quaternion turn_about(const Vector3& axis, double angle_rad) {
+  const double half_deg = std::fmod(0.5 * angle_rad * (180.0 / std::numbers::pi), 360.0);
+  const SineCosine half = sine_cosine_deg(half_deg);
+  return {half.cosine, half.sine * axis.x(), half.sine * axis.y(), half.sine * axis.z()};
+}
+
+/// The body as its principal axes see it.
+class FarTurn {
+ public:
+  FarTurn(const BodyModel& model, const BodyState& state, double dt_s)
+      : dt_s_(dt_s), own_axes_(principal_axes(model)), momentum_(state.angular_momentum) {
+    const Matrix3 axes = own_axes_.toRotationMatrix();
+    inverse_ = (axes.transpose() * model.inverse_inertia * axes).diagonal();
+    turned_ = state.pose.orientation * own_axes_;
+    seen_ = turned_.conjugate() * momentum_;
+    choose_axes();
+  }
+
+  Quaternion run() {
+    const double energy = twice_energy();
+    const int parts = part_count();
+    const double part_s = dt_s_ / parts;
+    for (int part = 0; part < parts; ++part) {
+      turn(slow_, 0.5 * part_s);
+      turn(fast_, part_s);
+      turn(slow_, 0.5 * part_s);
+    }
+    return_to(energy);
+    const double size = momentum_.norm();
+    const Quaternion about_momentum =
+        turn_about(momentum_ / size, size * inverse_[reference_] * dt_s_);
+    return (about_momentum * turned_ * own_axes_.conjugate()).normalized();
+  }
+
+ private:
+  /// The fast axis is the one whose two others are most alike; the first of equals.
+  void choose_axes() {
+    double least = -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double apart = std::abs(inverse_[(axis + 1) % 3] - inverse_[(axis + 2) % 3]);
+      if (least < 0.0 || apart < least) {
+        least = apart;
+        fast_ = axis;
+      }
+    }
+    slow_ = (fast_ + 1) % 3;
+    reference_ = (fast_ + 2) % 3;
+  }
+
+  [[nodiscard]] double rate(int axis) const { return inverse_[axis] - inverse_[reference_]; }
+
+  [[nodiscard]] double twice_energy() const { return seen_.dot(inverse_.cwiseProduct(seen_)); }
+
+  [[nodiscard]] int part_count() const {
+    const double turn = seen_.norm() * dt_s_;
+    const double mean = turn * std::sqrt(std::abs(rate(fast_)) * std::abs(rate(slow_)));
+    return static_cast<int>(
+        std::clamp(std::ceil(mean / kPartOfTurn), 1.0, static_cast<double>(kMostTurnParts)));
+  }
+
+  void turn(int axis, double time_s) {
+    const Quaternion by = turn_about(Vector3::Unit(axis), rate(axis) * seen_[axis] * time_s);
+    seen_ = by.conjugate() * seen_;
+    turned_ = turned_ * by;
+  }
+
+  /// Moves the momentum on its sphere to the energy that it had, and the body with it.
+  void return_to(double energy) {
+    const double size = seen_.norm();
+    const Vector3 before = seen_ / size;
+    go_steepest(energy, size);
+    if (std::abs(twice_energy() - energy) > kRounding * energy) {
+      go_towards_extreme(energy, size);
+    }
+    const Vector3 after = seen_ / size;
+    const Vector3 axis = after.cross(before);
+    turned_ =
+        turned_ * Quaternion(1.0 + after.dot(before), axis.x(), axis.y(), axis.z()).normalized();
+  }
+
+  /// Newton's steps along the steepest way: a few, unless a saddle is near.
+  void go_steepest(double energy, double size) {
+    constexpr int kIterations = 12;
+    constexpr double kMostStep = 0.2;  // of the sphere's radius
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+      const Vector3 along = seen_ / size;
+      const Vector3 gradient = 2.0 * inverse_.cwiseProduct(seen_);
+      const Vector3 steepest = gradient - gradient.dot(along) * along;
+      const double square = steepest.squaredNorm();
+      const double excess = twice_energy() - energy;
+      if (!(square > 0.0) || std::abs(excess) <= kRounding * energy) {
+        break;
+      }
+      const double slope = std::sqrt(square);
+      const double step = std::clamp(excess / slope, -kMostStep * size, kMostStep * size);
+      seen_ = (seen_ - step / slope * steepest).normalized() * size;
+    }
+  }
+
+  /// Halves the arc to the principal axis of the least energy, or of the most: the energy that is
+  /// looked for is always on it.
+  void go_towards_extreme(double energy, double size) {
+    constexpr int kHalvings = 60;
+    const bool falls = twice_energy() > energy;
+    int extreme = 0;
+    static_cast<void>(falls ? inverse_.minCoeff(&extreme) : inverse_.maxCoeff(&extreme));
+    const Vector3 from = seen_ / size;
+    const Vector3 to =
+        from[extreme] < 0.0 ? Vector3(-Vector3::Unit(extreme)) : Vector3::Unit(extreme);
+    double near = 0.0;
+    double far = 1.0;
+    for (int halving = 0; halving < kHalvings; ++halving) {
+      const double middle = 0.5 * (near + far);
+      seen_ = ((1.0 - middle) * from + middle * to).normalized() * size;
+      double& end = (twice_energy() > energy) == falls ? near : far;
+      end = middle;
+    }
+  }
+
+  double dt_s_;
+  Quaternion own_axes_;
+  Vector3 momentum_;
+  Vector3 inverse_{Vector3::Zero()};  ///< of the principal moments
+  Quaternion turned_;                 ///< from the principal axes to the world
+  Vector3 seen_{Vector3::Zero()};     ///< the momentum as the principal axes see it
+  int fast_{0};
+  int slow_{1};
+  int reference_{2};
+};
+
 }  // namespace
 
 Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
@@ -100,6 +250,19 @@ Pose between(const BodyState& before, const BodyState& after, double fraction) {
   const Vector3 position =
       before.pose.position + moved * (after.pose.position - before.pose.position);
   return {position, before.pose.orientation.slerp(moved, after.pose.orientation)};
+}
+
+bool turns_far(const BodyModel& model, const BodyState& state, double dt_s) {
+  const Matrix3& inverse = model.inverse_inertia;
+  const double products =
+      std::max({std::abs(inverse(0, 1)), std::abs(inverse(0, 2)), std::abs(inverse(1, 2))});
+  const double apart =
+      inverse.diagonal().maxCoeff() - inverse.diagonal().minCoeff() + 2.0 * products;
+  return dt_s * apart * state.angular_momentum.norm() > kFar;
+}
+
+Quaternion turned_far(const BodyModel& model, const BodyState& state, double dt_s) {
+  return FarTurn(model, state, dt_s).run();
 }
 
 }  // namespace impetus::inline dynamics

@@ -7,6 +7,19 @@
 // lies still stays where it is, though impulses in turn leave it a little of that speed. In such a
 // step it gains (kRestingSteps + ½) m g² dt² at the most. One that its velocity lifts faster than
 // gravity pulls it down is on its parabola as well, so a ball that bounces keeps its energy.
+//
+// Where a body turns far in a step, or its moments of inertia are far apart, iterations do not
+// converge. There the energy is split:
+//
+//   ½ Π·I⁻¹Π  =  ½ w_j |Π|²  +  ½ (w_k − w_j) Π_k²  +  ½ (w_i − w_j) Π_i²
+//                about L        about axis k           about axis i
+//
+// Π is L as the body sees it, w the inverse principal moments.
+// Each part alone is a steady turn about a fixed axis, known exactly. The first goes with both
+// others; those two are taken in turn, half of one before and half after, in as many parts of the
+// step as keep their error small: the axis k is the one whose two others are most alike, so for a
+// needle, a plate or a ball a step is one part. At last Π moves on its sphere to the energy that it
+// had. The angular momentum is untouched, and the energy kept to rounding. (Touma and Wisdom 1994)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,7 +29,7 @@ namespace impetus::inline dynamics {
 
 /// How a body's rotation is stepped. Both leave the angular momentum L untouched, and turn by the
 /// Cayley map of one angular velocity for the step, found by a fixed number of iterations; where
-/// these could not converge, both turn as far_turn.hpp says.
+/// these could not converge, both turn as turned_far() does.
 enum class Rotation {
   /// ω of the orientation half way between the old and the new: the energy swings about its value,
   /// for the .2 × .4 × .6 m box at 5 rad/s by 7e-5 with steps of 10 ms. Four iterations.
@@ -50,5 +63,15 @@ double advance(const BodyModel& model, BodyState& state, double dt_s,
 
 /// The pose at `fraction` of the step from `before` to `after`, for drawing alone.
 Pose between(const BodyState& before, const BodyState& after, double fraction);
+
+/// Of a step, at most: a turn beyond what these take well is taken less well, but keeps energy.
+inline constexpr int kMostTurnParts = 4096;
+
+/// Whether motion.hpp's iterations could fail to converge: by how far L can turn within the body. A
+/// ball, within which it does not turn, never turns far.
+bool turns_far(const BodyModel& model, const BodyState& state, double dt_s);
+
+/// The orientation after `dt_s` seconds.
+Quaternion turned_far(const BodyModel& model, const BodyState& state, double dt_s);
 
 }  // namespace impetus::inline dynamics

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -190,24 +189,6 @@ void NearestVelocitySolver::let_go(std::size_t which) {
     factor_.forward(forward_, which);
     factor_.append(forward_, std::max(rest_of(forward_), independent_));
   }
-}
-
-NearestVelocities project(const std::vector<ConstraintRow>& rows, std::vector<Vector6>& u,
-                          double tolerance) {
-  RowColumns columns;
-  std::vector<double> bounds;
-  for (const ConstraintRow& row : rows) {
-    columns.push_back(row);
-    bounds.push_back(row.bound);
-  }
-  RowColumns unit;
-  std::vector<double> lengths;
-  unit.make_unit(columns, lengths);
-  std::vector<std::size_t> all(rows.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  NearestVelocitySolver solver;
-  const Projection outcome = solver.solve({unit, lengths, bounds}, all, u, tolerance);
-  return {outcome, solver.multipliers()};
 }
 
 }  // namespace impetus::inline dynamics

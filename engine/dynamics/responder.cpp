@@ -2,9 +2,61 @@
 #include "engine/dynamics/responder.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace impetus::inline dynamics {
+namespace {
+
+constexpr auto kNoIsland = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+/// Numbered as they come.
+std::size_t Islands::island_of(const ContactArms& contact, const ContactBodies& bodies) {
+  const std::int32_t mover = bodies.moves(contact.a) ? contact.a : contact.b;
+  if (!bodies.moves(mover)) {
+    return kNoIsland;
+  }
+  std::size_t& island = island_of_set_[sets_.name_of(static_cast<std::size_t>(mover))];
+  if (island == kNoIsland) {
+    island = count();
+    first_.push_back(0);
+  }
+  return island;
+}
+
+void Islands::find(const ContactBodies& bodies) {
+  sets_.separate(bodies.body_count());
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    const auto [a, b] = std::pair(bodies.contact(i).a, bodies.contact(i).b);
+    if (!bodies.is_like_the_last(i) && bodies.moves(a) && bodies.moves(b)) {
+      sets_.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    }
+  }
+  island_of_set_.assign(bodies.body_count(), kNoIsland);
+  island_of_contact_.clear();
+  first_.assign(1, 0);
+  for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+    const std::size_t island = bodies.is_like_the_last(i) ? island_of_contact_.back()
+                                                          : island_of(bodies.contact(i), bodies);
+    island_of_contact_.push_back(island);
+    if (island != kNoIsland) {
+      ++first_[island + 1];
+    }
+  }
+  for (std::size_t island = 0; island < count(); ++island) {
+    first_[island + 1] += first_[island];
+  }
+  members_.resize(first_.back());
+  next_ = first_;
+  for (std::size_t i = 0; i < island_of_contact_.size(); ++i) {
+    if (island_of_contact_[i] != kNoIsland) {
+      members_[next_[island_of_contact_[i]]++] = i;
+    }
+  }
+}
 
 const ResponseResult& Responder::respond(const std::vector<Contact>& contacts,
                                          const std::vector<double>& restitutions,
@@ -12,26 +64,14 @@ const ResponseResult& Responder::respond(const std::vector<Contact>& contacts,
                                          const std::vector<BodyModel>& models,
                                          std::vector<BodyState>& states) {
   bodies_.gather(contacts, models, states);
-  note_incoming();
+  note_incoming(bodies_, contacts.size(), result_);
   if (rules.method == ResponseMethod::kInTurn) {
     respond_in_turn(restitutions, rules, states);
   } else {
     respond_together(contacts, restitutions, rules, states);
   }
-  note_residual();
+  note_residual(bodies_, result_);
   return result_;
-}
-
-void Responder::note_incoming() {
-  const std::size_t count = bodies_.contact_count();
-  result_.impulse_Ns.assign(count, 0.0);
-  result_.approach_m_s.clear();
-  result_.fastest_m_s = 0.0;
-  result_.residual_approach_m_s = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    result_.fastest_m_s = std::max(result_.fastest_m_s, bodies_.incoming_speed(i));
-    result_.approach_m_s.push_back(std::max(0.0, -bodies_.separation_speed(i)));
-  }
 }
 
 void Responder::respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
@@ -58,16 +98,6 @@ void Responder::respond_together(const std::vector<Contact>& contacts,
       looked_at = true;
     }
     in_turn_.respond(members, restitutions, rules, bodies_, states, result_.impulse_Ns);
-  }
-}
-
-void Responder::note_residual() {
-  for (std::size_t i = 0; i < bodies_.contact_count(); ++i) {
-    result_.residual_approach_m_s =
-        std::max(result_.residual_approach_m_s, -bodies_.separation_speed(i));
-  }
-  if (result_.residual_approach_m_s <= kNegligibleApproach * result_.fastest_m_s) {
-    result_.residual_approach_m_s = 0.0;
   }
 }
 

@@ -2,7 +2,6 @@
 #include "engine/dynamics/restitution.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace impetus::inline dynamics {
 namespace {

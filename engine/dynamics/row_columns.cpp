@@ -63,16 +63,6 @@ RowBlock& RowColumns::add_block(std::int32_t a, std::int32_t b, std::size_t coun
   return block;
 }
 
-void RowColumns::push_back(const ConstraintRow& row) {
-  RowBlock& block = add_block(row.a.body, row.b.body, 1);
-  for (int i = 0; i < 6; ++i) {
-    for (std::size_t lane = 0; lane < kRowLanes; ++lane) {
-      block.of_a[i][lane] = row.a.direction[i];
-      block.of_b[i][lane] = row.b.direction[i];
-    }
-  }
-}
-
 ConstraintRow RowColumns::row(std::size_t index) const {
   const RowBlock& block = blocks_[place_of_row_[index] / kRowLanes];
   const std::size_t lane = place_of_row_[index] % kRowLanes;

@@ -1,3 +1,5 @@
+// A constraint on the mass-scaled velocities of one body or two.
+//
 // Constraints of the same two bodies side by side, four at a time, coordinate by coordinate: what
 // is asked of all of them is found for four at once.
 //
@@ -10,9 +12,56 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/dynamics/constraint_row.hpp"
+#include "engine/numerics/vector.hpp"
 
 namespace impetus::inline dynamics {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Six mass-scaled coordinates of one body.
+struct RowPart {
+  std::int32_t body{-1};  ///< none: −1
+  Vector6 direction{Vector6::Zero()};
+};
+
+/// One constraint a · u ≥ `bound`, on one body or two.
+struct ConstraintRow {
+  RowPart a;
+  RowPart b;
+  double bound{0.0};
+};
+
+/// a · u, by body.
+inline double dot(const ConstraintRow& row, const std::vector<Vector6>& u) {
+  double sum = 0.0;
+  for (const RowPart* part : {&row.a, &row.b}) {
+    if (part->body >= 0) {
+      sum += part->direction.dot(u[static_cast<std::size_t>(part->body)]);
+    }
+  }
+  return sum;
+}
+
+inline double dot(const ConstraintRow& x, const ConstraintRow& y) {
+  double sum = 0.0;
+  for (const RowPart* of_x : {&x.a, &x.b}) {
+    for (const RowPart* of_y : {&y.a, &y.b}) {
+      if (of_x->body >= 0 && of_x->body == of_y->body) {
+        sum += of_x->direction.dot(of_y->direction);
+      }
+    }
+  }
+  return sum;
+}
+
+/// u += times a
+inline void add(std::vector<Vector6>& u, const ConstraintRow& row, double times) {
+  for (const RowPart* part : {&row.a, &row.b}) {
+    if (part->body >= 0) {
+      u[static_cast<std::size_t>(part->body)] += times * part->direction;
+    }
+  }
+}
 
 inline constexpr std::size_t kRowLanes = 4;
 using LanesOf3 = double[3][kRowLanes];
@@ -29,15 +78,13 @@ struct RowBlock {
   LanesOf6 of_b;
 };
 
+/// Rows in blocks, in their order.
 class RowColumns {
  public:
   void clear();
 
   /// A block of `count` rows at the end, to be filled.
   RowBlock& add_block(std::int32_t a, std::int32_t b, std::size_t count);
-
-  /// One row at the end; its bound is not kept.
-  void push_back(const ConstraintRow& row);
 
   [[nodiscard]] std::size_t size() const { return place_of_row_.size(); }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "engine/numerics/bits.hpp"
+#include "engine/numerics/random_stream.hpp"
 
 namespace impetus::inline dynamics {
 namespace {

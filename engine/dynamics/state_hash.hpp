@@ -25,6 +25,7 @@ std::string_view name_of(StateField field);
 /// One digest per field of one body.
 using BodyDigest = std::array<std::uint16_t, kStateFieldCount>;
 
+/// The hash of a state, and the digests of its bodies.
 struct StateHash {
   std::uint64_t hash{0};
   std::vector<BodyDigest> bodies;

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <utility>
 
-#include "engine/dynamics/body_sets.hpp"
 #include "engine/numerics/at.hpp"
+#include "engine/numerics/disjoint_sets.hpp"
 
 namespace impetus::inline dynamics {
 namespace {
@@ -22,21 +20,12 @@ bool comes_before(const BodyPair& x, const BodyPair& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
 
+/// Stops the bodies of one step, entry after entry.
 class StopsInOrder {
  public:
   StopsInOrder(const StepMade& step, std::vector<BodyState>& states,
                std::vector<PlacedTree>& placed, EntryMemory& memory)
-      : step_(step),
-        states_(states),
-        placed_(placed),
-        whole_ways_(memory.whole_ways),
-        farthest_m_(memory.farthest_m),
-        ways_(memory.ways),
-        stops_(memory.stops),
-        pending_(memory.pending),
-        first_(memory.first),
-        last_(memory.last),
-        result_(memory.result) {
+      : step_(step), states_(states), placed_(placed), memory_(memory), result_(memory.result) {
     result_.stopped.clear();
     result_.unsearched.clear();
     result_.work = 0;
@@ -45,15 +34,15 @@ class StopsInOrder {
   }
 
   void run() {
-    farthest_m_.assign(states_.size(), kUnknown);
+    memory_.farthest_m.assign(states_.size(), kUnknown);
     if (all_are_slow()) {
       return;
     }
     begin();
-    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+    for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
       look_at(pair);
     }
-    first_ = pending_;
+    memory_.first = memory_.pending;
     while (const std::optional<std::size_t> next = earliest()) {
       if (!stop_pair(*next)) {
         stop_together();
@@ -73,7 +62,7 @@ class StopsInOrder {
   /// That any point of the body goes on its whole way: found when it is first asked for, and at the
   /// latest before anybody is stopped.
   double farthest_of(std::size_t body) {
-    double& known_m = farthest_m_[body];
+    double& known_m = memory_.farthest_m[body];
     if (known_m == kUnknown) {
       known_m = farthest_m(way_of(body, 1.0), step_.models[body].tree->bounding_radius_m());
     }
@@ -90,15 +79,15 @@ class StopsInOrder {
   }
 
   void begin() {
-    whole_ways_.clear();
+    memory_.whole_ways.clear();
     for (std::size_t body = 0; body < states_.size(); ++body) {
-      whole_ways_.push_back(way_of(body, 1.0));
+      memory_.whole_ways.push_back(way_of(body, 1.0));
       static_cast<void>(farthest_of(body));
     }
-    ways_ = whole_ways_;
-    stops_.assign(states_.size(), 0);
-    pending_.assign(step_.candidates.size(), std::nullopt);
-    last_.assign(step_.candidates.size(), std::nullopt);
+    memory_.ways = memory_.whole_ways;
+    memory_.stops.assign(states_.size(), 0);
+    memory_.pending.assign(step_.candidates.size(), std::nullopt);
+    memory_.last.assign(step_.candidates.size(), std::nullopt);
   }
 
   /// Of a body that takes `share` of the step: its state is where it stops.
@@ -123,11 +112,11 @@ class StopsInOrder {
   /// Finds the entry of the pair on the bodies' present ways, if it is fast.
   void look_at(std::size_t pair) {
     const auto& [a, b] = bodies(pair);
-    pending_[pair].reset();
-    const double share = stops_[at(a)] + stops_[at(b)] > 0 ? kShareOnceStopped : 1.0;
+    memory_.pending[pair].reset();
+    const double share = memory_.stops[at(a)] + memory_.stops[at(b)] > 0 ? kShareOnceStopped : 1.0;
     const PairOnTheWay on_the_way{
         placed_[at(a)],       placed_[at(b)],
-        ways_[at(a)],         ways_[at(b)],
+        memory_.ways[at(a)],  memory_.ways[at(b)],
         step_.greatest_level, std::min(kMostEntryTests, step_.most_tests - result_.tests)};
     if (is_slow(pair, share) || !is_fast(on_the_way, share)) {
       return;
@@ -137,7 +126,7 @@ class StopsInOrder {
       return;
     }
     const Entry entry = time_of_entry(on_the_way);
-    pending_[pair] = entry.time;
+    memory_.pending[pair] = entry.time;
     result_.tests += entry.tests;
     result_.ran_out |= entry.tests == on_the_way.most_tests && entry.tests < kMostEntryTests;
     const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
@@ -147,8 +136,8 @@ class StopsInOrder {
   /// The pair whose entry comes next; the first of equals.
   [[nodiscard]] std::optional<std::size_t> earliest() const {
     std::optional<std::size_t> next;
-    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
-      if (pending_[pair] && (!next || *pending_[pair] < *pending_[*next])) {
+    for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
+      if (memory_.pending[pair] && (!next || *memory_.pending[pair] < *memory_.pending[*next])) {
         next = pair;
       }
     }
@@ -157,17 +146,17 @@ class StopsInOrder {
 
   /// Stops both bodies at the pair's entry. False when one was stopped too often.
   bool stop_pair(std::size_t pair) {
-    const double time = *pending_[pair];
+    const double time = *memory_.pending[pair];
     const std::size_t a = at(bodies(pair).a);
     const std::size_t b = at(bodies(pair).b);
-    if (std::max(stops_[a], stops_[b]) >= step_.most_stops) {
+    if (std::max(memory_.stops[a], memory_.stops[b]) >= step_.most_stops) {
       return false;
     }
-    pending_[pair].reset();
-    last_[pair] = time;
+    memory_.pending[pair].reset();
+    memory_.last[pair] = time;
     const bool a_stops = stop(a, time);
     const bool b_stops = stop(b, time);
-    for (std::size_t other = 0; other < pending_.size(); ++other) {
+    for (std::size_t other = 0; other < memory_.pending.size(); ++other) {
       const std::size_t first = at(bodies(other).a);
       const std::size_t second = at(bodies(other).b);
       if ((a_stops && (first == a || second == a)) || (b_stops && (first == b || second == b))) {
@@ -185,18 +174,18 @@ class StopsInOrder {
   }
 
   bool stop(std::size_t body, double share) {
-    if (!moves(body) || !(share < ways_[body].stop)) {
+    if (!moves(body) || !(share < memory_.ways[body].stop)) {
       return false;
     }
     move(body, share);
-    ways_[body] = way_of(body, share);
-    ++stops_[body];
+    memory_.ways[body] = way_of(body, share);
+    ++memory_.stops[body];
     return true;
   }
 
   /// Every set of bodies that could meet, of which a pair still has an entry, stops at its first.
   void stop_together() {
-    BodySets sets(states_.size());
+    DisjointSets sets(states_.size());
     for (const PairBounds& candidate : step_.candidates) {
       if (moves(at(candidate.pair.a)) && moves(at(candidate.pair.b))) {
         sets.join(at(candidate.pair.a), at(candidate.pair.b));
@@ -208,10 +197,10 @@ class StopsInOrder {
     };
     std::vector<double> stops(states_.size(), 1.0);
     std::vector<bool> unsettled(states_.size(), false);
-    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+    for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
       const std::size_t set = set_of(pair);
-      unsettled[set] = unsettled[set] || pending_[pair].has_value();
-      stops[set] = std::min(stops[set], first_[pair].value_or(1.0));
+      unsettled[set] = unsettled[set] || memory_.pending[pair].has_value();
+      stops[set] = std::min(stops[set], memory_.first[pair].value_or(1.0));
     }
     for (std::size_t body = 0; body < states_.size(); ++body) {
       const std::size_t set = sets.name_of(body);
@@ -219,18 +208,18 @@ class StopsInOrder {
         put_on_whole_way(body, stops[set]);
       }
     }
-    for (std::size_t pair = 0; pair < pending_.size(); ++pair) {
+    for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
       const std::size_t set = set_of(pair);
       if (unsettled[set]) {
-        last_[pair] = first_[pair] == stops[set] ? first_[pair] : std::nullopt;
+        memory_.last[pair] = memory_.first[pair] == stops[set] ? memory_.first[pair] : std::nullopt;
       }
     }
   }
 
   void put_on_whole_way(std::size_t body, double share) {
     move(body, share);
-    states_[body].pose = pose_at(whole_ways_[body], share);
-    ways_[body].stop = share;
+    states_[body].pose = pose_at(memory_.whole_ways[body], share);
+    memory_.ways[body].stop = share;
   }
 
   /// Those pairs that stopped a body where it is now, and those that were not searched.
@@ -239,10 +228,11 @@ class StopsInOrder {
     std::sort(pairs.begin(), pairs.end(), comes_before);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     result_.ran_out |= !pairs.empty();
-    for (std::size_t pair = 0; pair < last_.size(); ++pair) {
+    for (std::size_t pair = 0; pair < memory_.last.size(); ++pair) {
       const auto& [a, b] = bodies(pair);
-      if (last_[pair] && (ways_[at(a)].stop == *last_[pair] || ways_[at(b)].stop == *last_[pair])) {
-        result_.stopped.push_back({bodies(pair), *last_[pair]});
+      if (memory_.last[pair] && (memory_.ways[at(a)].stop == *memory_.last[pair] ||
+                                 memory_.ways[at(b)].stop == *memory_.last[pair])) {
+        result_.stopped.push_back({bodies(pair), *memory_.last[pair]});
       }
     }
   }
@@ -250,13 +240,7 @@ class StopsInOrder {
   const StepMade& step_;
   std::vector<BodyState>& states_;
   std::vector<PlacedTree>& placed_;
-  std::vector<BodyPath>& whole_ways_;
-  std::vector<double>& farthest_m_;
-  std::vector<BodyPath>& ways_;
-  std::vector<int>& stops_;
-  std::vector<std::optional<double>>& pending_;
-  std::vector<std::optional<double>>& first_;
-  std::vector<std::optional<double>>& last_;
+  EntryMemory& memory_;
   Stopping& result_;
 };
 
@@ -266,12 +250,6 @@ const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& stat
                               std::vector<PlacedTree>& placed, EntryMemory& memory) {
   StopsInOrder(step, states, placed, memory).run();
   return memory.result;
-}
-
-Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                       std::vector<PlacedTree>& placed) {
-  EntryMemory memory;
-  return stop_at_entry(step, states, placed, memory);
 }
 
 bool Stopping::lacked_tests(BodyPair bodies) const {

@@ -28,7 +28,6 @@
 #include <vector>
 
 #include "engine/collision/entry/time_of_entry.hpp"
-#include "engine/collision/entry/tunnelling.hpp"
 #include "engine/dynamics/body.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"
@@ -56,6 +55,7 @@ struct StepMade {
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
 };
 
+/// Who was stopped, and what finding it took.
 struct Stopping {
   std::vector<StoppedAtEntry> stopped;  ///< in the order of the candidates
   std::int64_t work{0};                 ///< of all tests along the ways
@@ -83,8 +83,5 @@ struct EntryMemory {
 /// Leaves `placed` anywhere. What it returns is part of `memory`.
 const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
                               std::vector<PlacedTree>& placed, EntryMemory& memory);
-
-Stopping stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                       std::vector<PlacedTree>& placed);
 
 }  // namespace impetus::inline dynamics

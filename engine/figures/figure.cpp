@@ -2,7 +2,6 @@
 #include "engine/figures/figure.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/numerics/at.hpp"
 

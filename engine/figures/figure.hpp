@@ -25,6 +25,7 @@ struct SelfCollision {
   bool neighbours{true};  ///< parts that one joins, by the fold of their cores (Hinge::fold_rad)
 };
 
+/// Its parts, the hinges that join them, and what moves it.
 struct Figure {
   std::string name;
   std::int32_t first_part{0};  ///< the root: a body's index

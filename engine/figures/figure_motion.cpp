@@ -4,12 +4,115 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/far_turn.hpp"
-#include "engine/figures/internal_motion.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "engine/numerics/at.hpp"
 
 namespace impetus::inline figures {
 namespace {
+
+// How a figure moves beyond what it would as one rigid body, and the energy in it.
+//
+//   momenta  =  those of a rigid body with the figure's whole momentum  +  internal ones
+//
+// The internal momenta sum to nothing, linear and angular, and the two energies add up: so the
+// internal motion can be made slower or faster without touching the figure's momentum or pulling
+// at its hinges.
+
+/// Beyond this an energy cannot be had back by faster internal motion: there is too little of it.
+constexpr double kMostGrowth = 1.001;
+
+/// The velocities that one rigid body in place of the figure would have.
+struct RigidMotion {
+  Vector3 centre{Vector3::Zero()};
+  Vector3 velocity{Vector3::Zero()};
+  Vector3 spin{Vector3::Zero()};
+};
+
+Matrix3 inertia_in_world(const BodyModel& part, const BodyState& state) {
+  const Matrix3 rotation = state.pose.orientation.toRotationMatrix();
+  return rotation * part.inverse_inertia.inverse() * rotation.transpose();
+}
+
+/// Of a figure that is free to go; one whose root is fixed does not move as a whole.
+RigidMotion rigid_motion_of(std::span<const BodyModel> parts, std::span<const BodyState> states) {
+  RigidMotion motion;
+  if (parts.front().inverse_mass == 0.0) {
+    return motion;
+  }
+  double mass = 0.0;
+  Vector3 momentum = Vector3::Zero();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const double own = 1.0 / parts[i].inverse_mass;
+    mass += own;
+    motion.centre += own * states[i].pose.position;
+    momentum += states[i].linear_momentum;
+  }
+  motion.centre /= mass;
+  motion.velocity = momentum / mass;
+  Matrix3 inertia = Matrix3::Zero();
+  Vector3 angular = Vector3::Zero();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Vector3 arm = states[i].pose.position - motion.centre;
+    inertia += inertia_in_world(parts[i], states[i]) +
+               1.0 / parts[i].inverse_mass *
+                   (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
+    angular += states[i].angular_momentum + arm.cross(states[i].linear_momentum);
+  }
+  motion.spin = inertia.inverse() * angular;
+  return motion;
+}
+
+/// Momenta of a part beyond those of the rigid motion.
+PartImpulse internal_momentum(const RigidMotion& rigid, const BodyModel& part,
+                              const BodyState& state) {
+  const Vector3 arm = state.pose.position - rigid.centre;
+  const Vector3 velocity = rigid.velocity + rigid.spin.cross(arm);
+  return {state.linear_momentum - velocity / part.inverse_mass,
+          state.angular_momentum - inertia_in_world(part, state) * rigid.spin};
+}
+
+/// The kinetic energy of a figure's parts (J).
+double kinetic_energy(std::span<const BodyModel> parts, std::span<const BodyState> states) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    energy += kinetic_energy(parts[i], states[i]);
+  }
+  return energy;
+}
+
+/// Makes the internal motion such that the kinetic energy is `energy_J`, as far as that can be: at
+/// least that of the rigid motion. It grows only where `may_grow`, and by a thousandth at the most.
+/// A part without inverse mass, if any, is the root, and nothing is rigid motion then.
+void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> parts,
+                     std::span<BodyState> states) {
+  const double present_J = kinetic_energy(parts, states);
+  if (present_J == energy_J || (present_J < energy_J && !may_grow)) {
+    return;
+  }
+  const RigidMotion rigid = rigid_motion_of(parts, states);
+  double internal_J = 0.0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].inverse_mass > 0.0) {
+      BodyState internal = states[i];
+      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
+      internal.linear_momentum = own.linear;
+      internal.angular_momentum = own.angular;
+      internal_J += kinetic_energy(parts[i], internal);
+    }
+  }
+  const double wanted_J = internal_J + (energy_J - present_J);
+  if (!(internal_J > 0.0)) {
+    return;
+  }
+  const double times = std::min(kMostGrowth, std::sqrt(std::max(0.0, wanted_J / internal_J)));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].inverse_mass > 0.0) {
+      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
+      states[i].linear_momentum += (times - 1.0) * own.linear;
+      states[i].angular_momentum += (times - 1.0) * own.angular;
+    }
+  }
+}
 
 /// Of the beginning impulses, at most.
 constexpr int kMostIterations = 24;
@@ -44,7 +147,7 @@ bool any_supported(std::span<const Fall> falls) {
 }
 
 /// Whether a part turns so far that where it arrives does not depend smoothly enough on impulses:
-/// none is near to being turned in another way (far_turn.hpp), where the iteration would jump.
+/// none is near to being turned in another way (turned_far()), where the iteration would jump.
 bool any_turns_far(std::span<const BodyModel> parts, std::span<const BodyState> states,
                    double dt_s) {
   constexpr double kMargin = 2.0;

@@ -7,7 +7,7 @@
 //   impulses at the end that leave nothing moving across a hinge
 //
 // (RATTLE: Andersen 1983.) All are opposite impulses at one point: momentum is kept to rounding.
-// The energy is brought back to what it was, or below (internal_motion.hpp).
+// The energy is brought back to what it was, or below (bring_to_energy()).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -28,6 +28,7 @@ inline constexpr double kHingeTolerance = 1e-11;
 inline constexpr int kMostMotionParts = 64;
 inline constexpr double kTurnPart = 0.25;
 
+/// Moves one figure, in memory that it keeps.
 class FigureMotion {
  public:
   /// `models` are those of all bodies of the world.

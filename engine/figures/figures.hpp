@@ -13,6 +13,7 @@
 
 namespace impetus::inline figures {
 
+/// What is kept of the figures between steps.
 class Figures {
  public:
   /// `figures` and `models` are without a problem (problem_of), and are those of every call below.
@@ -42,7 +43,7 @@ class Figures {
   void find_folds(const std::vector<Figure>& figures, const FiniteStates& finite,
                   const std::vector<BodyState>& states);
 
-  /// A contact for each pair of neighbours that was found (hinge_stops.hpp).
+  /// A contact for each pair of neighbours that was found (add_folds()).
   [[nodiscard]] const std::vector<Contact>& folds() const { return folds_; }
 
   /// As HingedResponder::respond(), with the limits of all hinges.

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/figures/hinge.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline figures {
 namespace {

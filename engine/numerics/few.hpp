@@ -8,6 +8,7 @@
 
 namespace impetus::inline numerics {
 
+/// A list of up to `kMost`.
 template <typename T, std::size_t kMost>
 class Few {
  public:

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/numerics/random_stream.hpp"
 
-#include <bit>
 #include <cassert>
-
-#include "engine/numerics/bits.hpp"
 
 namespace impetus::inline numerics {
 

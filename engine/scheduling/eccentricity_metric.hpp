@@ -1,4 +1,5 @@
-// Collisions near the point of gaze first. (Dingliana 2002, sec. 5.2.1)
+// Eccentricity: collisions near the point of gaze first, and what the eye resolves away from it.
+// (Dingliana 2002, sec. 5.2.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,11 +17,23 @@ inline double eccentricity_deg(const PairBounds& bounds, const Viewer& viewer,
   return visual_angle_deg(viewer, collision_place(bounds), on_screen(viewer, looked_at));
 }
 
+inline constexpr double kHalfAcuity_deg = 2.3;
+
+/// How much of the fovea's acuity is left away from it, in (0, 1]: 1 where one looks.
+///
+///   share = e₂ / (e + e₂)     e₂ = 2.3°, at which half is left
+///
+/// (Geisler and Perry 1998: highest visible frequency f_c(e) = e₂ ln(1/CT₀) / (α (e + e₂)), here
+/// over f_c(0), so neither α nor CT₀ remains)
+inline double relative_acuity(double eccentricity_deg) {
+  return kHalfAcuity_deg / (eccentricity_deg + kHalfAcuity_deg);
+}
+
 class EccentricityMetric final : public PriorityMetric {
  public:
   explicit EccentricityMetric(std::optional<ScreenPoint> point)
       : PriorityMetric(Urgent::kSmall), point_(point) {}
-  [[nodiscard]] unsigned terms() const override { return 0; }
+  [[nodiscard]] unsigned terms() const override { return point_ ? 0U : unsigned{kFixationTerm}; }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const override {
     return eccentricity_deg(bounds, viewer, fixation, point_);

@@ -8,6 +8,7 @@
 #include "engine/scheduling/distance_metric.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
+#include "engine/scheduling/named_kinds.hpp"
 #include "engine/scheduling/size_metric.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 #include "engine/scheduling/visible_frequency.hpp"
@@ -77,11 +78,7 @@ std::shared_ptr<const PriorityMetric> make_metric(std::string_view name,
                                                   const MetricOptions& options) {
   const NamedMetric* metric = found(name);
   if (metric == nullptr) {
-    std::string known;
-    for (const std::string_view each : metric_names()) {
-      known += (known.empty() ? "" : ", ") + std::string(each);
-    }
-    refuse("one of " + known, "\"" + std::string(name) + "\"");
+    refuse("one of " + list_names(metric_names()), "\"" + std::string(name) + "\"");
   }
   if (options.point && !metric->takes_point) {
     refuse("no point, which \"" + std::string(name) + "\" has no use for", "one");

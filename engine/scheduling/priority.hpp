@@ -2,7 +2,7 @@
 //
 // A metric measures each pair, in degrees of visual angle where it is an angle, and says whether
 // large or small values come first, and which terms of a pair it looks at: no others are computed.
-// A new metric is one file and one line in make_metric().
+// A new metric is one file and one line in the table of metrics.cpp; of one's own, a class alone.
 // (Dingliana 2002, sec. 5.1.2 and 5.2)
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -42,24 +42,30 @@ struct PairBounds {
 
 /// Where the two bounds meet. (Dingliana 2002, eq. 3.8, corrected: between the centres in the ratio
 /// of the radii)
-Vector3 collision_place(const PairBounds& bounds);
+inline Vector3 collision_place(const PairBounds& bounds) {
+  return touch(bounds.a, bounds.b, Vector3::UnitX()).point;
+}
 
-/// Terms of a pair beyond its bounds, as bits.
+/// What a metric may look at beyond the bounds of a pair and the viewer, as bits.
 enum PairTerm : unsigned {
   kMotionTerm = 1,    ///< velocity_a, velocity_b
   kFitErrorTerm = 2,  ///< fit_error_m
+  kFixationTerm = 4,  ///< where the viewer looks: with it the gaze decides what is refined
 };
 
 /// Which end of a metric's scale is refined first.
 enum class Urgent { kLarge, kSmall };
 
+/// What orders collisions, by a measure of each pair.
 class PriorityMetric {
  public:
   explicit PriorityMetric(Urgent urgent) : urgent_(urgent) {}
   virtual ~PriorityMetric() = default;
 
   /// The terms that measure() looks at; all, unless the metric says less.
-  [[nodiscard]] virtual unsigned terms() const { return kMotionTerm | kFitErrorTerm; }
+  [[nodiscard]] virtual unsigned terms() const {
+    return kMotionTerm | kFitErrorTerm | kFixationTerm;
+  }
 
   /// In the metric's own unit.
   [[nodiscard]] virtual double measure(const PairBounds& bounds, const Viewer& viewer,

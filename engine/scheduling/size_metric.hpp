@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/priority.hpp"
 
 namespace impetus::inline scheduling {

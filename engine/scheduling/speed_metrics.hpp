@@ -4,7 +4,6 @@
 #pragma once
 
 #include "engine/scheduling/priority.hpp"
-#include "engine/scheduling/seen_motion.hpp"
 
 namespace impetus::inline scheduling {
 

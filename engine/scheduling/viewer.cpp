@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/viewer.hpp"
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline scheduling {
 
@@ -43,6 +43,17 @@ double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q
   const Vector3 u = p - viewer.eye;
   const Vector3 w = q - viewer.eye;
   return degrees(atan2_rad(u.cross(w).norm(), u.dot(w)));
+}
+
+Vector3 seen_velocity(const Viewer& viewer, const Vector3& place, const Vector3& velocity) {
+  const Vector3 from_eye = place - viewer.eye;
+  return velocity - viewer.velocity - viewer.turning.cross(from_eye);
+}
+
+double angular_speed_deg_s(const Viewer& viewer, const Vector3& place, const Vector3& velocity) {
+  const Vector3 from_eye = place - viewer.eye;
+  const Vector3 seen = seen_velocity(viewer, place, velocity);
+  return degrees(from_eye.cross(seen).norm() / from_eye.squaredNorm());
 }
 
 }  // namespace impetus::inline scheduling

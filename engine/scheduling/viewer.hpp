@@ -1,4 +1,4 @@
-// The viewer: where the eye is, and the screen it looks at.
+// The viewer: where the eye is, the screen it looks at, and how fast it sees things move.
 //
 // The world is life-size: the screen lies in the plane through the world's origin that faces the
 // eye, so a metre in that plane is a metre on the glass.
@@ -49,6 +49,12 @@ struct ScreenPoint {
 /// Where the viewer looks, when that is known.
 using Fixation = std::optional<ScreenPoint>;
 
+/// A disc about a point of the screen, as the eye sees it.
+struct GazeRegion {
+  ScreenPoint centre;
+  double radius_deg{0.0};
+};
+
 /// Where a point of the screen is in the world.
 Vector3 on_screen(const Viewer& viewer, const ScreenPoint& point);
 
@@ -57,5 +63,17 @@ std::optional<ScreenPoint> projected(const Viewer& viewer, const Vector3& point)
 
 /// The angle at the eye between two points of the world (degrees).
 double visual_angle_deg(const Viewer& viewer, const Vector3& p, const Vector3& q);
+
+/// The velocity, as the viewer's moving frame has it, of what is at `place` and moves at
+/// `velocity` (m/s, world).
+///
+///   V = v − v_cam − ω_cam × X     X from the eye
+///
+/// A body that moves and turns with the eye is seen standing still. An eye at rest changes no bit.
+/// (Dingliana 2002, eq. 5.1, corrected: the camera's terms are taken off, in one frame and unit)
+Vector3 seen_velocity(const Viewer& viewer, const Vector3& place, const Vector3& velocity);
+
+/// The speed at which its direction from the eye changes (degrees per second): ‖X × V‖ / ‖X‖².
+double angular_speed_deg_s(const Viewer& viewer, const Vector3& place, const Vector3& velocity);
 
 }  // namespace impetus::inline scheduling

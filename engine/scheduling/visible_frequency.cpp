@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/scheduling/visible_frequency.hpp"
 
-#include "engine/numerics/logarithm.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 

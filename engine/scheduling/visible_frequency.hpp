@@ -28,7 +28,9 @@ class VisibleFrequencyMetric final : public PriorityMetric {
  public:
   explicit VisibleFrequencyMetric(std::optional<ScreenPoint> point)
       : PriorityMetric(Urgent::kLarge), point_(point) {}
-  [[nodiscard]] unsigned terms() const override { return kMotionTerm; }
+  [[nodiscard]] unsigned terms() const override {
+    return kMotionTerm | (point_ ? 0U : unsigned{kFixationTerm});
+  }
   [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
                                const Fixation& fixation) const override;
 

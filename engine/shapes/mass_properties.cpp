@@ -1,13 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/mass_properties.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
-#include "engine/numerics/compensated_sum.hpp"
-
 namespace impetus::inline shapes {
 namespace {
+
+// Sums that lose nothing to the number of their terms.
+
+/// A running sum of vectors or matrices, number by number, with what rounding took from it kept
+/// beside: its error does not grow with the count of terms. (Neumaier 1974)
+template <typename Array>
+class CompensatedSum {
+ public:
+  void add(const Array& term) {
+    const Array next = sum_ + term;
+    for (Eigen::Index i = 0; i < term.size(); ++i) {
+      const bool larger = std::fabs(sum_(i)) >= std::fabs(term(i));
+      lost_(i) += larger ? (sum_(i) - next(i)) + term(i) : (term(i) - next(i)) + sum_(i);
+    }
+    sum_ = next;
+  }
+
+  [[nodiscard]] Array total() const { return sum_ + lost_; }
+
+  /// As if nothing had been kept.
+  [[nodiscard]] Array plain_total() const { return sum_; }
+
+ private:
+  Array sum_{Array::Zero()};
+  Array lost_{Array::Zero()};
+};
 
 /// Sums of this many terms are exact enough as they are, and recorded trials of small shapes rest
 /// on their bits.

@@ -9,13 +9,8 @@
 namespace impetus::inline shapes {
 namespace {
 
-struct Box {
-  Vector3 least;
-  Vector3 most;
-};
-
 /// A triangle in world with its bounding box.
-struct PlacedTriangle : Box {
+struct PlacedTriangle : Bounds {
   Triangle corners;
 };
 
@@ -25,15 +20,13 @@ std::vector<PlacedTriangle> placed(const TriangleMesh& mesh, const Pose& pose) {
   for (const auto& [a, b, c] : mesh.triangles) {
     const Triangle corners{pose.transform(mesh.vertices[a]), pose.transform(mesh.vertices[b]),
                            pose.transform(mesh.vertices[c])};
-    triangles.push_back({{corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
-                          corners[0].cwiseMax(corners[1]).cwiseMax(corners[2])},
-                         corners});
+    triangles.push_back({bounds_of(corners), corners});
   }
   return triangles;
 }
 
 /// Squared distance of the boxes: 0 when they overlap, never more than that of the triangles.
-double squared_box_distance(const Box& a, const Box& b) {
+double squared_box_distance(const Bounds& a, const Bounds& b) {
   const Vector3 apart = (a.least - b.most).cwiseMax(b.least - a.most).cwiseMax(0.0);
   return apart.squaredNorm();
 }
@@ -43,14 +36,13 @@ double squared_box_distance(const Box& a, const Box& b) {
 constexpr std::size_t kBlock = 16;
 
 /// About each kBlock triangles in their order.
-std::vector<Box> blocks_of(const std::vector<PlacedTriangle>& triangles) {
-  std::vector<Box> blocks;
+std::vector<Bounds> blocks_of(const std::vector<PlacedTriangle>& triangles) {
+  std::vector<Bounds> blocks;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (i % kBlock == 0) {
       blocks.push_back(triangles[i]);
     }
-    blocks.back().least = blocks.back().least.cwiseMin(triangles[i].least);
-    blocks.back().most = blocks.back().most.cwiseMax(triangles[i].most);
+    blocks.back().include(triangles[i]);
   }
   return blocks;
 }
@@ -82,28 +74,15 @@ double upper_bound_m(const std::vector<PlacedTriangle>& a, const std::vector<Pla
 
 }  // namespace
 
-bool intersects(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
-                const Pose& pose_b) {
-  const std::vector<PlacedTriangle> of_b = placed(b, pose_b);
-  for (const PlacedTriangle& one : placed(a, pose_a)) {
-    for (const PlacedTriangle& other : of_b) {
-      if (squared_box_distance(one, other) == 0.0 && triangles_cross(one.corners, other.corners)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const TriangleMesh& b,
                             const Pose& pose_b) {
   assert(!a.triangles.empty() && !b.triangles.empty());
   const std::vector<PlacedTriangle> of_a = placed(a, pose_a);
   const std::vector<PlacedTriangle> of_b = placed(b, pose_b);
-  const std::vector<Box> blocks_of_a = blocks_of(of_a);
-  const std::vector<Box> blocks_of_b = blocks_of(of_b);
+  const std::vector<Bounds> blocks_of_a = blocks_of(of_a);
+  const std::vector<Bounds> blocks_of_b = blocks_of(of_b);
   ClosestPoints best{upper_bound_m(of_a, of_b), {}, {}};
-  const auto may_be_nearer = [&best](const Box& one, const Box& other) {
+  const auto may_be_nearer = [&best](const Bounds& one, const Bounds& other) {
     return squared_box_distance(one, other) < best.distance_m * best.distance_m;
   };
   // Of triangles equally near the first in the lists' order counts: nothing is asked out of turn.
@@ -131,6 +110,41 @@ ClosestPoints mesh_distance(const TriangleMesh& a, const Pose& pose_a, const Tri
     }
   }
   return best;
+}
+
+ClosestPoints ball_distance(const TriangleMesh& mesh, const Pose& pose, const Vector3& centre,
+                            double radius_m) {
+  assert(!mesh.triangles.empty());
+  const Vector3 centre_B = pose.orientation.conjugate() * (centre - pose.position);
+  Vector3 nearest_B = mesh.vertices[mesh.triangles.front()[0]];
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3 point_B =
+        closest_on_triangle({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, centre_B);
+    if ((point_B - centre_B).squaredNorm() < (nearest_B - centre_B).squaredNorm()) {
+      nearest_B = point_B;
+    }
+  }
+  const Vector3 on_mesh = pose.transform(nearest_B);
+  const double from_centre_m = (on_mesh - centre).norm();
+  if (from_centre_m <= radius_m) {
+    return {0.0, on_mesh, on_mesh};
+  }
+  return {from_centre_m - radius_m, on_mesh,
+          centre + radius_m / from_centre_m * (on_mesh - centre)};
+}
+
+std::optional<FirstTouch> first_touch(const ClosestAtWay& closest_at, double gap_m,
+                                      double farthest_m) {
+  constexpr int kMostMoves = 400;
+  double way_m = 0.0;
+  for (int move = 0; move < kMostMoves && way_m <= farthest_m; ++move) {
+    const ClosestPoints closest = closest_at(way_m);
+    if (closest.distance_m <= gap_m) {
+      return closest.distance_m > 0.0 ? std::optional(FirstTouch{way_m, closest}) : std::nullopt;
+    }
+    way_m += closest.distance_m - 0.5 * gap_m;
+  }
+  return std::nullopt;
 }
 
 }  // namespace impetus::inline shapes

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <queue>
 #include <tuple>
@@ -69,12 +68,14 @@ struct Candidate {
   Vector3 target;
 };
 
+/// The cheapest candidate first; of equals the first edge.
 struct Dearer {
   bool operator()(const Candidate& a, const Candidate& b) const {
     return std::tie(a.cost, a.u, a.v) > std::tie(b.cost, b.u, b.v);
   }
 };
 
+/// A mesh while its edges are drawn together.
 class Reduction {
  public:
   explicit Reduction(const TriangleMesh& mesh)

@@ -5,10 +5,11 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline shapes {
 namespace {
@@ -182,6 +183,22 @@ double SurfaceDistance::signed_distance_m(const Vector3& point) const {
 
 double SurfaceDistance::distance_to_m(std::uint32_t triangle, const Vector3& point) const {
   return (closest_on_triangle(corners(triangle), point) - point).norm();
+}
+
+bool contains(const TriangleMesh& solid, const Vector3& point) {
+  // tan(Ω/2) = a·(b×c) / (|a||b||c| + a·b |c| + b·c |a| + c·a |b|)
+  double half_angles = 0.0;
+  for (const auto& triangle : solid.triangles) {
+    const Vector3 a = solid.vertices[triangle[0]] - point;
+    const Vector3 b = solid.vertices[triangle[1]] - point;
+    const Vector3 c = solid.vertices[triangle[2]] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half_angles +=
+        atan2_rad(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles > std::numbers::pi;  // 2π inside, 0 outside
 }
 
 }  // namespace impetus::inline shapes

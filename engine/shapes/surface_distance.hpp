@@ -22,11 +22,13 @@ struct NearestOnSurface {
   std::uint32_t triangle{0};
 };
 
+/// How far a point is from the surface, and which triangle is nearest.
 struct SignedDistance {
   double distance_m{0.0};  ///< negative inside
   std::uint32_t triangle{0};
 };
 
+/// The tree of boxes and the pseudonormals of one surface.
 class SurfaceDistance {
  public:
   /// Copies what it needs of `mesh`. Precondition: find_defects(mesh).none(), one triangle or more.
@@ -51,6 +53,7 @@ class SurfaceDistance {
   [[nodiscard]] Triangle corners(std::uint32_t triangle) const;
 
  private:
+  /// A box about a run of triangles.
   struct Node {
     Vector3 least;
     Vector3 most;
@@ -59,6 +62,7 @@ class SurfaceDistance {
     std::uint32_t second_child;  ///< the first follows its parent; 0 for a leaf
   };
 
+  /// The nearest point so far.
   struct Found {
     double squared_m2;
     Vector3 point;
@@ -81,5 +85,10 @@ class SurfaceDistance {
   std::vector<std::array<Vector3, 3>> edge_normals_;  ///< by triangle, of any length
   std::vector<Vector3> vertex_normals_;               ///< of any length
 };
+
+/// Whether a point lies inside the solid that a closed mesh bounds. by the winding number, the sum
+/// of the triangles' solid angles over 4π (Van Oosterom and Strackee 1983). Points of the surface
+/// itself may fall either way.
+bool contains(const TriangleMesh& solid, const Vector3& point);
 
 }  // namespace impetus::inline shapes

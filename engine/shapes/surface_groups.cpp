@@ -55,6 +55,7 @@ Neighbours neighbours_of(const TriangleMesh& mesh) {
   return neighbours;
 }
 
+/// Grows groups over a mesh until every triangle has one.
 class Growth {
  public:
   explicit Growth(const TriangleMesh& mesh)

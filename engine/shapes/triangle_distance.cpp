@@ -49,6 +49,14 @@ ClosestPoints between_points(const Vector3& on_a, const Vector3& on_b) {
   return {(on_a - on_b).norm(), on_a, on_b};
 }
 
+bool parted_along(const Vector3& axis, const Triangle& triangle, const Vector3& half_extents_m) {
+  const double a = axis.dot(triangle[0]);
+  const double b = axis.dot(triangle[1]);
+  const double c = axis.dot(triangle[2]);
+  const double reach = axis.cwiseAbs().dot(half_extents_m);
+  return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
+}
+
 }  // namespace
 
 ClosestOnTriangle closest_feature(const Triangle& triangle, const Vector3& point) {
@@ -129,6 +137,29 @@ ClosestPoints triangle_distance(const Triangle& a, const Triangle& b) {
 
 bool triangles_cross(const Triangle& a, const Triangle& b) {
   return common_point(a, b).has_value();
+}
+
+bool meets_box(const Triangle& triangle, const Vector3& half_extents_m) {
+  const auto parted = [&](const Vector3& axis) {
+    return parted_along(axis, triangle, half_extents_m);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    if (parted(Vector3::Unit(axis))) {
+      return false;
+    }
+  }
+  if (parted((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]))) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 edge = triangle[(i + 1) % 3] - triangle[i];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (parted(edge.cross(Vector3::Unit(axis)))) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace impetus::inline shapes

@@ -1,4 +1,5 @@
-// The exact distance between two triangles, and where they are closest.
+// The exact distance between two triangles, where they are closest, and whether one reaches into a
+// box.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -20,6 +21,7 @@ struct ClosestPoints {
 /// What of a triangle a point lies on. Edge i runs from corner i to the next.
 enum class TriangleFeature { kCorner0, kCorner1, kCorner2, kEdge0, kEdge1, kEdge2, kFace };
 
+/// A point of a triangle, and what of it that lies on.
 struct ClosestOnTriangle {
   Vector3 point;
   TriangleFeature feature;
@@ -40,5 +42,9 @@ ClosestPoints triangle_distance(const Triangle& a, const Triangle& b);
 
 /// Whether an edge of one passes through the other. Coplanar triangles never cross.
 bool triangles_cross(const Triangle& a, const Triangle& b);
+
+/// Whether the triangle meets the box |x_i| ≤ half_extents_m[i], by the thirteen separating axes
+/// (Akenine-Möller 2001): false is certain up to rounding, true where they touch.
+bool meets_box(const Triangle& triangle, const Vector3& half_extents_m);
 
 }  // namespace impetus::inline shapes

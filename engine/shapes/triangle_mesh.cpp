@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "engine/shapes/triangle_mesh.hpp"
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
-
-#include "engine/shapes/useless_triangles.hpp"
 
 namespace impetus::inline shapes {
 namespace {
 
+/// How many triangles run along an edge, either way.
 struct EdgeUse {
   int forward{0};
   int backward{0};
 };
 
+using Corners = std::array<std::uint32_t, 3>;
+
 }  // namespace
+
+Bounds bounds_of(std::span<const Vector3> points) {
+  Bounds bounds{points.front(), points.front()};
+  for (const Vector3& point : points) {
+    bounds.include(point);
+  }
+  return bounds;
+}
+
+Bounds bounds_of(const TriangleMesh& mesh) {
+  const Vector3& first = mesh.vertices[mesh.triangles.front()[0]];
+  Bounds bounds{first, first};
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      bounds.include(mesh.vertices[vertex]);
+    }
+  }
+  return bounds;
+}
 
 MeshDefects find_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
@@ -41,6 +63,23 @@ MeshDefects find_defects(const TriangleMesh& mesh) {
     }
   }
   return defects;
+}
+
+bool is_degenerate(const TriangleMesh& mesh, const Corners& triangle) {
+  const Vector3& a = mesh.vertices[triangle[0]];
+  const Vector3& b = mesh.vertices[triangle[1]];
+  const Vector3& c = mesh.vertices[triangle[2]];
+  return (b - a).cross(c - a).squaredNorm() == 0.0;
+}
+
+std::int64_t count_duplicates(const TriangleMesh& mesh) {
+  std::set<Corners> seen;
+  std::int64_t count = 0;
+  for (Corners triangle : mesh.triangles) {
+    std::sort(triangle.begin(), triangle.end());
+    count += seen.insert(triangle).second ? 0 : 1;
+  }
+  return count;
 }
 
 }  // namespace impetus::inline shapes

@@ -1,9 +1,10 @@
-// A triangle mesh in memory, and whether its surface encloses a solid.
+// A triangle mesh in memory, whether its surface encloses a solid, and the triangles that add
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/numerics/vector.hpp"
@@ -15,6 +16,30 @@ struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
+
+/// A box parallel to the axes (metres): its least and its greatest corner.
+struct Bounds {
+  Vector3 least{Vector3::Zero()};
+  Vector3 most{Vector3::Zero()};
+
+  [[nodiscard]] Vector3 sides() const { return most - least; }
+  [[nodiscard]] Vector3 middle() const { return 0.5 * (least + most); }
+  [[nodiscard]] bool overlaps(const Bounds& other) const {
+    return (least.array() <= other.most.array()).all() &&
+           (other.least.array() <= most.array()).all();
+  }
+  void include(const Vector3& point) { include(Bounds{point, point}); }
+  void include(const Bounds& other) {
+    least = least.cwiseMin(other.least);
+    most = most.cwiseMax(other.most);
+  }
+};
+
+/// Of one point or more.
+Bounds bounds_of(std::span<const Vector3> points);
+
+/// Of the triangles, one or more: vertices of no triangle do not count.
+Bounds bounds_of(const TriangleMesh& mesh);
 
 /// What keeps a mesh from being a solid: all zero for a closed, consistently oriented surface.
 struct MeshDefects {
@@ -32,5 +57,11 @@ struct MeshDefects {
 
 /// Counts the defects of a mesh. Every vertex index must be within `vertices`.
 MeshDefects find_defects(const TriangleMesh& mesh);
+
+/// Whether the triangle has a repeated vertex or no area.
+bool is_degenerate(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle);
+
+/// How many triangles have the vertices of an earlier one, either way round.
+std::int64_t count_duplicates(const TriangleMesh& mesh);
 
 }  // namespace impetus::inline shapes

@@ -2,7 +2,6 @@
 #include "engine/trees/coverage.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -24,12 +23,14 @@ constexpr double kIndifferent = 1e-4;
 
 using Polygon = std::vector<Vector3>;
 
+/// A node that stands at the level.
 struct CoveringNode {
   Volume volume;
   RoundedBox form;
   Vector3 reach_m;  ///< upright
 };
 
+/// A piece of a triangle that is not settled, and the nodes that may hold it.
 struct Piece {
   Polygon corners;
   std::vector<const CoveringNode*> candidates;
@@ -64,16 +65,12 @@ std::size_t longest_side(const Polygon& polygon) {
 bool parted(const CoveringNode& node, const Polygon& polygon) {
   Polygon local;
   Vector3 middle = Vector3::Zero();
-  Vector3 least = node.form.local(polygon.front());
-  Vector3 most = least;
   for (const Vector3& corner : polygon) {
     local.push_back(node.form.local(corner));
-    least = least.cwiseMin(local.back());
-    most = most.cwiseMax(local.back());
     middle += local.back() / static_cast<double>(polygon.size());
   }
   const Vector3 reach = node.form.reach_m();
-  if ((least.array() > reach.array()).any() || (most.array() < -reach.array()).any()) {
+  if (!bounds_of(local).overlaps({-reach, reach})) {
     return true;
   }
   const Vector3& half = node.form.half_extents_m;
@@ -145,6 +142,7 @@ std::vector<Polygon> halves_of(const Polygon& polygon) {
   return halves;
 }
 
+/// Looks for what of one triangle is bare.
 class TriangleCover {
  public:
   TriangleCover(Polygon triangle, const std::vector<const CoveringNode*>& candidates,
@@ -233,12 +231,12 @@ std::vector<CoveringNode> nodes_at(const VolumeTree& tree, int level) {
   return nodes;
 }
 
-std::vector<const CoveringNode*> near(const std::vector<CoveringNode>& nodes, const Vector3& least,
-                                      const Vector3& most) {
+std::vector<const CoveringNode*> near(const std::vector<CoveringNode>& nodes,
+                                      const Bounds& bounds) {
   std::vector<const CoveringNode*> found;
   for (const CoveringNode& node : nodes) {
     const Vector3 apart =
-        (node.form.centre - most).cwiseMax(least - node.form.centre) - node.reach_m;
+        (node.form.centre - bounds.most).cwiseMax(bounds.least - node.form.centre) - node.reach_m;
     if ((apart.array() <= 0.0).all()) {
       found.push_back(&node);
     }
@@ -250,20 +248,11 @@ std::vector<const CoveringNode*> near(const std::vector<CoveringNode>& nodes, co
 
 double uncovered_area_m2(const TriangleMesh& mesh, const VolumeTree& tree, int level) {
   const std::vector<CoveringNode> nodes = nodes_at(tree, level);
-  const Vector3& first = mesh.vertices.at(mesh.triangles.front()[0]);
-  Eigen::AlignedBox3d bounds(first);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t vertex : triangle) {
-      bounds.extend(mesh.vertices[vertex]);
-    }
-  }
-  const double narrow_m = kNarrow * bounds.diagonal().norm();
+  const double narrow_m = kNarrow * bounds_of(mesh).sides().norm();
   double bare_m2 = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Polygon corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-    const Vector3 least = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-    const Vector3 most = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-    TriangleCover cover(corners, near(nodes, least, most), narrow_m);
+    TriangleCover cover(corners, near(nodes, bounds_of(corners)), narrow_m);
     bare_m2 += cover.uncovered_m2();
   }
   return bare_m2;

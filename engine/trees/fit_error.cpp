@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
-#include "engine/shapes/triangle_in_box.hpp"
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/trees/fit_cell.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
@@ -26,12 +25,14 @@ constexpr int kEasyQuestions = 60;
 constexpr double kInnerCube = 0.57;
 constexpr std::size_t kMostTrianglesForBox = 2'000;
 
+/// The greatest bound first; of equals the cell that was made first.
 struct Looser {
   bool operator()(const FitCell& a, const FitCell& b) const {
     return std::pair(a.bound_m, -a.rank) < std::pair(b.bound_m, -b.rank);
   }
 };
 
+/// The branch and bound over the cells of one volume.
 class Search {
  public:
   Search(const RoundedBox& volume, const SurfaceDistance& solid, double indifferent_m,

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "engine/numerics/rounding.hpp"
 #include "engine/numerics/spread_points.hpp"
 #include "engine/shapes/surface_groups.hpp"
 #include "engine/trees/fit_error.hpp"
+#include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
 namespace impetus::inline trees {

@@ -1,5 +1,7 @@
 // What a node knows of the object: how much of it is solid, which way the surface faces, which
 // group of surface it lies on, and how far it reaches beyond.
+//
+// And a tree and the witness that it covers: the part of the surface that each node bounds.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,6 +21,7 @@ inline constexpr double kLeastFacing = 0.2;
 /// Points that an occupancy is counted by.
 inline constexpr int kOccupancyPoints = 384;
 
+/// Describes nodes of one solid.
 class NodeDescription {
  public:
   /// Precondition: find_defects(solid).none(), one triangle or more.
@@ -52,5 +55,12 @@ double occupancy_of(const Volume& volume, const SurfaceDistance& solid);
 /// the facets is exact where central differences of sampled densities over 2h, eq. 4.8 as
 /// corrected, are its discrete form. (Dingliana 2002, eq. 4.7 to 4.9, corrected)
 Vector3 density_normal_of(const SurfacePart& part);
+
+/// The parts of a node's children tile the node's own part, the root's is the whole surface, and
+/// every volume holds every corner of its part. So each level holds the whole surface.
+struct BuiltTree {
+  VolumeTree tree;
+  std::vector<SurfacePart> parts;  ///< one per node, in the tree's order
+};
 
 }  // namespace impetus::inline trees

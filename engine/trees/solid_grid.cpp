@@ -17,6 +17,7 @@ using Cells = Eigen::Array3i;
 /// and a line along z must not run through one.
 constexpr std::array<double, 3> kShift{0.4871, 0.5093, 0.5};
 
+/// Cells of equal size over a box.
 struct Grid {
   Vector3 least;
   double cell_m;
@@ -93,6 +94,7 @@ std::vector<std::vector<Crossing>> crossings_of(const Grid& grid, const Triangle
   return columns;
 }
 
+/// Counts cells, each once; those of the solid are taken first.
 class Counter {
  public:
   Counter(const Grid& grid, const TriangleMesh& solid)

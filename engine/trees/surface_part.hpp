@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/shapes/triangle_mesh.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus::inline trees {
 
@@ -38,6 +39,9 @@ SurfacePart whole_surface(const TriangleMesh& mesh);
 std::pair<SurfacePart, SurfacePart> cut(const SurfacePart& part, const HalfSpace& half_space,
                                         double snap = 0.0);
 
+/// Of cuts made by builders: what lies nearer to a plane than this share of the size lies in it.
+inline constexpr double kSnapShare = 1e-13;
+
 /// Twice the area of a facet times its unit normal, summed: the area vector of the part, doubled.
 Vector3 doubled_area_vector(const Facet& facet);
 
@@ -45,5 +49,14 @@ double area_m2(const SurfacePart& part);
 
 /// Every corner of every facet, in order.
 std::vector<Vector3> corners_of(const SurfacePart& part);
+
+/// Shares a part among spheres: each gets what is nearest to it by power distance, the squared
+/// distance to its centre less its squared radius. The piece of `part` in the cell of each sphere,
+/// empty ones too; they tile the part. Cells are bounded by planes, so the pieces are cut exactly;
+/// where spheres cover a point, its cell's sphere does. (Aurenhammer 1987)
+std::vector<SurfacePart> power_cells(SurfacePart part, const std::vector<Sphere>& spheres);
+
+/// The index of the sphere to which `point` has the least power. Precondition: one or more spheres.
+std::size_t least_power(const std::vector<Sphere>& spheres, const Vector3& point);
 
 }  // namespace impetus::inline trees

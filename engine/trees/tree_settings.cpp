@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/shapes/mass_properties.hpp"
+
 namespace impetus::inline trees {
 namespace {
 
@@ -29,6 +31,8 @@ std::string range(const std::string& what, int least, int most, int got) {
   return "tree: expected a " + what + " from " + std::to_string(least) + " to " +
          std::to_string(most) + ", got " + std::to_string(got);
 }
+
+constexpr double kLeastShare = 1e-12;
 
 }  // namespace
 
@@ -80,6 +84,31 @@ std::string problem_of(const TreeSettings& settings) {
            std::to_string(settings.depth);
   }
   return {};
+}
+
+void require_buildable(const TriangleMesh& mesh, const TreeSettings& settings) {
+  const std::string problem = problem_of(settings);
+  if (!problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  require_solid(mesh, "tree");
+}
+
+void require_solid(const TriangleMesh& mesh, const std::string& builder) {
+  if (mesh.triangles.empty() || !find_defects(mesh).none()) {
+    throw std::invalid_argument(builder +
+                                ": expected a closed mesh with its triangles facing outward");
+  }
+  const double volume_m3 = solid_of(mesh, /*density_kg_m3=*/1.0).volume_m3;
+  const double side_m = bounds_of(mesh).sides().maxCoeff();
+  if (!(volume_m3 > 0.0)) {
+    throw std::invalid_argument(builder +
+                                ": expected a closed mesh with its triangles facing outward");
+  }
+  if (volume_m3 / side_m / side_m / side_m < kLeastShare) {
+    throw std::invalid_argument(builder +
+                                ": expected a solid, got a mesh that encloses next to nothing");
+  }
 }
 
 }  // namespace impetus::inline trees

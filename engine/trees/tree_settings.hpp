@@ -1,10 +1,12 @@
-// What kind of volume tree to build, how deep and how wide.
+// What kind of volume tree to build, how deep and how wide, and what every builder asks of a mesh.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline trees {
 
@@ -20,6 +22,7 @@ inline constexpr int kGreatestTreeDepth = 8;
 inline constexpr int kLeastBranching = 2;
 inline constexpr int kGreatestBranching = 64;
 
+/// What is asked of a builder.
 struct TreeSettings {
   TreeKind kind{TreeKind::kOctree};
   int depth{4};      ///< levels beyond the root, at most; see kGreatestTreeDepth
@@ -49,5 +52,12 @@ std::string problem_of(const TreeSettings& settings);
 /// Called between pieces of work with the share that is done, from 0 to 1. It may throw, which
 /// abandons the work.
 using Progress = std::function<void(double share)>;
+
+/// Throws std::invalid_argument in the name of `builder` unless `mesh` is closed, faces outward and
+/// encloses more than rounding may have left of nothing: 1e-12 of its bounding cube.
+void require_solid(const TriangleMesh& mesh, const std::string& builder);
+
+/// Throws std::invalid_argument where problem_of(settings) is not empty or `mesh` is no solid.
+void require_buildable(const TriangleMesh& mesh, const TreeSettings& settings);
 
 }  // namespace impetus::inline trees

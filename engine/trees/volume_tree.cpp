@@ -4,12 +4,28 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/volumes/rounded_box.hpp"
 
 namespace impetus::inline trees {
 namespace {
+
+constexpr std::uint32_t kKindBits = 3;
+constexpr std::uint32_t kKindMask = (1U << kKindBits) - 1;
+static_assert(std::variant_size_v<Volume> <= kKindMask + 1);
+
+bool of_one_kind(const std::vector<Volume>& volumes) {
+  return std::all_of(volumes.begin(), volumes.end(), [&](const Volume& volume) {
+    return volume.index() == volumes.front().index();
+  });
+}
+
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& array) {
+  return array.size() * sizeof(T);
+}
 
 /// Breadth-first order means: each node's children follow the children of the node before it.
 bool is_breadth_first(const std::vector<NodeLinks>& links) {
@@ -39,13 +55,15 @@ bool levels_match(const std::vector<NodeLinks>& links, const std::vector<std::in
   return begin == end;
 }
 
-std::vector<Volume> volumes_of(const std::vector<VolumeNode>& nodes) {
-  std::vector<Volume> volumes;
-  volumes.reserve(nodes.size());
+/// One member of every node.
+template <typename Member>
+std::vector<Member> each(const std::vector<VolumeNode>& nodes, Member VolumeNode::*member) {
+  std::vector<Member> members;
+  members.reserve(nodes.size());
   for (const VolumeNode& node : nodes) {
-    volumes.push_back(node.volume);
+    members.push_back(node.*member);
   }
-  return volumes;
+  return members;
 }
 
 std::vector<NodeLinks> links_of(const std::vector<VolumeNode>& nodes) {
@@ -57,20 +75,94 @@ std::vector<NodeLinks> links_of(const std::vector<VolumeNode>& nodes) {
   return links;
 }
 
-std::vector<NodeSurface> surfaces_of(const std::vector<VolumeNode>& nodes) {
-  std::vector<NodeSurface> surfaces;
-  surfaces.reserve(nodes.size());
-  for (const VolumeNode& node : nodes) {
-    surfaces.push_back(node.surface);
-  }
-  return surfaces;
-}
-
 }  // namespace
 
+NodeVolumes::NodeVolumes(const std::vector<Volume>& volumes)
+    : size_(static_cast<std::int32_t>(volumes.size())) {
+  const bool one_kind = of_one_kind(volumes);
+  if (one_kind && !volumes.empty() && std::holds_alternative<Sphere>(volumes.front())) {
+    for (const Volume& volume : volumes) {
+      all_spheres_.add(std::get<Sphere>(volume));
+    }
+    return;
+  }
+  for (const Volume& volume : volumes) {
+    only_kind_ = volume.index();
+    const auto store = [&]<typename Kind>(const Kind& one) {
+      auto& array = std::get<std::vector<Kind>>(arrays_);
+      if (!one_kind) {
+        slots_.push_back(static_cast<std::uint32_t>(only_kind_ | array.size() << kKindBits));
+      }
+      array.push_back(one);
+    };
+    std::visit(store, volume);
+  }
+}
+
+NodeVolumes::NodeVolumes(const VoxelGrid& grid, std::vector<std::uint32_t> cells,
+                         std::vector<std::int32_t> level_starts)
+    : size_(static_cast<std::int32_t>(cells.size())),
+      grid_(grid),
+      cells_(std::move(cells)),
+      level_starts_(std::move(level_starts)) {
+  if (grid_.divisions < 2 || !(grid_.edge_m > 0.0) || level_starts_.empty() ||
+      level_starts_.front() != 0 || level_starts_.back() >= size_ ||
+      !std::is_sorted(level_starts_.begin(), level_starts_.end())) {
+    throw std::invalid_argument("voxel tree: expected a grid and the first node of each level");
+  }
+  std::uint64_t along = 1;
+  for (std::size_t level = 0; level < level_starts_.size(); ++level) {
+    const std::int32_t end = level + 1 < level_starts_.size() ? level_starts_[level + 1] : size_;
+    for (std::int32_t node = level_starts_[level]; node < end; ++node) {
+      if (cells_[static_cast<std::size_t>(node)] >= along * along * along) {
+        throw std::invalid_argument("voxel tree: node " + std::to_string(node) +
+                                    " lies outside its level's grid");
+      }
+    }
+    along *= static_cast<std::uint64_t>(grid_.divisions);
+    if (level + 1 < level_starts_.size() && along > 1625) {  // 1625³ < 2³² ≤ 1626³
+      throw std::invalid_argument("voxel tree: expected at most 1625 cubes along an edge, got " +
+                                  std::to_string(along));
+    }
+  }
+}
+
+Cube NodeVolumes::voxel(std::int32_t node) const {
+  std::uint32_t along = 1;
+  for (std::size_t level = 1; level < level_starts_.size() && node >= level_starts_[level];
+       ++level) {
+    along *= static_cast<std::uint32_t>(grid_.divisions);
+  }
+  const std::uint32_t cell = cells_[static_cast<std::size_t>(node)];
+  const std::uint32_t row = cell / along;
+  const std::uint32_t layer = row / along;
+  const Vector3 place(cell % along, row % along, layer);
+  const double edge_m = grid_.edge_m / along;
+  return {grid_.least + edge_m * (place + Vector3::Constant(0.5)),
+          0.5 * edge_m + kVoxelMargin * grid_.edge_m, Quaternion::Identity()};
+}
+
+Volume NodeVolumes::at(std::int32_t node) const {
+  if (are_voxels()) {
+    return voxel(node);
+  }
+  const auto index = static_cast<std::size_t>(node);
+  if (!all_spheres_.empty()) {
+    return all_spheres_.at(index);
+  }
+  return slots_.empty() ? element(only_kind_, index)
+                        : element(slots_[index] & kKindMask, slots_[index] >> kKindBits);
+}
+
+std::size_t NodeVolumes::bytes() const {
+  const auto bytes_of_all = [](const auto&... arrays) { return (bytes_of(arrays) + ...); };
+  return all_spheres_.bytes() + std::apply(bytes_of_all, arrays_) + bytes_of(slots_) +
+         bytes_of(cells_) + (are_voxels() ? bytes_of(level_starts_) : 0);
+}
+
 VolumeTree::VolumeTree(const std::vector<VolumeNode>& nodes, std::vector<std::int32_t> level_starts)
-    : VolumeTree(NodeVolumes(volumes_of(nodes)), links_of(nodes), surfaces_of(nodes),
-                 std::move(level_starts)) {}
+    : VolumeTree(NodeVolumes(each(nodes, &VolumeNode::volume)), links_of(nodes),
+                 each(nodes, &VolumeNode::surface), std::move(level_starts)) {}
 
 VolumeTree::VolumeTree(NodeVolumes volumes, std::vector<NodeLinks> links,
                        std::vector<NodeSurface> surfaces, std::vector<std::int32_t> level_starts)

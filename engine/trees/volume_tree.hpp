@@ -8,17 +8,94 @@
 // its children. A node without children keeps standing for its part at every deeper level.
 // Each attribute has an array of its own, so a descent reads volumes and links alone.
 // (Dingliana 2002, sec. 2.2.1 and 3.1.1)
+//
+// The volumes of its nodes lie each kind in an array of its own: what a kind does not use is not
+// stored.
+//
+//   one kind      node i is element i of that kind's array
+//   voxels        node i is a cell number; its place and edge follow from its level
+//   several       `slots` says for each node the kind (three low bits) and the element
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <tuple>
 #include <vector>
 
 #include "engine/numerics/at.hpp"
-#include "engine/trees/node_volumes.hpp"
+#include "engine/volumes/sphere_lanes.hpp"
+#include "engine/volumes/volume.hpp"
 
 namespace impetus::inline trees {
+
+/// A cube split into `divisions`³ equal cubes, each of them again, and so on.
+struct VoxelGrid {
+  Vector3 least{Vector3::Zero()};  ///< the corner of the root cube with the least coordinates
+  double edge_m{0.0};              ///< of the root cube
+  int divisions{2};                ///< along each edge, from one level to the next
+
+  friend bool operator==(const VoxelGrid&, const VoxelGrid&) = default;
+};
+
+/// By this share of the grid's edge a voxel's cube reaches beyond its cell on every side: rounding
+/// must not leave a face in the wall between two cells outside the cube that it belongs to.
+inline constexpr double kVoxelMargin = 1e-12;
+
+/// The volumes of all nodes of a tree.
+class NodeVolumes {
+ public:
+  NodeVolumes() = default;
+
+  explicit NodeVolumes(const std::vector<Volume>& volumes);
+
+  /// Voxels: `cells` holds for each node x + n (y + n z), the place of its cube among the n =
+  /// divisions^level along each edge. Throws std::invalid_argument for a cell outside the grid or
+  /// levels that are none.
+  NodeVolumes(const VoxelGrid& grid, std::vector<std::uint32_t> cells,
+              std::vector<std::int32_t> level_starts);
+
+  [[nodiscard]] std::int32_t size() const { return size_; }
+  [[nodiscard]] Volume at(std::int32_t node) const;
+
+  /// Node by node when all are spheres, else empty.
+  [[nodiscard]] const SphereArrays& all_spheres() const { return all_spheres_; }
+
+  [[nodiscard]] bool are_voxels() const { return !cells_.empty(); }
+  [[nodiscard]] const VoxelGrid& grid() const { return grid_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] Cube voxel(std::int32_t node) const;
+
+  /// A vector for each kind of volume, in their order.
+  template <typename... Kinds>
+  static std::tuple<std::vector<Kinds>...> arrays_of(const std::variant<Kinds...>&);
+
+  template <std::size_t kKind = 0>
+  [[nodiscard]] Volume element(std::size_t kind, std::size_t index) const {
+    if constexpr (kKind + 1 < std::variant_size_v<Volume>) {
+      if (kind != kKind) {
+        return element<kKind + 1>(kind, index);
+      }
+    }
+    return std::get<kKind>(arrays_)[index];
+  }
+
+  SphereArrays all_spheres_;  ///< when there is nothing else
+  decltype(arrays_of(Volume())) arrays_;
+  std::vector<std::uint32_t> slots_;  ///< empty for nodes of one kind
+  std::size_t only_kind_{0};          ///< of those
+  std::int32_t size_{0};
+
+  VoxelGrid grid_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<std::int32_t> level_starts_;  ///< of voxels
+};
 
 /// The children of a node: `count` of them from `first_child` on.
 struct NodeLinks {
@@ -27,6 +104,14 @@ struct NodeLinks {
 
   friend bool operator==(const NodeLinks&, const NodeLinks&) = default;
 };
+
+/// The least float that is not below `x`.
+inline float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  return static_cast<double>(nearest) < x
+             ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+             : nearest;
+}
 
 inline constexpr std::int32_t kNoGroup = -1;
 
@@ -51,6 +136,7 @@ struct VolumeNode {
   NodeSurface surface{};
 };
 
+/// The tree of one object.
 class VolumeTree {
  public:
   /// Takes nodes in breadth-first order and the index of each level's first node. A fit error of a

@@ -5,19 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace impetus::inline volumes {
 namespace {
-
-/// Some unit vector across the unit vector `axis`.
-Vector3 across(const Vector3& axis) {
-  int least = 0;
-  axis.cwiseAbs().minCoeff(&least);
-  Vector3 other = Vector3::Zero();
-  other[least] = 1.0;
-  return axis.cross(other).normalized();
-}
 
 RoundedBox form_of(const Sphere& sphere) {
   return {sphere.centre, Matrix3::Identity(), Vector3::Zero(), sphere.radius_m};
@@ -29,8 +19,9 @@ RoundedBox form_of(const RectangleSwept& rectangle) {
   if (u_m == 0.0 && v_m == 0.0) {
     return form_of(Sphere{rectangle.centre, rectangle.radius_m});
   }
-  const Vector3 u = u_m > 0.0 ? Vector3(rectangle.half_u / u_m) : across(rectangle.half_v / v_m);
-  const Vector3 v = v_m > 0.0 ? Vector3(rectangle.half_v / v_m) : across(u);
+  const Vector3 u =
+      u_m > 0.0 ? Vector3(rectangle.half_u / u_m) : unit_across(rectangle.half_v / v_m);
+  const Vector3 v = v_m > 0.0 ? Vector3(rectangle.half_v / v_m) : unit_across(u);
   RoundedBox form{rectangle.centre, Matrix3::Identity(), {u_m, v_m, 0.0}, rectangle.radius_m};
   form.axes << u, v, u.cross(v).normalized();
   return form;

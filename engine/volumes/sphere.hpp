@@ -6,6 +6,7 @@
 
 namespace impetus::inline volumes {
 
+/// All points within `radius_m` of the centre.
 struct Sphere {
   Vector3 centre{Vector3::Zero()};
   double radius_m{0.0};

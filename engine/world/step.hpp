@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/collision/entry/tunnelling.hpp"
+#include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/scheduling/priority_lists.hpp"
-#include "engine/world/level_pops.hpp"
 
 namespace impetus::inline world {
 
@@ -57,6 +56,16 @@ struct CollisionReport {
   std::int32_t contact_count{1};
   bool imposed_spin{false};          ///< this contact got WorldSettings::imposed_spin
   std::optional<double> measured{};  ///< by the schedule's metric, in its unit; none without one
+};
+
+/// A pop: a pair that touches at a coarser level than in the step before. Bounds that grow at once
+/// push bodies apart that did not move; bounds that shrink are rarely noticed. (Dingliana 2002,
+/// sec. 5.3.1)
+struct LevelPop {
+  BodyPair bodies;
+  int from{0};
+  int to{0};
+  double size_deg{0.0};  ///< visual angle of what its bounds grew by
 };
 
 struct StepReport {

@@ -1,8 +1,8 @@
-// What a step works with, kept from one step to the next so that a step allocates nothing once its
-// scene has been as full as it gets.
+// What the phases of a step hand to each other, kept from one step to the next so that a step
+// allocates nothing once its scene has been as full as it gets.
 //
 // Nothing here decides anything: each part is filled anew before it is read. A copy of a world
-// starts with an empty memory, and so does a world that is assigned to.
+// starts with an empty memory; a world that is assigned to keeps its own, but for what it lends.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,16 +11,62 @@
 #include <span>
 #include <vector>
 
-#include "engine/collision/list_refinement.hpp"
-#include "engine/collision/sweep_and_prune.hpp"
+#include "engine/collision/broad_phase.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
-#include "engine/world/collision_reports.hpp"
-#include "engine/world/level_pops.hpp"
-#include "engine/world/step_order.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/world/step.hpp"
 
 namespace impetus::inline world {
+
+/// What pairs are measured by, in a step whose bodies are where they will be tested.
+struct Measuring {
+  const Schedule& schedule;
+  const StepInput& input;
+  const std::vector<BodyModel>& models;
+  const std::vector<BodyState>& states;
+};
+
+/// The step's pairs in their lists and by priority, measured no sooner than somebody asks.
+///
+///   lists      one, or by the region: nothing is measured; by thresholds or shares: every pair is
+///   order      only when pairs wait for work beyond the floor, and more than one of one list
+///   measure    of a pair that touches, for the report
+///
+/// A pair's terms are computed when it is measured, and only those that the metric looks at. What
+/// is measured depends on the state, so when it is measured changes nothing.
+class StepOrder {
+ public:
+  /// Gives each of `candidates` its list; what was known before is forgotten. The candidates must
+  /// stay as long as anything is asked of their order.
+  void put_into_lists(std::vector<PairBounds>& candidates, const Measuring& by);
+
+  /// With their lists, in an order that means nothing; lists may be changed.
+  [[nodiscard]] std::vector<MeasuredPair>& pairs() { return pairs_; }
+
+  /// Places in pairs(), by list and by falling priority within each, when `waiting` of them wait
+  /// for work: none when none does; in any order when one does and there is one list. Valid until
+  /// the next call.
+  std::span<const std::size_t> places_by_priority(std::size_t waiting, const Measuring& by);
+
+  /// All pairs as they are scheduled, by list and by falling priority within each, instead of what
+  /// `listed` held. To be asked for once work was done by places_by_priority().
+  void list_pairs(const Measuring& by, std::vector<ScheduledPair>& listed);
+
+  /// What the metric says of the pair at that place, in its unit.
+  double measured(std::size_t place, const Measuring& by);
+
+ private:
+  void sort_places(const Measuring& by);
+  [[nodiscard]] double measure(std::int32_t candidate, const Measuring& by);
+
+  std::vector<PairBounds>* candidates_{nullptr};
+  std::vector<MeasuredPair> pairs_;
+  std::vector<std::size_t> places_;
+  bool are_measured_{false};
+};
 
 /// Pairs that are refined, in objects that are used again.
 class RefinedPairs {
@@ -46,29 +92,62 @@ class RefinedPairs {
   std::size_t count_{0};
 };
 
+/// The collisions as they are modelled, whoever is refined first.
+class ModelledCollisions {
+ public:
+  void clear();
+
+  /// The contacts of one refined pair are added here, at the end ...
+  [[nodiscard]] std::vector<Contact>& contacts() { return contacts_; }
+
+  /// ... and then become collisions, one for each run of the same bodies, in all else like `like`.
+  void add_contacts_as(const CollisionReport& like);
+
+  /// Reports the collisions by their bodies, and their contacts behind them; `contact` of each is
+  /// its deepest, of equals the first.
+  void report_in_order(StepReport& report);
+
+ private:
+  std::vector<CollisionReport> collisions_;
+  std::vector<Contact> contacts_;
+  std::size_t taken_{0};  ///< contacts that are of a collision
+};
+
 struct StepMemory {
   StepMemory() = default;
   StepMemory(const StepMemory& /*other*/) : StepMemory() {}
   StepMemory(StepMemory&&) = default;
-  StepMemory& operator=(const StepMemory& /*other*/) { return *this; }
+  StepMemory& operator=(const StepMemory& /*other*/) {
+    pairs.clear();
+    return *this;
+  }
   StepMemory& operator=(StepMemory&&) = default;
   ~StepMemory() = default;
 
+  // move
+  std::vector<Fall> falls;  ///< by body; none without gravity
   std::vector<MovedBound> bounds;
+  // pair
   std::vector<PairBounds> candidates;
   std::vector<PairBounds> stoppable;  ///< where there are figures: those that are of no part
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
+  // prioritise
   StepOrder order;
+  // refine
   RefinedPairs refined;
-  ListRefinement refinement;
+  WorkSharing sharing;
+  std::int64_t work_of_folds{0};     ///< of figures, which the floor pays for
+  std::vector<ScheduledPair> pairs;  ///< by list and priority; only when they are watched
+  // model
   ContactModelling modelling;
   ModelledCollisions modelled;
-  std::vector<Fall> falls;        ///< by body; none without gravity
+  // respond
   std::vector<Contact> contacts;  ///< that are responded to
   std::vector<double> restitutions;
   Responder responder;
+  // remember
   std::vector<BodyPair> touching;
-  std::vector<TouchingLevel> touching_levels;
+
   StepReport report;
 };
 

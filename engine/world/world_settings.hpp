@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/collision/contact_reduction.hpp"
-#include "engine/collision/entry/tunnelling.hpp"
+#include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/dynamics/imposed_spin.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"

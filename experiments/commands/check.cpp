@@ -7,8 +7,8 @@
 #include <map>
 #include <memory>
 
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
@@ -18,11 +18,12 @@
 #include "experiments/protocol/expected_length.hpp"
 #include "experiments/protocol/protocol_page.hpp"
 #include "experiments/protocol/series_file.hpp"
-#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/rating.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus check` was asked for.
 struct CheckOptions {
   std::vector<std::string> files;
   double refresh_hz{60.0};
@@ -65,12 +66,9 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
 
 /// "click during the stimulus, rating after the stimulus"
 std::string response_list(const Script& script) {
-  const std::vector<std::string> asked = responses_of(script);
   std::string text;
-  for (const ResponseKind& kind : response_kinds()) {
-    if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
-      text += (text.empty() ? "" : ", ") + kind.name + " " + kind.when;
-    }
+  for (const auto& question : script.asked) {
+    text += (text.empty() ? "" : ", ") + question->kind().name + " " + question->kind().when;
   }
   return script.gaze ? text + "; the gaze is followed" : text;
 }
@@ -91,12 +89,10 @@ void print_design(const Protocol& protocol) {
   }
   print_exposure(protocol, plan);
   std::printf("  responses    %s\n", response_list(protocol.script).c_str());
-  if (protocol.script.scale) {
-    std::printf("  rating       %lld (%s) to %lld (%s)\n",
-                static_cast<long long>(protocol.script.scale->minimum),
-                protocol.script.scale->low_anchor.c_str(),
-                static_cast<long long>(protocol.script.scale->maximum),
-                protocol.script.scale->high_anchor.c_str());
+  if (const RatingScale* scale = find_scale(protocol.script)) {
+    std::printf("  rating       %lld (%s) to %lld (%s)\n", static_cast<long long>(scale->minimum),
+                scale->low_anchor.c_str(), static_cast<long long>(scale->maximum),
+                scale->high_anchor.c_str());
   }
   if (has_participants(protocol.document.value)) {
     std::printf("  duration     about %.0f minutes, at %.1f s for an answer\n",

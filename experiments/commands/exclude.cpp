@@ -11,6 +11,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus exclude` was asked for.
 struct ExcludeOptions {
   std::string database;
   Exclusion exclusion;

@@ -10,14 +10,14 @@
 #include "experiments/exports/anonymise.hpp"
 #include "experiments/exports/bids_export.hpp"
 #include "experiments/exports/csv_export.hpp"
-#include "experiments/exports/study_copy.hpp"
-#include "experiments/exports/whole_folder.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus export` was asked for.
 struct ExportOptions {
   std::string database;
   std::string format{"csv"};

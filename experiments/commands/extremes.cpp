@@ -20,6 +20,7 @@ namespace {
 
 using nlohmann::json;
 
+/// What `impetus extremes` was asked for.
 struct ExtremesOptions {
   bool quick{false};
   bool takes_long{false};

@@ -12,6 +12,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus merge` was asked for.
 struct MergeOptions {
   std::vector<std::string> sources;
   std::string into;

@@ -1,5 +1,4 @@
-// `impetus mesh check`: whether a mesh file can be simulated, the solid's mass properties, and a
-// repaired copy.
+// `impetus mesh check`: whether a mesh file can be simulated, and the solid's mass properties.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <memory>
@@ -7,21 +6,15 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/models/mesh_file.hpp"
-#include "experiments/models/mesh_mending.hpp"
 #include "experiments/models/mesh_report.hpp"
-#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
-struct MeshArguments {
-  std::vector<std::string> files;
-  std::string out;
-};
-
 int refuse(const std::string& file, const std::string& reason) {
   std::fflush(stdout);
-  std::fprintf(stderr, "impetus: %s: %s\n", file.c_str(), reason.c_str());
+  std::fprintf(stderr, "impetus: %s: %s; Blender, MeshLab or admesh can mend it\n", file.c_str(),
+               reason.c_str());
   return kFound;
 }
 
@@ -35,40 +28,16 @@ int check(const std::vector<std::string>& files) {
   return status;
 }
 
-int repair_into(const std::string& file, const std::string& out) {
-  const Mending mending = mend(file, out);
-  std::printf("%s\n", file.c_str());
-  if (!mending.refusal.empty()) {
-    return refuse(file, mending.refusal + "; nothing was written");
-  }
-  std::printf("%swritten       %s\n", describe_changes(mending.repair).c_str(), out.c_str());
-  return check({out});
-}
-
-int mesh_check(const MeshArguments& arguments) {
-  if (arguments.out.empty()) {
-    return check(arguments.files);
-  }
-  if (arguments.files.size() != 1) {
-    throw InputError("--repair: expected one file to repair, got " +
-                     std::to_string(arguments.files.size()));
-  }
-  return repair_into(arguments.files.front(), arguments.out);
-}
-
 }  // namespace
 
 void add_mesh(CLI::App& app, Command& chosen) {
-  auto arguments = std::make_shared<MeshArguments>();
+  auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* mesh = app.add_subcommand("mesh", "Look at triangle meshes");
   mesh->require_subcommand(1);
   CLI::App* command = mesh->add_subcommand(
       "check", "Can it be simulated? Its defects, volume and inertia; 1 when it cannot");
-  command->add_option("files", arguments->files, "OBJ, PLY, STL, OFF or glTF")->required();
-  command->add_option("--repair", arguments->out,
-                      "Write a repaired copy: a new .obj, .ply or .stl");
-  command->callback(
-      [arguments, &chosen] { chosen = [arguments] { return mesh_check(*arguments); }; });
+  command->add_option("files", *files, "OBJ, PLY, STL, OFF or glTF")->required();
+  command->callback([files, &chosen] { chosen = [files] { return check(*files); }; });
 }
 
 }  // namespace impetus::inline commands

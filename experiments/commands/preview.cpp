@@ -5,17 +5,16 @@
 #include <memory>
 #include <string>
 
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
-#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/run/level_collision.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/viewers/collision_strip.hpp"
@@ -25,6 +24,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus preview` was asked for.
 struct PreviewOptions {
   std::string scene;
   std::string screen_file;

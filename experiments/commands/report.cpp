@@ -15,8 +15,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/exports/r_scripts.hpp"
-#include "experiments/exports/study_copy.hpp"
-#include "experiments/exports/whole_folder.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -24,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What `impetus report` was asked for.
 struct ReportOptions {
   std::string study;
   std::string out{"report"};

@@ -6,11 +6,12 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/scheduling/named_kinds.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
-#include "experiments/trade/parting_rows.hpp"
+#include "experiments/trade/parting.hpp"
 #include "experiments/trade/trial_starts.hpp"
 
 namespace impetus::inline commands {
@@ -18,18 +19,10 @@ namespace {
 
 constexpr std::size_t kFewestOfACrowd = 3;
 
-std::vector<Traversal> traversals_of(const ScheduledTradeOptions& options) {
-  std::vector<Traversal> traversals;
-  for (const std::string& name : options.traversals) {
-    traversals.push_back(traversal_called(name));
-  }
-  return traversals.empty() ? all_traversals() : traversals;
-}
-
 std::vector<TriedOrder> orders_of(const ScheduledTradeOptions& options, const StagedScene& scene) {
   return tried_orders(scene,
                       options.schedulers.empty() ? schedulers_for(scene) : options.schedulers,
-                      traversals_of(options));
+                      tried_traversals(options.traversals));
 }
 
 /// As asked for; else all but the finest, which is the reference.
@@ -62,7 +55,7 @@ std::vector<PartingSetting> settings_of(const ScheduledTrade& trade,
       settings.push_back({kind, level, {"distance"}, {}});
     }
   }
-  for (const Traversal traversal : traversals_of(options)) {
+  for (const std::string& traversal : tried_traversals(options.traversals)) {
     for (const std::int64_t budget : few_of(budgets)) {
       settings.push_back({"", kUnlimitedLevel, {"eccentricity", traversal}, budget});
     }
@@ -117,7 +110,7 @@ void add_options(CLI::App& command, ScheduledTradeOptions& options) {
       ->delimiter(',');
   command
       .add_option("--traversals", options.traversals,
-                  "Of depth-first, breadth-first, best-first, visible-first; all")
+                  "Of " + list_names(traversal_names()) + "; all")
       ->delimiter(',');
   command
       .add_option("--budgets", options.budgets,

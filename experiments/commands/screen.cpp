@@ -11,13 +11,14 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #endif
 
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus screen` was asked for.
 struct ScreenOptions {
   double width_cm{0.0};
   double height_cm{0.0};

@@ -12,6 +12,7 @@
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus sessions` was asked for.
 struct SessionsOptions {
   std::string study;
   bool json{false};

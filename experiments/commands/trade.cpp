@@ -11,38 +11,55 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "experiments/commands/building_line.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/scheduled_trade.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
-#include "experiments/commands/trade_figure.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/csv_line.hpp"
-#include "experiments/trade/chosen_settings.hpp"
+#include "experiments/trade/embedded_trade_script.hpp"
 #include "experiments/trade/impacts/impact_rows.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
-#include "experiments/trade/scene_rows.hpp"
-#include "experiments/trade/step_time.hpp"
-#include "experiments/trade/thread_clock.hpp"
+#include "experiments/trade/scene_demand.hpp"
 #include "experiments/trade/trade_choice.hpp"
-#include "experiments/trade/trade_words.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
+/// Writes the figure's script, trade.R, into `folder` beside trade.csv and runs it with Rscript.
+/// What to tell the user: that trade.svg and trade.pdf are written, or what is missing and how to
+/// make them then.
+std::string draw_trade_figure(const std::filesystem::path& folder) {
+  const std::string script = (folder / "trade.R").string();
+  const std::string table = (folder / "trade.csv").string();
+  write_whole_file(script, kTradeScriptText);
+  const std::string by_hand = "Rscript " + script + " " + table;
+  const std::filesystem::path figure = folder / "trade.svg";
+  std::filesystem::remove(figure);
+  const int status = run_r_script({script, table});
+  if (status == 0 && std::filesystem::exists(figure)) {
+    return "figure: " + figure.string() + ", " + (folder / "trade.pdf").string();
+  }
+  const std::string missing = status == kNoRscript ? "Rscript is missing" : "Rscript failed";
+  return "no figure: " + missing + "; with R and ggplot2 (apt-get install r-cran-ggplot2), " +
+         by_hand + " draws it";
+}
+
 using nlohmann::json;
 
+/// What `impetus trade` was asked for.
 struct TradeOptions {
   std::string scene;
   std::string out{"trade"};

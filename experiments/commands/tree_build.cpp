@@ -12,16 +12,17 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/tree_commands.hpp"
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/named_shape.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus tree build` was asked for.
 struct BuildOptions {
   std::string what;
   std::string kind{"octree"};

@@ -12,14 +12,14 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
-#include "experiments/viewers/tree_pictures.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/tree_view.hpp"
 #endif
 
 namespace impetus::inline commands {
 namespace {
 
+/// What `impetus tree show` was asked for.
 struct ShowOptions {
   std::string file;
   std::optional<int> level;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/window/display_query.hpp"
+#include "experiments/window/display.hpp"
 #include "experiments/window/window.hpp"
 
 namespace impetus::inline commands {

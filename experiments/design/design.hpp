@@ -23,6 +23,7 @@ struct FactorLevel {
 /// One cell of the design: a level for every factor, in the design's order of factors.
 using Condition = std::vector<FactorLevel>;
 
+/// One factor and all its levels.
 struct Factor {
   std::string name;
   std::vector<LevelValue> levels;
@@ -38,6 +39,7 @@ struct LongestRun {
 /// of blocks is drawn, or a row of a Latin square: that of the number the participant's code ends
 /// in, so that P01, P02, ... are counterbalanced.
 struct Blocks {
+  /// Drawn, as the levels stand, or a row of the square.
   enum class Order { kRandom, kFixed, kLatinSquare };
   std::vector<std::string> factors;
   Order order{Order::kRandom};
@@ -60,6 +62,7 @@ struct Staircase {
 
 /// QUEST+ (Watson 2017): the level whose answer should take away most of the posterior's entropy.
 struct QuestPlus {
+  /// The form of the curve from guessing to lapsing.
   enum class Function { kWeibull, kNormal };
   /// What the level is counted in: as it is, its decimal logarithm, or decibels (20 log₁₀). Slopes
   /// are exponents (Weibull) or standard deviations (normal). See session/psychometric.hpp.
@@ -80,6 +83,7 @@ struct Adaptive {
   std::int64_t trials_per_track{0};
 };
 
+/// All of a design.
 struct Design {
   std::vector<Factor> factors;
   std::int64_t repetitions{1};

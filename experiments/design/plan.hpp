@@ -19,8 +19,10 @@ struct SolvedValue {
   friend bool operator==(const SolvedValue&, const SolvedValue&) = default;
 };
 
+/// Whether a trial is practice, which is never pooled, or counts.
 enum class TrialPhase { kPractice, kMain };
 
+/// One trial to be shown.
 struct PlannedTrial {
   std::int64_t slot{0};  ///< place in the session, from 1, practice first
   TrialPhase phase{TrialPhase::kMain};

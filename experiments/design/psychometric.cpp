@@ -3,9 +3,7 @@
 
 #include <numbers>
 
-#include "engine/numerics/exponential.hpp"
-#include "engine/numerics/logarithm.hpp"
-#include "engine/numerics/normal_distribution.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline design {
 namespace {

@@ -14,6 +14,7 @@
 
 namespace impetus::inline design {
 
+/// One psychometric function.
 struct PsychometricParameters {
   double threshold{0.0};  ///< on the scale
   double slope{1.0};      ///< > 0

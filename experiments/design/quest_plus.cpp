@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/numerics/logarithm.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline design {
 namespace {

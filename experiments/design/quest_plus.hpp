@@ -53,6 +53,7 @@ std::vector<PsychometricParameters> candidates_of(const QuestPlus& method);
 std::shared_ptr<const PsychometricTable> table_of(const QuestPlus& method,
                                                   const std::vector<double>& levels);
 
+/// What one track knows of the participant's function, and where it asks next.
 class QuestPlusTrack {
  public:
   /// Begins with a uniform prior.

@@ -16,6 +16,7 @@
 
 namespace impetus::inline design {
 
+/// Where one staircase stands.
 class StaircaseTrack {
  public:
   /// Begins at level `start`, less than `level_count`.
@@ -34,6 +35,7 @@ class StaircaseTrack {
   [[nodiscard]] std::vector<FactorLevel> state() const;
 
  private:
+  /// Of the last move; none before the first.
   enum class Direction { kNone, kHarder, kEasier };
 
   void move(Direction direction);

@@ -20,6 +20,7 @@ namespace impetus::inline drawing {
 
 using BodyColour = std::array<float, 3>;  ///< sRGB, 0–1
 
+/// What the colour of a body tells: nothing, for it is its own, or its priority, or its level.
 enum class BodyColours { kOwn, kPriority, kLevel };
 
 /// The next of them, and after the last the first.
@@ -36,6 +37,7 @@ enum class BodyColours { kOwn, kPriority, kLevel };
 void colour_bodies(std::vector<PosedBody>& bodies, const std::vector<BodyDetail>& details,
                    BodyColours colours, int finest);
 
+/// A colour and what it tells.
 struct ColourMeaning {
   BodyColour colour;
   std::string meaning;

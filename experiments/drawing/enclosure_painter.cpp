@@ -7,13 +7,42 @@
 #include <cmath>
 #include <cstddef>
 
-#include "experiments/drawing/enclosure_shader.hpp"
-#include "experiments/drawing/lighting_shader.hpp"
-#include "experiments/drawing/shader_program.hpp"
-#include "experiments/drawing/sphere_image.hpp"
+#include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {
 namespace {
+
+/// Of a wall: one tone, and a thin line along its edges. Follows kLightingShader; lengths in
+/// metres, the eye at the origin. The perspective and the depth are those of the meshes.
+constexpr const char* kEnclosureVertexShader = R"(
+layout(location = 0) in vec3 from_eye;
+layout(location = 1) in vec2 on_wall;  // ±1 at the wall's edges
+layout(location = 2) in float tone;    // sRGB
+uniform vec3 glass;                    // width, height, distance
+out vec2 across;
+flat out float grey;
+
+void main() {
+  across = on_wall;
+  grey = tone;
+  float ahead = -from_eye.z;
+  gl_Position = vec4(2.0 * glass.z * from_eye.xy / glass.xy, ahead - 2.0 * kNear, ahead);
+}
+)";
+
+constexpr const char* kEnclosureFragmentShader = R"(#version 330 core
+const float kHalfLine = 1.0;  // pixels: two walls share an edge
+const float kLineGrey = 0.40;
+in vec2 across;
+flat in float grey;
+out vec4 seen;
+
+void main() {
+  vec2 pixels = (1.0 - abs(across)) / max(fwidth(across), vec2(1e-6));
+  float line = clamp(kHalfLine + 0.5 - min(pixels.x, pixels.y), 0.0, 1.0);
+  seen = vec4(vec3(mix(grey, kLineGrey, line)), 1.0);
+}
+)";
 
 constexpr double kGreyFacing = 0.74;  // of the wall opposite the viewer
 constexpr double kGreyUpwards = 0.09;
@@ -25,17 +54,6 @@ struct Corner {
   float on_wall[2];
   float tone;
 };
-
-void describe_corner(unsigned place, int numbers, std::size_t offset) {
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                        reinterpret_cast<const void*>(offset));
-}
-
-Vector3 turned_to_eye(const Viewer& viewer, const Vector3& direction) {
-  return {viewer.right.dot(direction), viewer.up.dot(direction),
-          viewer.right.cross(viewer.up).dot(direction)};
-}
 
 /// The wall's corners in order around it. Corners are numbered by three bits, one for each pair of
 /// opposite walls.
@@ -56,7 +74,7 @@ void add_wall(const Enclosure& enclosure, int wall, const Viewer& viewer,
               std::vector<Corner>& corners) {
   constexpr std::array<std::size_t, 6> kOrder{0, 1, 2, 0, 2, 3};
   constexpr float kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  const float tone = wall_grey(turned_to_eye(viewer, inward_normal(enclosure, wall)));
+  const float tone = wall_grey(seen_direction(viewer, inward_normal(enclosure, wall)));
   const std::array<Vector3, 4> places = corners_of(enclosure, wall);
   for (const std::size_t place : kOrder) {
     const Eigen::Vector3f seen = seen_from_eye(viewer, places[place]).cast<float>();
@@ -84,22 +102,14 @@ float wall_grey(const Vector3& normal_E) {
 }
 
 EnclosurePainter::EnclosurePainter()
-    : program_(link_program({kLightingShader, kEnclosureVertexShader}, {kEnclosureFragmentShader})),
-      glass_(glGetUniformLocation(program_, "glass")) {
-  glGenVertexArrays(1, &arrangement_);
-  glGenBuffers(1, &corners_);
+    : program_({kLightingShader, kEnclosureVertexShader}, {kEnclosureFragmentShader}) {
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, corners_);
-  describe_corner(0, 3, offsetof(Corner, from_eye));
-  describe_corner(1, 2, offsetof(Corner, on_wall));
-  describe_corner(2, 1, offsetof(Corner, tone));
+  describe_records(RecordOf::kVertex, sizeof(Corner),
+                   {{0, 3, offsetof(Corner, from_eye)},
+                    {1, 2, offsetof(Corner, on_wall)},
+                    {2, 1, offsetof(Corner, tone)}});
   glBindVertexArray(0);
-}
-
-EnclosurePainter::~EnclosurePainter() {
-  glDeleteBuffers(1, &corners_);
-  glDeleteVertexArrays(1, &arrangement_);
-  glDeleteProgram(program_);
 }
 
 void EnclosurePainter::paint(const Enclosure& enclosure, const Viewer& viewer) {
@@ -107,15 +117,10 @@ void EnclosurePainter::paint(const Enclosure& enclosure, const Viewer& viewer) {
   for (const int wall : walls_facing(enclosure, viewer.eye)) {
     add_wall(enclosure, wall, viewer, corners);
   }
-  const ScreenGeometry& screen = viewer.screen;
-  glUseProgram(program_);
-  glUniform3f(glass_, static_cast<float>(screen.width_m), static_cast<float>(screen.height_m),
-              static_cast<float>(screen.viewing_distance_m));
+  program_.use(viewer);
   glEnable(GL_DEPTH_TEST);
   glBindVertexArray(arrangement_);
-  glBindBuffer(GL_ARRAY_BUFFER, corners_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)),
-               corners.data(), GL_STREAM_DRAW);
+  fill_buffer(GL_ARRAY_BUFFER, corners_, corners, GL_STREAM_DRAW);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
   glBindVertexArray(0);
   glDisable(GL_DEPTH_TEST);

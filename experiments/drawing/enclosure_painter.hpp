@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/volumes/enclosure.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
@@ -17,23 +18,19 @@ namespace impetus::inline drawing {
 /// light and without colour, the floor lightest, the ceiling darkest, left and right apart.
 [[nodiscard]] float wall_grey(const Vector3& normal_E);
 
+/// Draws the walls that face the eye.
 class EnclosurePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   EnclosurePainter();
-  ~EnclosurePainter();
-  EnclosurePainter(const EnclosurePainter&) = delete;
-  EnclosurePainter& operator=(const EnclosurePainter&) = delete;
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
   /// the depths of the meshes.
   void paint(const Enclosure& enclosure, const Viewer& viewer);
 
  private:
-  unsigned program_{0};
-  unsigned arrangement_{0};
-  unsigned corners_{0};
-  int glass_{-1};
+  ShaderProgram program_;
+  GlName arrangement_{GlName::Kind::kVertexArray};
+  GlName corners_{GlName::Kind::kBuffer};
 };
 
 }  // namespace impetus::inline drawing

@@ -1,19 +1,54 @@
 // Draws the bodies of a picture that have a mesh; each mesh is handed to the graphics card once.
+//
+//   few bodies   one call for each
+//   a crowd      bodies ──by distance──> mesh as seen (record/drawn_levels.hpp) ──> one call per
+//   mesh
+//
+// Of a crowd the nearest come first, so that what is hidden behind them costs next to nothing.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/drawing/uploaded_meshes.hpp"
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
 
+/// A mesh on the graphics card. While its owner lasts, no other mesh can have its address.
+struct UploadedMesh {
+  std::weak_ptr<const TriangleMesh> owner;
+  GlName arrangement{GlName::Kind::kVertexArray};  ///< positions at 0, normals at 1
+  GlName vertices{GlName::Kind::kBuffer};
+  GlName corners{GlName::Kind::kBuffer};  ///< of triangles, as indices of 32 bits
+  int indices{0};
+};
+
+/// Meshes on the graphics card: each is handed over once, and forgotten after its end.
+class UploadedMeshes {
+ public:
+  /// `describe` adds what a painter needs beside corners to each arrangement, which is bound then.
+  explicit UploadedMeshes(std::function<void()> describe = {}) : describe_(std::move(describe)) {}
+
+  /// A mesh must not change while anything owns it; its hard edges are those of its first picture.
+  /// The answer lasts as long as its mesh does.
+  const UploadedMesh& of(const std::shared_ptr<const TriangleMesh>& mesh, double hard_edge_deg);
+
+  /// Forgets the meshes that nobody owns any more; call it before a picture.
+  void forget_ended();
+
+ private:
+  std::function<void()> describe_;
+  std::unordered_map<const TriangleMesh*, std::unique_ptr<UploadedMesh>> meshes_;
+};
+
+/// Draws each body by itself, lit at every pixel.
 class MeshPainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   MeshPainter();
-  ~MeshPainter();
-  MeshPainter(const MeshPainter&) = delete;
-  MeshPainter& operator=(const MeshPainter&) = delete;
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
   /// the depths of the ray-cast spheres. Bodies without a mesh are passed over. A mesh must not
@@ -21,14 +56,38 @@ class MeshPainter {
   void paint(const Picture& picture);
 
  private:
-  void paint_body(const Viewer& viewer, const PosedBody& body);
-
-  unsigned program_{0};
-  int glass_{-1};
-  int turn_{-1};
-  int place_{-1};
-  int colour_{-1};
+  ShaderProgram program_;
   UploadedMeshes meshes_;
+};
+
+/// Draws a crowd: each body as coarsely as its distance allows, all of one mesh in one call.
+class CrowdPainter {
+ public:
+  CrowdPainter();
+
+  /// As MeshPainter::paint(), into a viewport that is `height_px` high.
+  void paint(const Picture& picture, int height_px);
+
+ private:
+  /// What the vertex shader takes for each body.
+  struct Instance {
+    float place[3];
+    float turn[4];
+    float colour[3];
+  };
+  /// The bodies that one mesh stands for.
+  struct Alike {
+    const UploadedMesh* mesh{nullptr};
+    std::vector<Instance> instances;
+  };
+
+  void sort(const Picture& picture, int height_px);
+
+  ShaderProgram program_;
+  GlName instances_{GlName::Kind::kBuffer};
+  UploadedMeshes meshes_;
+  std::vector<Alike> groups_;                           ///< of the picture, the nearest first
+  std::unordered_map<unsigned, std::size_t> group_of_;  ///< by the mesh's arrangement
 };
 
 }  // namespace impetus::inline drawing

@@ -3,10 +3,23 @@
 
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "experiments/drawing/sphere_image.hpp"
-
 namespace impetus::inline drawing {
+
+Vector3 seen_direction(const Viewer& viewer, const Vector3& direction_W) {
+  return {viewer.right.dot(direction_W), viewer.up.dot(direction_W),
+          viewer.right.cross(viewer.up).dot(direction_W)};
+}
+
+Vector3 seen_from_eye(const Viewer& viewer, const Vector3& p_WP) {
+  return seen_direction(viewer, p_WP - viewer.eye);
+}
+
+Matrix3 rotation_to_eye(const Viewer& viewer) {
+  Matrix3 R_EW;
+  R_EW << viewer.right.transpose(), viewer.up.transpose(),
+      viewer.right.cross(viewer.up).transpose();
+  return R_EW;
+}
 
 PictureMap::PictureMap(const Viewer& viewer, const PixelArea& area, int window_height_px)
     : viewer_(viewer),
@@ -22,14 +35,11 @@ std::optional<WindowPoint> PictureMap::seen(const Vector3& p_WP) const {
   if (ahead_m < kNear_m) {
     return std::nullopt;
   }
-  const double scale = viewer_.screen.viewing_distance_m / ahead_m;
-  return at({scale * from_eye.x(), scale * from_eye.y()});
-}
-
-WindowPoint PictureMap::at(const ScreenPoint& point) const {
-  const double x = left_px_ + (0.5 * viewer_.screen.width_m + point.x_m) * px_per_m_x_;
-  const double y = top_px_ + (0.5 * viewer_.screen.height_m - point.y_m) * px_per_m_y_;
-  return {static_cast<float>(x), static_cast<float>(y)};
+  const ScreenGeometry& screen = viewer_.screen;
+  const double scale = screen.viewing_distance_m / ahead_m;
+  const double x = left_px_ + (0.5 * screen.width_m + scale * from_eye.x()) * px_per_m_x_;
+  const double y = top_px_ + (0.5 * screen.height_m - scale * from_eye.y()) * px_per_m_y_;
+  return WindowPoint{static_cast<float>(x), static_cast<float>(y)};
 }
 
 std::optional<ScreenPoint> PictureMap::glass_under(const WindowPoint& pixel) const {
@@ -39,12 +49,6 @@ std::optional<ScreenPoint> PictureMap::glass_under(const WindowPoint& pixel) con
                           half_height_m - (pixel.y - top_px_) / px_per_m_y_};
   const bool within = std::abs(point.x_m) <= half_width_m && std::abs(point.y_m) <= half_height_m;
   return within ? std::optional<ScreenPoint>(point) : std::nullopt;
-}
-
-float PictureMap::pixels_across(double angle_deg) const {
-  const SineCosine half = sine_cosine_deg(0.5 * angle_deg);
-  const double length_m = 2.0 * viewer_.screen.viewing_distance_m * half.sine / half.cosine;
-  return static_cast<float>(length_m * px_per_m_x_);
 }
 
 }  // namespace impetus::inline drawing

@@ -21,6 +21,7 @@ namespace impetus::inline drawing {
 /// In the world, of a body at `pose`.
 RoundedBox posed(const RoundedBox& box, const Pose& pose);
 
+/// Corners and triangles that any rounded box is drawn with.
 struct RoundedBoxMesh {
   /// A vertex lies at centre + axes (corner ∘ half_extents_m + radius_m · normal); its own normal
   /// is axes · normal.

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/drawing/palette.hpp"
-#include "experiments/drawing/sphere_shader.hpp"
 
 namespace impetus::inline drawing {
 namespace {
@@ -39,10 +38,6 @@ std::vector<ColouredSphere> spheres_of(const Picture& picture) {
 }
 
 }  // namespace
-
-ScenePainter::ScenePainter()
-    : balls_(kSphereFragmentShader, HidesOthers::kYes),
-      clear_balls_(kVolumeFragmentShader, HidesOthers::kNo) {}
 
 void ScenePainter::fill(const PixelArea& area, float grey) {
   glEnable(GL_SCISSOR_TEST);
@@ -90,20 +85,11 @@ void ScenePainter::paint_all(const Picture& picture, const std::vector<ColouredV
   if (picture.enclosure) {
     enclosure_.paint(*picture.enclosure, picture.viewer);
   }
-  paint_meshes(picture, area.height);
-  paint_rest(picture, volumes, area);
-}
-
-void ScenePainter::paint_meshes(const Picture& picture, int height_px) {
   if (is_crowd(picture.bodies.size())) {
-    crowd_.paint(picture, height_px);
+    crowd_.paint(picture, area.height);
   } else {
     meshes_.paint(picture);
   }
-}
-
-void ScenePainter::paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
-                              const PixelArea& area) {
   balls_.paint(spheres_of(picture), picture.viewer, area);
   std::vector<ColouredSphere> balls;
   std::vector<ColouredVolume> others;

@@ -15,28 +15,23 @@
 
 #include <vector>
 
-#include "experiments/drawing/crowd_painter.hpp"
 #include "experiments/drawing/enclosure_painter.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/mesh_painter.hpp"
-#include "experiments/drawing/multisampled_target.hpp"
-#include "experiments/drawing/pixel_area.hpp"
 #include "experiments/drawing/sphere_painter.hpp"
 #include "experiments/drawing/volume_painter.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
 
+/// Paints pictures and what is drawn over them.
 class ScenePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
-  ScenePainter();
-
   /// Fills the area with a grey (sRGB, 0–1).
   void fill(const PixelArea& area, float grey);
 
   /// Paints ground, enclosure, bodies and fixation cross; the viewer's screen fills the area
-  /// exactly.
-  /// `volumes` are drawn over it, translucent, where nothing is in front of them.
+  /// exactly. `volumes` are drawn over it, translucent, where nothing is in front of them.
   void paint(const Picture& picture, const PixelArea& area,
              const std::vector<ColouredVolume>& volumes = {});
 
@@ -49,13 +44,10 @@ class ScenePainter {
                           const PixelArea& area, unsigned framebuffer = 0);
   void paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                  const PixelArea& area);
-  void paint_meshes(const Picture& picture, int height_px);
-  void paint_rest(const Picture& picture, const std::vector<ColouredVolume>& volumes,
-                  const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
-  SpherePainter balls_;
-  SpherePainter clear_balls_;
+  SpherePainter balls_{BallKind::kOpaque};
+  SpherePainter clear_balls_{BallKind::kClear};
   VolumePainter shells_;
   EnclosurePainter enclosure_;
   MeshPainter meshes_;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline drawing {
 namespace {
@@ -34,33 +36,18 @@ class Groups {
   std::vector<std::uint32_t> above_;
 };
 
-/// One triangle's side between two vertices, and its corners there.
-struct Side {
-  std::uint32_t low_vertex;
-  std::uint32_t high_vertex;
-  std::uint32_t low_corner;
-  std::uint32_t high_corner;
-
-  [[nodiscard]] bool same_edge(const Side& other) const {
-    return low_vertex == other.low_vertex && high_vertex == other.high_vertex;
-  }
-};
-
 Vector3 unit_or_zero(const Vector3& v) {
   const double length = v.norm();
   return length > 0.0 ? Vector3(v / length) : Vector3(Vector3::Zero());
-}
-
-Vector3 face_normal(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  const Vector3& a = mesh.vertices[triangle[0]];
-  return unit_or_zero((mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a));
 }
 
 std::vector<Vector3> face_normals(const TriangleMesh& mesh) {
   std::vector<Vector3> normals;
   normals.reserve(mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
-    normals.push_back(face_normal(mesh, triangle));
+    const Vector3& a = mesh.vertices[triangle[0]];
+    normals.push_back(
+        unit_or_zero((mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a)));
   }
   return normals;
 }
@@ -73,40 +60,32 @@ double corner_angle(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// Sides in an order that puts those of one edge next to each other.
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  std::uint32_t corner = 0;
-  for (const auto& triangle : mesh.triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t next = (k + 1) % 3;
-      const Side side{triangle[k], triangle[next], corner + k, corner + next};
-      sides.push_back(side.low_vertex < side.high_vertex ? side
-                                                         : Side{side.high_vertex, side.low_vertex,
-                                                                side.high_corner, side.low_corner});
-    }
-    corner += 3;
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& one, const Side& other) {
-    return std::array{one.low_vertex, one.high_vertex, one.low_corner} <
-           std::array{other.low_vertex, other.high_vertex, other.low_corner};
-  });
-  return sides;
-}
-
-Groups joined_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals,
+/// Takes the triangles one after the other: across each edge, a triangle's two corners join those
+/// of the triangle that had the edge before, where the normals of the two are near each other.
+Groups groups_across_soft_edges(const TriangleMesh& mesh, const std::vector<Vector3>& normals,
                                 double hard_edge_deg) {
+  /// A triangle's corners at the two vertices of an edge, that of the lower vertex first.
+  using Side = std::array<std::uint32_t, 2>;
   Groups groups(3 * mesh.triangles.size());
   const double least_cosine = sine_cosine_deg(hard_edge_deg).cosine;
-  const std::vector<Side> sides = sorted_sides(mesh);
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side& one = sides[i - 1];
-    const Side& other = sides[i];
-    if (one.same_edge(other) &&
-        normals[one.low_corner / 3].dot(normals[other.low_corner / 3]) >= least_cosine) {
-      groups.join(one.low_corner, other.low_corner);
-      groups.join(one.high_corner, other.high_corner);
+  std::unordered_map<std::uint64_t, Side> last_of_edge;
+  last_of_edge.reserve(2 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      std::uint32_t low = mesh.triangles[t][k];
+      std::uint32_t high = mesh.triangles[t][(k + 1) % 3];
+      Side side{3 * t + k, 3 * t + (k + 1) % 3};
+      if (low > high) {
+        std::swap(low, high);
+        std::swap(side[0], side[1]);
+      }
+      const auto [at, is_new] =
+          last_of_edge.try_emplace(static_cast<std::uint64_t>(high) << 32U | low, side);
+      if (!is_new && normals[at->second[0] / 3].dot(normals[t]) >= least_cosine) {
+        groups.join(at->second[0], side[0]);
+        groups.join(at->second[1], side[1]);
+      }
+      at->second = side;
     }
   }
   return groups;
@@ -118,9 +97,9 @@ std::array<float, 3> as_floats(const Vector3& v) {
 
 }  // namespace
 
-ShadedMesh shaded(const TriangleMesh& mesh, double hard_edge_deg) {
+ShadedMesh shaded_mesh(const TriangleMesh& mesh, double hard_edge_deg) {
   const std::vector<Vector3> normals = face_normals(mesh);
-  Groups groups = joined_across_soft_edges(mesh, normals, hard_edge_deg);
+  Groups groups = groups_across_soft_edges(mesh, normals, hard_edge_deg);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   std::vector<Vector3> sums(corners, Vector3::Zero());
   for (std::uint32_t corner = 0; corner < corners; ++corner) {

@@ -4,15 +4,85 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-
-#include "experiments/drawing/lighting_shader.hpp"
-#include "experiments/drawing/shader_program.hpp"
-#include "experiments/drawing/sphere_image.hpp"
-#include "experiments/drawing/sphere_shader.hpp"
+#include <optional>
+#include <utility>
 
 namespace impetus::inline drawing {
 namespace {
+
+/// One rectangle on the glass per sphere; lengths in metres, the eye at the origin.
+constexpr const char* kSphereVertexShader = R"(#version 330 core
+layout(location = 0) in vec4 bounds;  // left, right, bottom, top on the glass
+layout(location = 1) in vec4 sphere;  // centre, radius
+layout(location = 2) in vec3 colour;  // sRGB
+uniform vec3 glass;                   // width, height, distance
+uniform vec2 margin;                  // two pixels
+out vec3 ray;
+flat out vec4 body;
+flat out vec3 paint;
+
+void main() {
+  vec2 low = vec2(bounds.x, bounds.z) - margin;
+  vec2 high = vec2(bounds.y, bounds.w) + margin;
+  vec2 corner = mix(low, high, vec2(gl_VertexID & 1, gl_VertexID >> 1));
+  ray = vec3(corner, -glass.z);
+  body = sphere;
+  paint = colour;
+  gl_Position = vec4(2.0 * corner / glass.xy, 0.0, 1.0);
+}
+)";
+
+/// Follows kLightingShader.
+constexpr const char* kSphereFragmentShader = R"(
+in vec3 ray;
+flat in vec4 body;
+flat in vec3 paint;
+out vec4 seen;
+
+void main() {
+  vec3 direction = normalize(ray);
+  float radius = body.w;
+  float beside = length(cross(body.xyz, direction));  // of the ray from the centre
+  float pixel = max(length(vec2(dFdx(beside), dFdy(beside))), 1e-9);
+  float covered = clamp(0.5 - (beside - radius) / pixel, 0.0, 1.0);
+  if (covered <= 0.0) {
+    discard;
+  }
+  float along = dot(body.xyz, direction);
+  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
+  vec3 normal = normalize(hit - body.xyz);
+  seen = vec4(light(normal, -direction, paint), covered);
+  gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
+}
+)";
+
+/// Follows kLightingShader: a translucent ball with a rim of a pixel or two.
+constexpr const char* kClearBallFragmentShader = R"(
+const float kInside = 0.09;
+const float kRim = 0.75;
+in vec3 ray;
+flat in vec4 body;
+flat in vec3 paint;
+out vec4 seen;
+
+void main() {
+  vec3 direction = normalize(ray);
+  float radius = body.w;
+  float beside = length(cross(body.xyz, direction));  // of the ray from the centre
+  float pixel = max(length(vec2(dFdx(beside), dFdy(beside))), 1e-9);
+  float within = (radius - beside) / pixel;  // pixels from the rim
+  if (within <= 0.0) {
+    discard;
+  }
+  float rim = clamp(within, 0.0, 1.0) * clamp(2.2 - within, 0.0, 1.0);
+  float along = dot(body.xyz, direction);
+  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
+  seen = vec4(paint, mix(kInside, kRim, rim));
+  gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
+}
+)";
 
 /// What the vertex shader takes for each sphere.
 struct SphereInstance {
@@ -21,11 +91,31 @@ struct SphereInstance {
   float colour[3];
 };
 
-void describe_sphere(unsigned place, int numbers, std::size_t offset) {
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(SphereInstance),
-                        reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(place, 1);
+/// Bounds on the glass, metres from its centre.
+struct ImageBounds {
+  double left{0.0};
+  double right{0.0};
+  double bottom{0.0};
+  double top{0.0};
+};
+
+/// The two tangents from the eye in the plane of one screen direction and the line of sight.
+std::pair<double, double> tangents(double across_m, double ahead_m, double radius_m) {
+  const double direction = std::atan2(across_m, ahead_m);
+  const double half_angle = std::asin(radius_m / std::hypot(across_m, ahead_m));
+  return {std::tan(direction - half_angle), std::tan(direction + half_angle)};
+}
+
+/// Exact bounds of the perspective image of a sphere with its centre at `p_EC` (as seen from the
+/// eye) on a glass `distance_m` away; nothing when it reaches the eye's own plane.
+std::optional<ImageBounds> image_bounds(const Vector3& p_EC, double radius_m, double distance_m) {
+  const double ahead_m = -p_EC.z();
+  if (ahead_m <= radius_m) {
+    return std::nullopt;
+  }
+  const auto [left, right] = tangents(p_EC.x(), ahead_m, radius_m);
+  const auto [bottom, top] = tangents(p_EC.y(), ahead_m, radius_m);
+  return ImageBounds{left * distance_m, right * distance_m, bottom * distance_m, top * distance_m};
 }
 
 /// The spheres that can be seen, farthest first: a blended edge needs what is behind it.
@@ -39,7 +129,7 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
   for (const ColouredSphere& each : spheres) {
     const double radius_m = each.sphere.radius_m;
     const Vector3 centre = seen_from_eye(viewer, each.sphere.centre);
-    const auto bounds = image_of_sphere(centre, radius_m, viewer.screen.viewing_distance_m);
+    const auto bounds = image_bounds(centre, radius_m, viewer.screen.viewing_distance_m);
     if (!bounds) {
       continue;
     }
@@ -64,23 +154,18 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
 
 }  // namespace
 
-SpherePainter::SpherePainter(const char* fragment_shader, HidesOthers hides)
-    : hides_(hides),
-      program_(link_program({kSphereVertexShader}, {kLightingShader, fragment_shader})) {
-  glGenVertexArrays(1, &arrangement_);
-  glGenBuffers(1, &instances_);
+SpherePainter::SpherePainter(BallKind kind)
+    : kind_(kind),
+      program_({kSphereVertexShader},
+               {kLightingShader,
+                kind == BallKind::kOpaque ? kSphereFragmentShader : kClearBallFragmentShader}) {
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
-  describe_sphere(0, 4, offsetof(SphereInstance, bounds));
-  describe_sphere(1, 4, offsetof(SphereInstance, sphere));
-  describe_sphere(2, 3, offsetof(SphereInstance, colour));
+  describe_records(RecordOf::kInstance, sizeof(SphereInstance),
+                   {{0, 4, offsetof(SphereInstance, bounds)},
+                    {1, 4, offsetof(SphereInstance, sphere)},
+                    {2, 3, offsetof(SphereInstance, colour)}});
   glBindVertexArray(0);
-}
-
-SpherePainter::~SpherePainter() {
-  glDeleteBuffers(1, &instances_);
-  glDeleteVertexArrays(1, &arrangement_);
-  glDeleteProgram(program_);
 }
 
 void SpherePainter::paint(const std::vector<ColouredSphere>& spheres, const Viewer& viewer,
@@ -88,22 +173,17 @@ void SpherePainter::paint(const std::vector<ColouredSphere>& spheres, const View
   glViewport(area.left, area.bottom, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.left, area.bottom, area.width, area.height);
-  const ScreenGeometry& screen = viewer.screen;
-  glUseProgram(program_);
-  glUniform3f(glGetUniformLocation(program_, "glass"), static_cast<float>(screen.width_m),
-              static_cast<float>(screen.height_m), static_cast<float>(screen.viewing_distance_m));
-  glUniform2f(glGetUniformLocation(program_, "margin"),
-              static_cast<float>(2.0 * screen.width_m / area.width),
-              static_cast<float>(2.0 * screen.height_m / area.height));
+  program_.use(viewer);
+  glUniform2f(program_.uniform("margin"),
+              static_cast<float>(2.0 * viewer.screen.width_m / area.width),
+              static_cast<float>(2.0 * viewer.screen.height_m / area.height));
   const std::vector<SphereInstance> instances = instances_of(spheres, viewer);
   glEnable(GL_DEPTH_TEST);
-  glDepthMask(hides_ == HidesOthers::kYes ? GL_TRUE : GL_FALSE);
+  glDepthMask(kind_ == BallKind::kOpaque ? GL_TRUE : GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(arrangement_);
-  glBindBuffer(GL_ARRAY_BUFFER, instances_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(SphereInstance)),
-               instances.data(), GL_STREAM_DRAW);
+  fill_buffer(GL_ARRAY_BUFFER, instances_, instances, GL_STREAM_DRAW);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances.size()));
   glBindVertexArray(0);
   glDepthMask(GL_TRUE);

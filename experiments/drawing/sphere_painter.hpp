@@ -1,32 +1,31 @@
-// Draws spheres in exact perspective by one of the sphere shaders, all in one call.
+// Draws spheres in exact perspective, all in one call: every pixel of an image asks the sphere
+// itself.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "engine/scheduling/viewer.hpp"
 #include "engine/volumes/sphere.hpp"
-#include "experiments/drawing/pixel_area.hpp"
+#include "experiments/drawing/gl_parts.hpp"
+#include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {
 
+/// A ball to be drawn.
 struct ColouredSphere {
   Sphere sphere;                  ///< in world
   std::array<float, 3> colour{};  ///< sRGB, 0–1
 };
 
-/// Whether what is drawn later can be hidden by it.
-enum class HidesOthers { kNo, kYes };
+/// What balls are made of: opaque ones are lit, with blended edges; clear ones have a thin rim, and
+/// do not hide what is drawn later.
+enum class BallKind { kOpaque, kClear };
 
+/// Draws balls of one kind.
 class SpherePainter {
  public:
-  /// `fragment_shader` follows kLightingShader. Needs a current OpenGL 3.3 context, now and for
-  /// every call.
-  SpherePainter(const char* fragment_shader, HidesOthers hides);
-  ~SpherePainter();
-  SpherePainter(const SpherePainter&) = delete;
-  SpherePainter& operator=(const SpherePainter&) = delete;
+  explicit SpherePainter(BallKind kind);
 
   /// Draws those that can be seen, farthest first, into the area of the current target, which the
   /// viewer's screen fills exactly.
@@ -34,10 +33,10 @@ class SpherePainter {
              const PixelArea& area);
 
  private:
-  HidesOthers hides_;
-  unsigned program_{0};
-  unsigned arrangement_{0};
-  unsigned instances_{0};
+  BallKind kind_;
+  ShaderProgram program_;
+  GlName arrangement_{GlName::Kind::kVertexArray};
+  GlName instances_{GlName::Kind::kBuffer};
 };
 
 }  // namespace impetus::inline drawing

@@ -1,4 +1,5 @@
-// Paints a volume tree and the mesh it bounds, turned as one likes.
+// Paints a volume tree and the mesh it bounds, turned as one likes: its level, what colours mean,
+// and the numbers beside it.
 //
 // The object is shown at a size of its own, whatever its metres: its bounding sphere fills the
 // picture at a zoom of 1.
@@ -6,13 +7,46 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "engine/trees/level_quality.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/mesh_painter.hpp"
-#include "experiments/drawing/multisampled_target.hpp"
-#include "experiments/drawing/pixel_area.hpp"
-#include "experiments/drawing/tree_look.hpp"
+#include "experiments/drawing/volume_painter.hpp"
 
 namespace impetus::inline drawing {
+
+/// A tree and the mesh it bounds, in one frame, in metres.
+struct ShownTree {
+  std::string title;  ///< "dragon.obj · medial, depth 4, branching 8"
+  TriangleMesh mesh;
+  VolumeTree tree;
+  std::vector<LevelQuality> quality;  ///< one per level; empty: not known
+};
+
+/// What the colour of a node tells: its level, the share of it that is solid, or the piece of
+/// surface that it lies on.
+enum class TreeColour { kLevel, kOccupancy, kGroup };
+
+/// What is shown of a tree.
+struct TreeLook {
+  int level{0};
+  TreeColour colour{TreeColour::kLevel};
+  bool volumes{true};
+  bool mesh{true};  ///< seen through the volumes, which are clear then
+
+  friend bool operator==(const TreeLook&, const TreeLook&) = default;
+};
+
+/// One number of a level, and what it is.
+struct LegendLine {
+  std::string name;
+  std::string value;
+};
+
+/// A level in numbers: those that are known.
+std::vector<LegendLine> legend_of(const ShownTree& shown, int level);
 
 /// How the object is held before the eye.
 struct Orbit {
@@ -31,9 +65,10 @@ struct Orbit {
   }
 };
 
+/// Paints one tree, and only what has changed.
 class TreePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call; `shown` must outlive it.
+  /// `shown` must outlive it.
   explicit TreePainter(const ShownTree& shown);
 
   /// Paints the area of the window on a ground of a grey (sRGB, 0–1); what is as it was the last

@@ -6,13 +6,52 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "experiments/drawing/lighting_shader.hpp"
-#include "experiments/drawing/shader_program.hpp"
-#include "experiments/drawing/sphere_image.hpp"
-#include "experiments/drawing/volume_shader.hpp"
+#include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {
 namespace {
+
+/// A volume of any kind as a rounded box, in the perspective and the depth of the ray-cast spheres.
+/// Follows kLightingShader; lengths in metres, the eye at the origin.
+constexpr const char* kRoundedBoxVertexShader = R"(
+layout(location = 0) in vec3 corner;   // of the box, ±1 each
+layout(location = 1) in vec3 outward;  // unit, in the box's axes
+layout(location = 2) in vec4 place;    // centre from the eye, radius
+layout(location = 3) in vec3 extents;  // half
+layout(location = 4) in vec4 turn;     // from the box's axes to the viewer's: x y z w
+layout(location = 5) in vec3 colour;   // sRGB
+uniform vec3 glass;                    // width, height, distance
+out vec3 from_eye;
+out vec3 upright;
+flat out vec3 paint;
+invariant gl_Position;
+
+vec3 turned(vec3 v) { return v + 2.0 * cross(turn.xyz, cross(turn.xyz, v) + turn.w * v); }
+
+void main() {
+  from_eye = place.xyz + turned(corner * extents + place.w * outward);
+  upright = turned(outward);
+  paint = colour;
+  float ahead = -from_eye.z;
+  gl_Position = vec4(2.0 * glass.z * from_eye.xy / glass.xy, ahead - 2.0 * kNear, ahead);
+}
+)";
+
+/// Follows kLightingShader.
+constexpr const char* kRoundedBoxFragmentShader = R"(
+in vec3 from_eye;
+in vec3 upright;
+flat in vec3 paint;
+uniform float opacity;
+out vec4 seen;
+
+void main() {
+  vec3 normal = normalize(upright);
+  vec3 towards = -normalize(from_eye);
+  float rim = 1.0 - max(dot(normal, towards), 0.0);  // glass is denser where it is seen aslant
+  seen = vec4(light(normal, towards, paint), mix(opacity, 1.0, 0.55 * rim * rim * rim));
+}
+)";
 
 /// What the vertex shader takes for each volume.
 struct VolumeInstance {
@@ -22,26 +61,9 @@ struct VolumeInstance {
   float colour[3];
 };
 
-constexpr unsigned kFirstInstanceAttribute = 2;
-
-void describe_volume(unsigned place, int numbers, std::size_t stride, std::size_t offset) {
-  glEnableVertexAttribArray(place);
-  glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                        reinterpret_cast<const void*>(offset));
-  glVertexAttribDivisor(place, place < kFirstInstanceAttribute ? 0 : 1);
-}
-
-template <typename T>
-void fill_buffer(GLenum kind, unsigned buffer, const std::vector<T>& values, GLenum usage) {
-  glBindBuffer(kind, buffer);
-  glBufferData(kind, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), usage);
-}
-
 /// Poses are combined in double precision: the card sees only numbers near the eye.
 VolumeInstance instance_of(const ColouredVolume& volume, const Viewer& viewer) {
-  Matrix3 R_EW;
-  R_EW << viewer.right.transpose(), viewer.up.transpose(),
-      viewer.right.cross(viewer.up).transpose();
+  const Matrix3 R_EW = rotation_to_eye(viewer);
   const RoundedBox& shape = volume.shape;
   const Eigen::Vector3f place = seen_from_eye(viewer, shape.centre).cast<float>();
   const Eigen::Vector3f extents = shape.half_extents_m.cast<float>();
@@ -66,46 +88,29 @@ std::size_t fineness_of(const VolumeInstance& instance, float px_at_a_metre) {
 }  // namespace
 
 VolumePainter::VolumePainter()
-    : program_(link_program({kLightingShader, kRoundedBoxVertexShader},
-                            {kLightingShader, kRoundedBoxFragmentShader})) {
-  glGenBuffers(1, &instances_);
+    : program_({kLightingShader, kRoundedBoxVertexShader},
+               {kLightingShader, kRoundedBoxFragmentShader}) {
   for (std::size_t fineness = 0; fineness < kParts.size(); ++fineness) {
-    meshes_[fineness] = upload(kParts[fineness], instances_);
+    upload(kParts[fineness], meshes_[fineness]);
   }
 }
 
-VolumePainter::~VolumePainter() {
-  for (const Uploaded& mesh : meshes_) {
-    glDeleteBuffers(2, mesh.buffers.data());
-    glDeleteVertexArrays(1, &mesh.arrangement);
-  }
-  glDeleteBuffers(1, &instances_);
-  glDeleteProgram(program_);
-}
-
-VolumePainter::Uploaded VolumePainter::upload(int parts, unsigned instances) {
+void VolumePainter::upload(int parts, Uploaded& mesh) const {
   using Vertex = RoundedBoxMesh::Vertex;
   const RoundedBoxMesh ready = rounded_box_mesh(parts);
-  Uploaded mesh;
   mesh.indices = static_cast<int>(ready.indices.size());
-  glGenVertexArrays(1, &mesh.arrangement);
-  glGenBuffers(2, mesh.buffers.data());
   glBindVertexArray(mesh.arrangement);
-  fill_buffer(GL_ARRAY_BUFFER, mesh.buffers[0], ready.vertices, GL_STATIC_DRAW);
-  fill_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.buffers[1], ready.indices, GL_STATIC_DRAW);
-  describe_volume(0, 3, sizeof(Vertex), offsetof(Vertex, corner));
-  describe_volume(1, 3, sizeof(Vertex), offsetof(Vertex, normal));
-  glBindBuffer(GL_ARRAY_BUFFER, instances);
-  describe_volume(kFirstInstanceAttribute, 4, sizeof(VolumeInstance),
-                  offsetof(VolumeInstance, place));
-  describe_volume(kFirstInstanceAttribute + 1, 3, sizeof(VolumeInstance),
-                  offsetof(VolumeInstance, extents));
-  describe_volume(kFirstInstanceAttribute + 2, 4, sizeof(VolumeInstance),
-                  offsetof(VolumeInstance, turn));
-  describe_volume(kFirstInstanceAttribute + 3, 3, sizeof(VolumeInstance),
-                  offsetof(VolumeInstance, colour));
+  fill_buffer(GL_ARRAY_BUFFER, mesh.vertices, ready.vertices, GL_STATIC_DRAW);
+  fill_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.corners, ready.indices, GL_STATIC_DRAW);
+  describe_records(RecordOf::kVertex, sizeof(Vertex),
+                   {{0, 3, offsetof(Vertex, corner)}, {1, 3, offsetof(Vertex, normal)}});
+  glBindBuffer(GL_ARRAY_BUFFER, instances_);
+  describe_records(RecordOf::kInstance, sizeof(VolumeInstance),
+                   {{2, 4, offsetof(VolumeInstance, place)},
+                    {3, 3, offsetof(VolumeInstance, extents)},
+                    {4, 4, offsetof(VolumeInstance, turn)},
+                    {5, 3, offsetof(VolumeInstance, colour)}});
   glBindVertexArray(0);
-  return mesh;
 }
 
 void VolumePainter::paint(const std::vector<ColouredVolume>& volumes, const Viewer& viewer,
@@ -127,10 +132,8 @@ void VolumePainter::paint(const std::vector<ColouredVolume>& volumes, const View
                               static_cast<GLsizei>(instances.size()));
     }
   };
-  glUseProgram(program_);
-  glUniform3f(glGetUniformLocation(program_, "glass"), static_cast<float>(screen.width_m),
-              static_cast<float>(screen.height_m), static_cast<float>(screen.viewing_distance_m));
-  glUniform1f(glGetUniformLocation(program_, "opacity"), opacity);
+  program_.use(viewer);
+  glUniform1f(program_.uniform("opacity"), opacity);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   if (opacity < 1.0F) {

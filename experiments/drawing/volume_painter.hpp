@@ -8,23 +8,21 @@
 #include <array>
 #include <vector>
 
-#include "engine/scheduling/viewer.hpp"
+#include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/rounded_box_mesh.hpp"
 
 namespace impetus::inline drawing {
 
+/// A volume to be drawn.
 struct ColouredVolume {
   RoundedBox shape;               ///< in world
   std::array<float, 3> colour{};  ///< sRGB, 0–1
 };
 
+/// Draws rounded boxes, each by a mesh as fine as its size asks for.
 class VolumePainter {
  public:
-  /// Needs a current OpenGL 3.3 context, now and for every call.
   VolumePainter();
-  ~VolumePainter();
-  VolumePainter(const VolumePainter&) = delete;
-  VolumePainter& operator=(const VolumePainter&) = delete;
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly and is
   /// `height_px` high, where nothing is in front. `opacity` 1 is solid.
@@ -32,19 +30,20 @@ class VolumePainter {
              float opacity);
 
  private:
-  /// One mesh on the graphics card, from coarse to fine.
+  /// One mesh on the graphics card.
   struct Uploaded {
-    unsigned arrangement{0};
-    std::array<unsigned, 2> buffers{};
+    GlName arrangement{GlName::Kind::kVertexArray};
+    GlName vertices{GlName::Kind::kBuffer};
+    GlName corners{GlName::Kind::kBuffer};
     int indices{0};
   };
   static constexpr std::array<int, 5> kParts{1, 2, 4, 8, 14};
 
-  static Uploaded upload(int parts, unsigned instances);
+  void upload(int parts, Uploaded& mesh) const;
 
-  unsigned program_{0};
-  unsigned instances_{0};
-  std::array<Uploaded, kParts.size()> meshes_;
+  ShaderProgram program_;
+  GlName instances_{GlName::Kind::kBuffer};
+  std::array<Uploaded, kParts.size()> meshes_;  ///< from coarse to fine
 };
 
 }  // namespace impetus::inline drawing

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/exports/row_query.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/store/schema_words.hpp"
 
 namespace impetus::inline exports {
@@ -114,9 +115,14 @@ std::map<std::string, std::string> renumber_people(SQLite::Database& study) {
 }
 
 void take_out_what_was_typed(SQLite::Database& study) {
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.is_typed) {
+      study.exec("UPDATE response SET answer = NULL, detail = '{}' WHERE kind = '" + kind.name +
+                 "'");
+    }
+  }
   study.exec(
       "UPDATE answer SET answer = NULL; "
-      "UPDATE response SET answer = NULL, detail = '{}' WHERE kind = 'free_text'; "
       "UPDATE note SET text = ''; "
       "UPDATE exclusion SET reason = 'not told'; "
       "UPDATE session SET machine = 'not told'; "

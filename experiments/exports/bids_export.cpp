@@ -3,14 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/exports/bids_events.hpp"
-#include "experiments/exports/bids_gaze.hpp"
 #include "experiments/exports/bids_session.hpp"
-#include "experiments/exports/output_file.hpp"
+#include "experiments/exports/bids_tables.hpp"
+#include "experiments/exports/embedded_bids_words.hpp"
 #include "experiments/exports/row_query.hpp"
+#include "experiments/exports/whole_output.hpp"
+#include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/gzip.hpp"
 #include "experiments/tables/plain_text.hpp"
-#include "experiments/tables/tsv_line.hpp"
 
 namespace impetus::inline exports {
 namespace {
@@ -19,6 +19,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kBidsVersion = "1.11.0";
 
+/// Writes the files of a dataset, and counts.
 class BidsWriter {
  public:
   explicit BidsWriter(const std::filesystem::path& folder) : folder_(folder) {}
@@ -86,12 +87,7 @@ void write_participants(SQLite::Database& database, const BidsNames& names, Bids
     writer.count(1);
   }
   writer.write("participants.tsv", table);
-  writer.write_json(
-      "participants.json",
-      ordered_json{{"code", {{"Description", "The code that was given at enrolment"}}},
-                   {"simulated",
-                    {{"Description", "Whether no person took part"},
-                     {"Levels", {{"0", "a person"}, {"1", "simulated"}}}}}});
+  writer.write_json("participants.json", ordered_json::parse(kBidsWordsText).at("participants"));
 }
 
 void write_stimuli(SQLite::Database& database, const BidsNames& names, BidsWriter& writer) {

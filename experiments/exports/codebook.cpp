@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/exports/codebook.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "experiments/exports/export_table.hpp"
-#include "experiments/exports/unit_of.hpp"
 #include "experiments/store/schema_words.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline exports {
 namespace {
+
+struct Suffix {
+  std::string_view ending;
+  const char* unit;
+};
+
+/// The longer ones before those that they end with.
+constexpr std::array<Suffix, 14> kSuffixes{{{"_rad_s", "rad/s"},
+                                            {"_deg_s", "deg/s"},
+                                            {"_m_s", "m/s"},
+                                            {"_arcmin", "arcmin"},
+                                            {"_deg", "deg"},
+                                            {"_Ns", "N s"},
+                                            {"_ms", "ms"},
+                                            {"_ns", "ns"},
+                                            {"_hz", "Hz"},
+                                            {"_px", "px"},
+                                            {"_s", "s"},
+                                            {"_m", "m"},
+                                            {"_utc", "ISO 8601, UTC"},
+                                            {"_share", "share, 0 to 1"}}};
 
 using nlohmann::ordered_json;
 
@@ -94,6 +115,15 @@ std::string anonymised_words() {
 }
 
 }  // namespace
+
+std::string unit_of(std::string_view column) {
+  for (const Suffix& suffix : kSuffixes) {
+    if (column.ends_with(suffix.ending)) {
+      return suffix.unit;
+    }
+  }
+  return "";
+}
 
 std::vector<CodebookColumn> describe_columns(const RowQuery& query,
                                              const std::map<std::string, std::string>& factors) {

@@ -4,12 +4,17 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/exports/row_query.hpp"
 
 namespace impetus::inline exports {
 
+/// "ms" of "delay_ms", "deg/s" of "speed_deg_s"; "" when the name states none.
+std::string unit_of(std::string_view column);
+
+/// What is to be known of one column.
 struct CodebookColumn {
   std::string name;
   std::string type;     ///< integer, number, text, bits or bytes; "" where rows differ
@@ -17,6 +22,7 @@ struct CodebookColumn {
   std::string meaning;  ///< in words
 };
 
+/// One file of an export.
 struct CodebookFile {
   std::string name;
   std::string rows;  ///< what one row is

@@ -1,18 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/exports/csv_export.hpp"
 
+#include <SQLiteCpp/Database.h>
+
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "experiments/exports/export_table.hpp"
-#include "experiments/exports/factor_labels.hpp"
-#include "experiments/exports/output_file.hpp"
-#include "experiments/exports/protocol_files.hpp"
+#include "experiments/exports/row_query.hpp"
+#include "experiments/exports/whole_output.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline exports {
 namespace {
+
+// The protocols of a study and their scenes, as files again.
+
+/// "protocols/NAME-HASH": what the files of a protocol are called in an export, before their
+/// endings. Letters and digits alone, whatever name and hash hold; `id` keeps such names apart.
+std::string protocol_stem(std::int64_t id, const std::string& name, const std::string& hash) {
+  return "protocols/" + std::to_string(id) + "-" + file_name_text(name) + "-" +
+         file_name_text(hash);
+}
+
+/// Writes STEM.protocol.json and STEM.scene.json of each, byte for byte; returns how many files.
+/// Throws StoreError.
+std::int64_t write_protocol_files(SQLite::Database& database, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder / "protocols");
+  RowQuery query(database,
+                 "SELECT id, name, hash, protocol_json, scene_json FROM protocol ORDER BY id");
+  std::int64_t files = 0;
+  while (query.step()) {
+    const std::string stem = protocol_stem(query.integer(0), query.text(1), query.text(2));
+    write_output_file(folder / (stem + ".protocol.json"), query.bytes(3));
+    write_output_file(folder / (stem + ".scene.json"), query.bytes(4));
+    files += 2;
+  }
+  return files;
+}
 
 /// Writes the rows of queries, and counts.
 class CsvWriter {

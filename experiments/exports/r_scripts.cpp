@@ -2,7 +2,7 @@
 #include "experiments/exports/r_scripts.hpp"
 
 #include "experiments/exports/embedded_r_scripts.hpp"
-#include "experiments/exports/output_file.hpp"
+#include "experiments/exports/whole_output.hpp"
 
 namespace impetus::inline exports {
 

@@ -19,6 +19,7 @@ struct ColumnOrigin {
   std::string column;
 };
 
+/// Rows of a query, one after another, whose values keep their types.
 class RowQuery {
  public:
   /// `parameters` are the texts ?1, ?2, ... Throws StoreError, here and in step(), with what the

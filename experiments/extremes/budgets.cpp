@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "experiments/extremes/building_blocks.hpp"
-#include "experiments/extremes/crowd_scene.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 
 namespace impetus::inline extremes {
@@ -73,7 +72,7 @@ Breaches worst_of(Budget budget, Length length, std::vector<PriorityList> lists)
   ExtremeScene scene = crowd_scene(40, 1.5, 1.0, 0, TreeKind::kOctree);
   scene.settings.schedule.lists = std::move(lists);
   for (std::size_t i = 1; i < scene.settings.schedule.lists.size(); ++i) {
-    scene.settings.schedule.thresholds.push_back(0.1 * static_cast<double>(i) - 1.0);  // m
+    scene.settings.schedule.limits.push_back(0.1 * static_cast<double>(i) - 1.0);  // m
   }
   return step_within(world_of(scene), length == Length::kQuick ? 60 : 600,
                      [&](std::int64_t asked) -> std::int64_t {

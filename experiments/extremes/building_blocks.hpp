@@ -53,4 +53,10 @@ double distance_gone_m(const Course& course);
 /// energy_gain(), but infinite unless bodies touched and all numbers were finite.
 double energy_gain_by_touching(const Course& course);
 
+/// Blocks in trees of `kind` at random places and orientations, flying at about 1 m/s, spinning at
+/// about 5 rad/s; their bounding balls would fill `filled` of the cube. The same for the same
+/// arguments.
+ExtremeScene crowd_scene(int count, double filled, double restitution, std::int64_t steps,
+                         TreeKind kind = TreeKind::kBox);
+
 }  // namespace impetus::inline extremes

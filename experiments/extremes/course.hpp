@@ -12,6 +12,7 @@
 
 namespace impetus::inline extremes {
 
+/// Keeps the figures of one scene, step by step.
 class Course {
  public:
   /// `scene` must outlive it.

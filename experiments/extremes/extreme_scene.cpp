@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 
 namespace impetus::inline extremes {

@@ -14,6 +14,7 @@
 
 namespace impetus::inline extremes {
 
+/// The solids there are; all dimensions in metres.
 struct SolidBall {
   double radius_m{0.1};
 };
@@ -31,6 +32,7 @@ struct MotionSeen {
   Vector3 spin_rad_s{Vector3::Zero()};
 };
 
+/// A body as it starts.
 struct ExtremeBody {
   Solid solid{};
   double mass_kg{1.0};  ///< 0: nothing moves or turns it

@@ -12,6 +12,7 @@
 
 namespace impetus::inline gaze {
 
+/// One stimulus after another, of one source.
 class GazeFollower {
  public:
   /// Without `gaze` nothing is known of it. `clock` is the samples' own. Both must outlive this.

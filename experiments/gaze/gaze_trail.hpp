@@ -28,12 +28,14 @@ std::vector<TimedGaze> timed_gaze(const std::vector<GazeSample>& samples,
                                   const GazeCorrection& correction, std::int64_t interval,
                                   std::int64_t onset_ns);
 
+/// A place that was looked at, and how long ago.
 struct TrailPoint {
   ScreenPoint at;
   double age_s{0.0};
   bool joined{false};  ///< to the point before it
 };
 
+/// What a replay draws of the gaze at one moment.
 struct GazeTrail {
   std::vector<TrailPoint> points;  ///< oldest first
   GazeLoss lost{GazeLoss::kNone};  ///< of the newest sample; kNone: it is valid, or there is none

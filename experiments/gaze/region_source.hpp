@@ -1,5 +1,5 @@
 // The region of high priority, step by step: about the gaze, at random or about a point, everywhere
-// or nowhere.
+// or nowhere; and how much of what is on show it covered.
 //
 //   all good   a region that holds all the view       all bad   none
 //   tracked    about the fixation                     random    about a place within the
@@ -12,16 +12,44 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "engine/numerics/random_stream.hpp"
-#include "experiments/record/enclosure_image.hpp"
+#include "engine/scheduling/priority_lists.hpp"
+#include "engine/volumes/enclosure.hpp"
+#include "experiments/record/record.hpp"
 #include "experiments/record/staged_scene.hpp"
 
 namespace impetus::inline gaze {
 
+/// The enclosure as the viewer sees it: the outline of its eight corners on the screen.
+class EnclosureImage {
+ public:
+  /// The whole screen when there is no enclosure, or when the eye is not before all of it.
+  EnclosureImage(const std::optional<Enclosure>& enclosure, const Viewer& viewer);
+
+  [[nodiscard]] bool contains(const ScreenPoint& point) const;
+
+  /// A point of the image, all equally likely.
+  ScreenPoint uniform_point(RandomStream& stream) const;
+
+  /// The share of the image that lies inside the region, from 0 to 1, found on a grid: right to
+  /// about .01. For the record alone.
+  [[nodiscard]] double covered_share(const GazeRegion& region) const;
+
+ private:
+  [[nodiscard]] ScreenPoint in_frame(double across, double up) const;
+
+  Viewer viewer_;
+  std::vector<ScreenPoint> outline_;  ///< convex, anticlockwise
+  ScreenPoint least_{};               ///< of the rectangle that frames it
+  ScreenPoint greatest_{};
+};
+
 /// The radius of a region that holds all the view.
 inline constexpr double kWholeView_deg = 180.0;
 
+/// Says the region of each step.
 class RegionSource {
  public:
   /// Random places follow from `seed`, the trial's. A recorded region without a recording is none.
@@ -44,5 +72,10 @@ class RegionSource {
   RandomStream places_;
   ScreenPoint place_{};
 };
+
+/// Of the enclosure's image, the share inside the region; mean over the steps that had a region
+/// with an edge, none without such a step.
+std::optional<double> mean_covered_share(const StagedScene& scene,
+                                         const std::vector<StepRecord>& steps);
 
 }  // namespace impetus::inline gaze

@@ -9,10 +9,23 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
+#include <string_view>
 
 namespace impetus::inline models {
 
 /// Throws std::runtime_error, in one sentence that names the file. Precondition: it can be read.
 void refuse_false_claims(const std::filesystem::path& file);
+
+/// What a mesh file claims of itself is false: the words are what().
+class FalseClaim : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws FalseClaim ("/buffers/0/uri: expected ..., got ...") where a buffer lies outside `folder`
+/// or cannot be read, a node has two parents, an accessor claims more values than there are bytes,
+/// or the nodes place the same mesh without end. Textures are not read.
+void check_gltf(std::string_view bytes, const std::filesystem::path& folder);
 
 }  // namespace impetus::inline models

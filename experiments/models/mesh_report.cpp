@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
-#include "engine/shapes/mending/component_orientation.hpp"
-#include "engine/shapes/useless_triangles.hpp"
+#include "engine/shapes/mesh_components.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline models {
 namespace {

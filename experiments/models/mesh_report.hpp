@@ -15,6 +15,7 @@ namespace impetus::inline models {
 /// Density of the solid in a report: water.
 inline constexpr double kReportDensity_kg_m3 = 1000.0;
 
+/// Everything that is counted of a mesh, before anybody judges it.
 struct MeshReport {
   std::int64_t triangles{0};
   std::int64_t vertices{0};

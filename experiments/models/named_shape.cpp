@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/knot_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "engine/shapes/solids/swept_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 
 namespace impetus::inline models {
 namespace {
@@ -18,6 +15,7 @@ namespace {
 constexpr int kLeastResolution = 4;
 constexpr int kGreatestResolution = 12;
 
+/// A shape, how fine it usually is, and who makes it.
 struct NamedShape {
   const char* name;
   int usual_resolution;  ///< 0: it takes none

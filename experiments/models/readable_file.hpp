@@ -1,4 +1,5 @@
-// The bytes of a file that somebody names, which may be anything.
+// A file that somebody names: its bytes, which may be anything, and whether it lies within a
+// folder.
 //
 // Only regular files are opened: a named pipe would be waited for, a device may never end. All
 // readers go through here, but SQLite and assimp, which are given only what is readable.
@@ -21,5 +22,23 @@ std::string reading_problem(const std::filesystem::path& file,
 
 /// The whole file. Throws std::runtime_error with the words of reading_problem() alone.
 std::string file_bytes(const std::filesystem::path& file, std::uintmax_t most_bytes = kMostBytes);
+
+/// By its name alone; nothing is looked up. Both absolute.
+bool is_named_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+/// Where links lead; what is not there, or cannot be looked up, is not within.
+bool is_really_within(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+/// The path that a URI without a scheme is: "%20" is a space, '\\' a '/'.
+std::string decoded_uri(const std::string& uri);
+
+/// Whether links lead to something; one that leads round in a circle, or a name that is too long,
+/// names nothing.
+bool is_there(const std::filesystem::path& file);
+
+/// What is wrong with the place of a file that a scene in `folder`, or `whose` it is, names, in
+/// words; "" when nothing is: it lies within the folder, or is not there.
+std::string problem_of_place(const std::string& file, const std::filesystem::path& folder,
+                             const std::string& whose = "scene");
 
 }  // namespace impetus::inline models

@@ -5,8 +5,8 @@
 #include <exception>
 #include <string>
 #include <system_error>
+#include <utility>
 
-#include "experiments/models/building_watch.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/tree_file.hpp"
 
@@ -55,6 +55,12 @@ void keep(const StoredTree& stored, const std::filesystem::path& file) {
   }
 }
 
+/// Of the watch that lives, if one does.
+Progress& present() {
+  static Progress heard;
+  return heard;
+}
+
 }  // namespace
 
 TreeCache TreeCache::of_user() {
@@ -97,5 +103,11 @@ VolumeTree TreeCache::tree(const TriangleMesh& solid, const TreeSettings& settin
   keep(stored, file);
   return std::move(stored.tree);
 }
+
+BuildingWatch::BuildingWatch(Progress heard) { present() = std::move(heard); }
+
+BuildingWatch::~BuildingWatch() { present() = {}; }
+
+const Progress& BuildingWatch::heard() { return present(); }
 
 }  // namespace impetus::inline models

@@ -22,6 +22,7 @@ namespace impetus::inline models {
 
 inline constexpr std::uint32_t kTreeFileFormat = 1;
 
+/// A tree and all that its file says of it.
 struct StoredTree {
   std::string name;  ///< of what was built: a shape's, or the mesh file's
   TreeSettings settings;

@@ -12,6 +12,7 @@
 
 namespace impetus::inline models {
 
+/// What the header says.
 struct TreeHeader {
   std::string name;
   TreeSettings settings;

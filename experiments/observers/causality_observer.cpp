@@ -4,10 +4,20 @@
 #include <algorithm>
 
 namespace impetus::inline observers {
+namespace {
 
-CausalityObserver::CausalityObserver(const CausalityParameters& parameters, std::uint64_t seed,
-                                     const std::string& pseudonym, VirtualClock& clock)
-    : RatingObserver(parameters, RandomStream(seed, "observer/causality/" + pseudonym), clock),
+std::vector<ParameterEntry> causality_entries(CausalityParameters& own) {
+  return {{"threshold_mean_ms", -kAny, kAny, &own.threshold_mean_ms},
+          {"threshold_sd_ms", 0.0, kAny, &own.threshold_sd_ms},
+          {"threshold_width_ms", 1e-3, kAny, &own.threshold_width_ms},
+          {"guess_rate", 0.0, 1.0, &own.yes_guess_rate, true},
+          {"miss_rate", 0.0, 1.0, &own.yes_miss_rate, true}};
+}
+
+}  // namespace
+
+CausalityObserver::CausalityObserver(const CausalityParameters& parameters, const Birth& birth)
+    : RatingObserver(parameters, birth, "causality"),
       threshold_ms_(parameters.threshold_mean_ms + parameters.threshold_sd_ms * normal()),
       width_ms_(parameters.threshold_width_ms) {
   draw_traits();
@@ -23,6 +33,13 @@ double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*
     delay_ms = std::max(delay_ms, 1e3 * collision.report.imposed_hold_s);
   }
   return seen_at(delay_ms);
+}
+
+const ObserverKind& causality_observer() {
+  static const ObserverKind kind{.name = "causality",
+                                 .read = read_own<CausalityParameters, causality_entries>,
+                                 .make = make_own<CausalityParameters, CausalityObserver>};
+  return kind;
 }
 
 }  // namespace impetus::inline observers

@@ -7,20 +7,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/observers/rating_observer.hpp"
+#include "experiments/observers/observer_kinds.hpp"
 
 namespace impetus::inline observers {
 
+/// What a participant of the causality study is made of.
 struct CausalityParameters : RatingParameters {
   double threshold_mean_ms{0.0};  ///< μ over participants
   double threshold_sd_ms{0.0};
   double threshold_width_ms{1.0};  ///< σ of the psychometric function
 };
 
+/// Judges the longest freeze of all that was shown.
 class CausalityObserver final : public RatingObserver {
  public:
-  CausalityObserver(const CausalityParameters& parameters, std::uint64_t seed,
-                    const std::string& pseudonym, VirtualClock& clock);
+  CausalityObserver(const CausalityParameters& parameters, const Birth& birth);
 
   /// Probability of each rating 1, 2, 3 for a delay.
   [[nodiscard]] std::vector<double> rating_probabilities(double delay_ms) const {

@@ -4,16 +4,46 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
 
-GapObserver::GapObserver(const GapParameters& parameters, std::uint64_t seed,
-                         const std::string& pseudonym, VirtualClock& clock,
+namespace {
+
+constexpr const char* kThresholds = "gap-thresholds";
+
+/// The same where thresholds are sought: crowd and t are in the file.
+class ThresholdsObserver final : public GapObserver {
+ public:
+  ThresholdsObserver(const GapParameters& parameters, const Birth& birth)
+      : GapObserver(parameters, birth, kThresholds) {}
+};
+
+std::vector<ParameterEntry> thresholds_entries(GapParameters& gap) {
+  std::vector<ParameterEntry> entries = gap_entries(gap);
+  entries.push_back({"crowding_per_body", 0.0, kAny, &gap.crowding_per_body});
+  entries.push_back({"threshold_sd_log10", 0.0, kAny, &gap.threshold_sd_log10});
+  return entries;
+}
+
+}  // namespace
+
+double visible_frequency_at(double speed_deg_s) {
+  if (speed_deg_s <= 0.825) {
+    return 60.0;
+  }
+  return speed_deg_s <= 118.3 ? 57.69 - 27.78 * std::log10(speed_deg_s) : 0.1;
+}
+
+double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, double speed_deg_s) {
+  return at_rest_arcmin * (1.0 + eccentricity_deg / 2.3) *
+         (60.0 / visible_frequency_at(speed_deg_s));
+}
+
+GapObserver::GapObserver(const GapParameters& parameters, const Birth& birth,
                          const std::string& study)
-    : RatingObserver(parameters, RandomStream(seed, "observer/" + study + "/" + pseudonym), clock),
-      parameters_(parameters) {
+    : RatingObserver(parameters, birth, study), parameters_(parameters) {
   draw_traits();
   if (parameters_.threshold_sd_log10 > 0.0) {
     threshold_log10_ = parameters_.threshold_sd_log10 * normal();
@@ -55,6 +85,27 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
                                            speed_deg_s, scene.looks.size()));
   }
   return clearest;
+}
+
+std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
+  return {{"threshold_arcmin", 1e-3, kAny, &gap.threshold_arcmin},
+          {"width_log10", 1e-3, kAny, &gap.width_log10},
+          {"guess_rate", 0.0, 1.0, &gap.guess_rate},
+          {"miss_rate", 0.0, 1.0, &gap.miss_rate}};
+}
+
+const ObserverKind& gap_observer() {
+  static const ObserverKind kind{.name = "gap",
+                                 .read = read_own<GapParameters, gap_entries>,
+                                 .make = make_own<GapParameters, GapObserver>};
+  return kind;
+}
+
+const ObserverKind& gap_thresholds_observer() {
+  static const ObserverKind kind{.name = kThresholds,
+                                 .read = read_own<GapParameters, thresholds_entries>,
+                                 .make = make_own<GapParameters, ThresholdsObserver>};
+  return kind;
 }
 
 }  // namespace impetus::inline observers

@@ -11,11 +11,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/observers/gap_visibility.hpp"
-#include "experiments/observers/rating_observer.hpp"
+#include "experiments/observers/observer_kinds.hpp"
 
 namespace impetus::inline observers {
 
+/// The highest spatial frequency visible at a speed (cycles per degree; Reddy 1997).
+double visible_frequency_at(double speed_deg_s);
+
+/// g₅₀ (minutes of arc) at an eccentricity (degrees) and a speed, from what it is at the point of
+/// gaze and at rest. It doubles at 2.3° (Geisler and Perry 1998).
+double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, double speed_deg_s);
+
+/// What a participant of the gap study is made of.
 struct GapParameters : RatingParameters {
   double threshold_arcmin{10.0};  ///< g₅₀ at the centre, at rest
   double width_log10{0.2};
@@ -25,13 +32,11 @@ struct GapParameters : RatingParameters {
   double threshold_sd_log10{0.0};  ///< of t over participants
 };
 
-/// The same where thresholds are sought: crowd and t are in the file.
-struct GapThresholdParameters : GapParameters {};
-
+/// Judges the clearest gap between two bodies of all that was shown.
 class GapObserver : public RatingObserver {
  public:
-  GapObserver(const GapParameters& parameters, std::uint64_t seed, const std::string& pseudonym,
-              VirtualClock& clock, const std::string& study = "gap");
+  GapObserver(const GapParameters& parameters, const Birth& birth,
+              const std::string& study = "gap");
 
   /// Probability that a gap is seen.
   [[nodiscard]] double seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
@@ -48,5 +53,8 @@ class GapObserver : public RatingObserver {
   GapParameters parameters_;
   double threshold_log10_{0.0};  ///< t
 };
+
+/// The numbers that all who look for gaps have.
+std::vector<ParameterEntry> gap_entries(GapParameters& gap);
 
 }  // namespace impetus::inline observers

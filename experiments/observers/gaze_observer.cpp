@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "experiments/observers/gap_visibility.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
@@ -64,16 +64,64 @@ class JudgedCollision {
   std::optional<DrawnBody> b_;
 };
 
+/// The numbers of its own, then those of its eye.
+std::vector<ParameterEntry> gaze_entries(GazeObserverParameters& gaze) {
+  return {{"threshold_arcmin", 1e-3, kAny, &gaze.threshold_arcmin},
+          {"width_log10", 1e-3, kAny, &gaze.width_log10},
+          {"miss_rate", 0.0, 1.0, &gaze.miss_rate},
+          {"crowding_per_body", 0.0, kAny, &gaze.crowding_per_body},
+          {"merge_ms", 0.0, kAny, &gaze.merge_ms},
+          {"click_median_ms", 1.0, kAny, &gaze.click_median_ms},
+          {"click_sigma_log", 0.0, kAny, &gaze.click_sigma_log},
+          {"refractory_ms", 0.0, kAny, &gaze.refractory_ms},
+          {"false_clicks_per_s", 0.0, 100.0, &gaze.false_clicks_per_s},
+          {"events_per_s", 1e-3, kAny, &gaze.events_per_s},
+          {"sampling_hz", 60.0, 1000.0, &gaze.sampling_hz},
+          {"latency_ms", 0.0, 1000.0, &gaze.latency_ms},
+          {"visual_delay_ms", 1.0, 1000.0, &gaze.visual_delay_ms},
+          {"fixation_min_ms", 1.0, kAny, &gaze.fixation_min_ms},
+          {"fixation_max_ms", 1.0, kAny, &gaze.fixation_max_ms},
+          {"saccade_base_ms", 1.0, kAny, &gaze.saccade_base_ms},
+          {"saccade_ms_per_deg", 0.0, kAny, &gaze.saccade_ms_per_deg},
+          {"pair_share", 0.0, 1.0, &gaze.pair_share},
+          {"pursuit_share", 0.0, 1.0, &gaze.pursuit_share},
+          {"pursuit_min_ms", 1.0, kAny, &gaze.pursuit_min_ms},
+          {"pursuit_max_ms", 1.0, kAny, &gaze.pursuit_max_ms},
+          {"pursuit_gain", 0.0, 1.0, &gaze.pursuit_gain},
+          {"pursuit_time_ms", 1.0, kAny, &gaze.pursuit_time_ms},
+          {"catch_up_deg", 0.5, kAny, &gaze.catch_up_deg},
+          {"fixational_sd_deg", 0.0, kAny, &gaze.fixational_sd_deg},
+          {"fixational_time_ms", 1e-3, kAny, &gaze.fixational_time_ms},
+          {"offset_sd_deg", 0.0, kAny, &gaze.offset_sd_deg},
+          {"blink_per_s", 0.0, 100.0, &gaze.blink_per_s},
+          {"blink_ms", 1.0, kAny, &gaze.blink_ms},
+          {"dropout_per_s", 0.0, 100.0, &gaze.dropout_per_s},
+          {"dropout_ms", 1.0, kAny, &gaze.dropout_ms}};
+}
+
+/// A range of durations: its end must not come before its beginning.
+void require_range(const JsonDocument& document, const std::string& what) {
+  if (number_in(document, what + "_max_ms") < number_in(document, what + "_min_ms")) {
+    refuse(document, "/parameters/" + what + "_max_ms/value",
+           "expected at least " + what + "_min_ms, got " +
+               document.value["parameters"][what + "_max_ms"]["value"].dump());
+  }
+}
+
+std::shared_ptr<const RatingParameters> read_gaze(const JsonDocument& document) {
+  auto parameters = read_own<GazeObserverParameters, gaze_entries>(document);
+  require_range(document, "fixation");
+  require_range(document, "pursuit");
+  return parameters;
+}
+
 }  // namespace
 
-GazeObserver::GazeObserver(const GazeObserverParameters& parameters, std::uint64_t seed,
-                           const std::string& pseudonym, VirtualClock& clock,
-                           const Clock& flip_clock)
-    : RatingObserver(parameters, RandomStream(seed, "observer/gaze-contingent/" + pseudonym),
-                     clock),
+GazeObserver::GazeObserver(const GazeObserverParameters& parameters, const Birth& birth)
+    : RatingObserver(parameters, birth, "gaze-contingent"),
       parameters_(parameters),
-      click_stream_(seed, "observer/gaze-contingent/clicks/" + pseudonym),
-      eye_(parameters, seed, pseudonym, flip_clock) {
+      click_stream_(birth.seed, "observer/gaze-contingent/clicks/" + birth.pseudonym),
+      eye_(parameters, birth.seed, birth.pseudonym, birth.flip_clock) {
   draw_traits();
 }
 
@@ -165,6 +213,15 @@ double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) 
   }
   const double events_per_s = static_cast<double>(events_s.size()) / std::max(stimulus_s, 1e-3);
   return 1.0 - std::exp(-events_per_s / parameters_.events_per_s);
+}
+
+const ObserverKind& gaze_observer() {
+  static const ObserverKind kind{.name = "gaze-contingent",
+                                 .clicks = true,
+                                 .has_eye = true,
+                                 .read = read_gaze,
+                                 .make = make_own<GazeObserverParameters, GazeObserver>};
+  return kind;
 }
 
 }  // namespace impetus::inline observers

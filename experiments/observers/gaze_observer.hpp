@@ -19,11 +19,12 @@
 
 #include <utility>
 
-#include "experiments/observers/rating_observer.hpp"
+#include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/simulated_eye.hpp"
 
 namespace impetus::inline observers {
 
+/// What a participant of the gaze-contingent study is made of, its eye included.
 struct GazeObserverParameters : RatingParameters, EyeParameters {
   double threshold_arcmin{10.0};  ///< g₅₀ at the gaze, at rest, of two bodies
   double width_log10{0.2};
@@ -37,12 +38,10 @@ struct GazeObserverParameters : RatingParameters, EyeParameters {
   double events_per_s{1.0};  ///< the scale of badness
 };
 
+/// Clicks at what it saw, and judges how often that was.
 class GazeObserver final : public RatingObserver {
  public:
-  /// `clock` is advanced by the answers; `flip_clock` is the one flips are stamped with. Both must
-  /// outlive this.
-  GazeObserver(const GazeObserverParameters& parameters, std::uint64_t seed,
-               const std::string& pseudonym, VirtualClock& clock, const Clock& flip_clock);
+  GazeObserver(const GazeObserverParameters& parameters, const Birth& birth);
 
   /// Nothing during the stimulus; after witnessed(), once, all clicks of the stimulus.
   std::vector<ClickRecord> take_clicks() override { return std::exchange(clicks_, {}); }

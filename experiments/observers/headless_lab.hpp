@@ -8,6 +8,7 @@
 
 namespace impetus::inline observers {
 
+/// A clock that moves only when it is told to.
 class VirtualClock final : public Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() const override { return now_ns_; }
@@ -18,6 +19,7 @@ class VirtualClock final : public Clock {
   std::int64_t now_ns_{0};
 };
 
+/// A display whose every frame is in time, and which nobody sees.
 class HeadlessDisplay final : public Display {
  public:
   HeadlessDisplay(VirtualClock& clock, double refresh_hz, ScreenGeometry geometry)
@@ -26,7 +28,11 @@ class HeadlessDisplay final : public Display {
   [[nodiscard]] double refresh_hz() const override { return refresh_hz_; }
   [[nodiscard]] const ScreenGeometry& geometry() const override { return geometry_; }
   void restart_grid() override { grid_.restart(clock_->now_ns()); }
-  Flip show(const Picture& picture) override;
+  Flip show(const Picture& /*picture*/) override {
+    const std::int64_t submitted_ns = clock_->now_ns();
+    clock_->advance_to(grid_.next_due_ns());
+    return grid_.flipped(submitted_ns, clock_->now_ns());
+  }
 
  private:
   VirtualClock* clock_;

@@ -45,6 +45,7 @@ struct PowerCell {
   std::vector<std::int64_t> sizes;  ///< that are not done, rising
 };
 
+/// The ledger, open and shared.
 class PowerLedger {
  public:
   /// Opens the ledger or makes it. Throws InputError when it is that of another question or no

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/questions/response_kinds.hpp"
+
 namespace impetus::inline protocol {
 
 using nlohmann::json;
@@ -59,16 +61,6 @@ Adaptive adaptive_from(const json& object) {
 }
 
 }  // namespace
-
-LevelValue level_value(const json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>();
-  }
-  return value.get<double>();
-}
 
 json to_json(const LevelValue& value) {
   if (const auto* number = std::get_if<double>(&value)) {

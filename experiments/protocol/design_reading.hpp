@@ -22,7 +22,6 @@ std::optional<TrainingRule> training_rule_from(const nlohmann::json& design);
 /// Whether one of the factors of the protocol's "design" is called so.
 bool has_factor(const nlohmann::json& design, const std::string& name);
 
-LevelValue level_value(const nlohmann::json& value);
 /// A whole number stays one, so that 100 is stored as 100 and not as 100.0.
 nlohmann::json to_json(const LevelValue& value);
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/scene.hpp"
-#include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <utility>
 
-#include "experiments/models/file_place.hpp"
+#include "experiments/models/readable_file.hpp"
+#include "experiments/questions/rating.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -22,54 +23,51 @@ std::filesystem::path find_observer(const std::string& name,
   return beside;
 }
 
-/// What an observer is made of besides its parameters.
-struct Making {
-  std::uint64_t seed;
-  const std::string& pseudonym;
-  VirtualClock& clock;
-  const Clock& flip_clock;
-
-  std::unique_ptr<RatingObserver> operator()(const CausalityParameters& parameters) const {
-    return std::make_unique<CausalityObserver>(parameters, seed, pseudonym, clock);
-  }
-  std::unique_ptr<RatingObserver> operator()(const GapParameters& parameters) const {
-    return std::make_unique<GapObserver>(parameters, seed, pseudonym, clock);
-  }
-  std::unique_ptr<RatingObserver> operator()(const GapThresholdParameters& parameters) const {
-    return std::make_unique<GapObserver>(parameters, seed, pseudonym, clock, "gap-thresholds");
-  }
-  std::unique_ptr<RatingObserver> operator()(const ResponseParameters& parameters) const {
-    return std::make_unique<ResponseObserver>(parameters, seed, pseudonym, clock);
-  }
-  std::unique_ptr<RatingObserver> operator()(const GazeObserverParameters& parameters) const {
-    return std::make_unique<GazeObserver>(parameters, seed, pseudonym, clock, flip_clock);
-  }
-};
+ObserverFile observer_from(JsonDocument document) {
+  const ObserverKind& kind = named_kind(document);
+  auto parameters = kind.read(document);
+  return {std::move(document), &kind, std::move(parameters)};
+}
 
 }  // namespace
 
-std::size_t ObserverFile::points() const {
-  return std::visit([](const auto& one) { return one.points(); }, parameters);
-}
-
-bool ObserverFile::clicks() const {
-  return std::holds_alternative<GazeObserverParameters>(parameters);
-}
-
-bool ObserverFile::has_eye() const {
-  return std::holds_alternative<GazeObserverParameters>(parameters);
-}
-
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol) {
-  JsonDocument document = read_json(find_observer(name_or_path, protocol));
-  ObserverParameters parameters = read_parameters(document);
-  return {std::move(document), std::move(parameters)};
+  return observer_from(read_json(find_observer(name_or_path, protocol)));
 }
 
-std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
-                                              const std::string& pseudonym, VirtualClock& clock,
-                                              const Clock& flip_clock) {
-  return std::visit(Making{seed, pseudonym, clock, flip_clock}, file.parameters);
+std::optional<ObserverFile> without_effect(const ObserverFile& observer,
+                                           const std::string& response) {
+  const bool rated = response == "rating";
+  const std::string name = rated ? "effect" : "miss_rate";
+  JsonDocument document = observer.document;
+  if ((!rated && response != "clicks") || !document.value["parameters"].contains(name)) {
+    return std::nullopt;
+  }
+  document.value["parameters"][name]["value"] = rated ? 0.0 : 1.0;
+  document.text = document.value.dump();
+  return observer_from(std::move(document));
+}
+
+void check_observer(const Protocol& protocol, const ObserverFile& observer) {
+  const RatingScale* scale = find_scale(protocol.script);
+  const auto points = static_cast<std::int64_t>(observer.parameters->points());
+  if (scale != nullptr && scale->points() != points) {
+    refuse(protocol.document, "/rating",
+           "expected a scale of " + std::to_string(points) +
+               " points, as the simulated participant rates (one more than its file has cuts), "
+               "got " +
+               std::to_string(scale->points()) + ", from " + std::to_string(scale->minimum) +
+               " to " + std::to_string(scale->maximum));
+  }
+  const std::string& name = observer.kind->name;
+  if (takes_clicks(protocol.script) && !observer.kind->clicks) {
+    refuse(protocol.document, "/clicks",
+           "expected none for the simulated participant " + name + ", which does not click");
+  }
+  if (protocol.script.gaze && !observer.kind->has_eye) {
+    refuse(protocol.document, "/gaze",
+           "expected none for the simulated participant " + name + ", which has no eye");
+  }
 }
 
 }  // namespace impetus::inline protocol

@@ -1,34 +1,43 @@
-// A simulated participant from a file.
+// A simulated participant from a file, the same without the effect, and whether it can do what a
+// protocol asks.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "experiments/protocol/observer_parameters.hpp"
+#include "experiments/observers/observer_kinds.hpp"
+#include "experiments/protocol/protocol_file.hpp"
 
 namespace impetus::inline protocol {
 
+/// What a file says of a simulated participant.
 struct ObserverFile {
   JsonDocument document;
-  ObserverParameters parameters;
-
-  /// Points of the rating scale that the participant answers on.
-  [[nodiscard]] std::size_t points() const;
-  [[nodiscard]] bool clicks() const;   ///< whether it clicks during the stimulus
-  [[nodiscard]] bool has_eye() const;  ///< whether its gaze can be followed
+  const ObserverKind* kind;
+  std::shared_ptr<const RatingParameters> parameters;  ///< of that kind
 };
 
 /// `name_or_path`: a file, or the name of one in the observers' folder that lies beside the
 /// protocol's. Throws InputError.
 ObserverFile load_observer(const std::string& name_or_path, const std::filesystem::path& protocol);
 
-/// The participant whose traits and answers follow from `seed` and `pseudonym`. Its answers advance
-/// `clock`; its eye, where it has one, lives by `flip_clock`, with which flips are stamped. Both
-/// must outlive it, and may be the same.
-std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, std::uint64_t seed,
-                                              const std::string& pseudonym, VirtualClock& clock,
-                                              const Clock& flip_clock);
+/// For "rating": `effect` is 0, so what was seen changes no rating on average, and participants
+/// differ in it as before (`effect_sd`). For "clicks": nothing is seen (`miss_rate` 1), and clicks
+/// come by chance. The participant is the same otherwise: the studies of type-I errors are made
+/// with it. None for other responses, or when the observer lacks the number.
+std::optional<ObserverFile> without_effect(const ObserverFile& observer,
+                                           const std::string& response);
+
+/// The observer rates on the protocol's scale, where it has one, clicks where clicks are asked for,
+/// and has an eye where the gaze is followed. Throws InputError.
+void check_observer(const Protocol& protocol, const ObserverFile& observer);
+
+/// The participant that the file and the birth make.
+inline std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, const Birth& birth) {
+  return file.kind->make(*file.parameters, birth);
+}
 
 }  // namespace impetus::inline protocol

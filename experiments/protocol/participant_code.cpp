@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/participant_code.hpp"
 
-#include "experiments/tables/utf8.hpp"
+#include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
 namespace {

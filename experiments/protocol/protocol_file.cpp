@@ -8,14 +8,13 @@
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/checks/response_checks.hpp"
-#include "experiments/protocol/checks/text_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/settings/named_file.hpp"
 #include "experiments/settings/schema_check.hpp"
 
@@ -50,8 +49,10 @@ MoreFiles files_of_design(const json& protocol) {
         add(factor["pointer"].get<std::string>(), kind["condition"][name]);
       }
     }
-    if (protocol.contains("two_interval") && protocol["two_interval"]["standard"].contains(name)) {
-      add(factor["pointer"].get<std::string>(), protocol["two_interval"]["standard"][name]);
+    for (const json& levels : levels_of_questions(protocol)) {
+      if (levels.contains(name)) {
+        add(factor["pointer"].get<std::string>(), levels[name]);
+      }
     }
   }
   const json entries =
@@ -121,13 +122,13 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   check_catch_scenes(protocol);
   check_practice(protocol.document);
   check_practice_rule(protocol.document);
-  check_training(protocol.document);
+  protocol.script = script_from(protocol.document.value);
+  check_training(protocol);
   check_demonstrations(protocol);
   check_gaze(protocol);
   for (const json& condition : design.value("practice", json::array())) {
     protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
   }
-  protocol.script = script_from(protocol.document.value);
   check_standard(protocol);
   check_yoking(protocol);
   return protocol;

@@ -9,7 +9,7 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
-#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -74,31 +74,6 @@ std::string order(const Protocol& protocol) {
          "session's seed alone; they are stored before the first trial.\n";
 }
 
-std::string question_words(const Script& script) {
-  std::string words;
-  if (script.scale) {
-    const RatingScale& scale = *script.scale;
-    words += row(
-        {"then", "“" + markdown_text(scale.question) + "” " + std::to_string(scale.minimum) + " (" +
-                     markdown_text(scale.low_anchor) + ") to " + std::to_string(scale.maximum) +
-                     " (" + markdown_text(scale.high_anchor) + ")"});
-  }
-  if (script.yes_no) {
-    words += row({"then", "“" + markdown_text(script.yes_no->question) + "” " +
-                              markdown_text(script.yes_no->yes) + " or " +
-                              markdown_text(script.yes_no->no)});
-  }
-  if (script.two_interval) {
-    words += row({"then", "“" + markdown_text(script.two_interval->question) + "” " +
-                              markdown_text(script.two_interval->first) + " or " +
-                              markdown_text(script.two_interval->second)});
-  }
-  if (script.free_text) {
-    words += row({"then", "“" + markdown_text(script.free_text->question) + "” in free words"});
-  }
-  return words;
-}
-
 std::string trial(const Protocol& protocol) {
   const Script& script = protocol.script;
   const StimulusLength length = stimulus_length(protocol);
@@ -107,11 +82,18 @@ std::string trial(const Protocol& protocol) {
   page += row({"at least " + number(script.timing.interval_ms) + " ms",
                "blank; the trial before is saved"});
   page += row({number(script.timing.fixation_ms) + " ms", "fixation cross"});
-  std::string what = script.two_interval ? "two stimuli, in random order, " +
-                                               number(script.two_interval->between_ms) + " ms apart"
-                                         : "the stimulus";
-  if (script.clicks) {
-    what += "; clicks are recorded";
+  const TwoIntervalQuestion* two = find_two_interval(script);
+  std::string what =
+      two != nullptr ? "two stimuli, in random order, " + number(two->between_ms()) + " ms apart"
+                     : "the stimulus";
+  std::string questions;
+  for (const auto& question : script.asked) {
+    const std::string words = question->explanation(markdown_text);
+    if (question->kind().during_stimulus) {
+      what += "; " + words;
+    } else {
+      questions += row({"then", words});
+    }
   }
   if (script.gaze) {
     what += "; the gaze is followed";
@@ -120,7 +102,7 @@ std::string trial(const Protocol& protocol) {
       length.shortest_s == length.longest_s
           ? number(length.longest_s) + " s"
           : number(length.shortest_s) + " to " + number(length.longest_s) + " s";
-  return page + row({span, what}) + question_words(script);
+  return page + row({span, what}) + questions;
 }
 
 std::string gaze(const GazeTask& task) {
@@ -216,24 +198,22 @@ std::string scene(const Protocol& protocol) {
 }
 
 std::string recorded(const Protocol& protocol) {
-  const std::vector<std::string> asked = responses_of(protocol.script);
   std::string page = heading("What is recorded");
   page += "Plan, seeds, every step's input and hash, every collision with its level and place";
-  if (asked.empty()) {
+  if (protocol.script.asked.empty()) {
     return page + ".\n";
   }
   page += ", every frame's flip";
   page += protocol.script.gaze ? ", every gaze sample" : "";
   page += "; and:\n\n" + table_head({"response", "when", "values"});
-  for (const ResponseKind& kind : response_kinds()) {
-    if (std::find(asked.begin(), asked.end(), kind.name) != asked.end()) {
-      std::string values =
-          kind.table == "response" ? "`answer`, `positive`, `correct`, `timed_out`, `device`" : "";
-      for (const DeclaredValue& value : kind.recorded) {
-        values += (values.empty() ? "`" : ", `") + value.name + "`";
-      }
-      page += row({kind.name, kind.when, values});
+  for (const auto& question : protocol.script.asked) {
+    const ResponseKind& kind = question->kind();
+    std::string values =
+        kind.table == "response" ? "`answer`, `positive`, `correct`, `timed_out`, `device`" : "";
+    for (const DeclaredValue& value : kind.recorded) {
+      values += (values.empty() ? "`" : ", `") + value.name + "`";
     }
+    page += row({kind.name, kind.when, values});
   }
   return page;
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/session/intervals.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -79,10 +79,8 @@ std::string start_of(const PlannedTrial& trial) {
 int deepest_level_of(const Protocol& protocol) {
   int deepest = deepest_of_demonstrations(protocol);
   const auto look_at = [&](const Condition& condition) {
-    deepest = std::max(deepest, deepest_level_under(protocol, condition));
-    if (protocol.script.two_interval) {
-      const Condition standard = standard_of(condition, *protocol.script.two_interval);
-      deepest = std::max(deepest, deepest_level_under(protocol, standard));
+    for (const Condition& shown : shown_conditions(protocol.script, condition)) {
+      deepest = std::max(deepest, deepest_level_under(protocol, shown));
     }
   };
   for (const Condition& cell : cells_of_engine(protocol)) {
@@ -116,9 +114,8 @@ StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeomet
 
 void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
   for (const Condition& cell : cells(protocol_->design)) {
-    static_cast<void>(stage(cell, screen));
-    if (protocol_->script.two_interval) {
-      static_cast<void>(stage(standard_of(cell, *protocol_->script.two_interval), screen));
+    for (const Condition& shown : shown_conditions(protocol_->script, cell)) {
+      static_cast<void>(stage(shown, screen));
     }
   }
   for (const CatchTrials& kind : protocol_->design.catch_trials) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/scene_loading.hpp"
 
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/readable_file.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_meshes.hpp"

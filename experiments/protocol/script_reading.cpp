@@ -2,6 +2,7 @@
 #include "experiments/protocol/script_reading.hpp"
 
 #include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -24,38 +25,6 @@ Field field_from(const json& object) {
   field.minimum = object.value("minimum", -1e9);
   field.maximum = object.value("maximum", 1e9);
   return field;
-}
-
-RatingScale scale_from(const json& object) {
-  return {object["question"].get<std::string>(),   object["minimum"].get<std::int64_t>(),
-          object["maximum"].get<std::int64_t>(),   object["best"].get<std::int64_t>(),
-          object["low_anchor"].get<std::string>(), object["high_anchor"].get<std::string>(),
-          object.value("timeout_ms", 0.0)};
-}
-
-YesNoQuestion yes_no_from(const json& object) {
-  YesNoQuestion question{object["question"].get<std::string>(),
-                         object.value("yes", std::string("yes")),
-                         object.value("no", std::string("no")), object.value("timeout_ms", 0.0)};
-  if (object.contains("right_when")) {
-    question.right_factor = object["right_when"]["factor"].get<std::string>();
-    question.right_above = object["right_when"]["above"].get<double>();
-  }
-  return question;
-}
-
-TwoIntervalQuestion two_interval_from(const json& object) {
-  TwoIntervalQuestion question{object["question"].get<std::string>(),
-                               object.value("first", std::string("the first")),
-                               object.value("second", std::string("the second")),
-                               {},
-                               object.value("between_ms", 500.0),
-                               object.value("timeout_ms", 0.0)};
-  const json& standard = object["standard"];
-  for (auto level = standard.begin(); level != standard.end(); ++level) {
-    question.standard.push_back({level.key(), level_value(level.value())});
-  }
-  return question;
 }
 
 CalibrationTask calibration_from(const json& object) {
@@ -135,23 +104,9 @@ Script script_from(const json& document) {
   for (const json& entry : session.value("demonstrations", json::array())) {
     script.demonstrations.push_back({entry["id"].get<std::string>(), text_from(entry)});
   }
-  if (document.contains("rating")) {
-    script.scale = scale_from(document["rating"]);
-  }
-  if (document.contains("yes_no")) {
-    script.yes_no = yes_no_from(document["yes_no"]);
-  }
-  if (document.contains("two_interval")) {
-    script.two_interval = two_interval_from(document["two_interval"]);
-  }
-  if (document.contains("free_text")) {
-    script.free_text = FreeTextQuestion{document["free_text"]["question"].get<std::string>()};
-  }
+  script.asked = read_questions(document);
   script.timing = {document["timing"]["fixation_ms"].get<double>(),
                    document["timing"]["interval_ms"].get<double>()};
-  if (document.contains("clicks")) {
-    script.clicks = ClickTask{document["clicks"]["merge_within_ms"].get<double>()};
-  }
   if (document.contains("gaze")) {
     script.gaze = gaze_from(document["gaze"]);
   }

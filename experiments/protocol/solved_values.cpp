@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/spin_limits.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/unattended.hpp"
@@ -111,11 +111,11 @@ struct Pilot {
 
 Pilot run_pilot(const Scene& scene, double pilot_s, ShapeLibrary& shapes,
                 const Progress& progress) {
-  Playback playback(build_scene(scene, assumed_screen(), 0.0, shapes, "pilot"), 1);
-  playback.drop_digests();
-  play_to(playback, pilot_s, progress);
+  LiveRun live(build_scene(scene, assumed_screen(), 0.0, shapes, "pilot"), 1);
+  live.drop_digests();
+  play_to(live, pilot_s, progress);
   Pilot pilot;
-  for (const CollisionRecord& collision : playback.take_collisions()) {
+  for (const CollisionRecord& collision : live.take_collisions()) {
     if (!is_wall(collision.report.bodies.b) && collision.priority) {
       pilot.measures.push_back(*collision.priority);
       pilot.share += collision.report.list == 0 ? 1.0 : 0.0;
@@ -161,7 +161,7 @@ std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& 
   Pilot pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
   for (number = 1; number < kMostPilots && !pilot.measures.empty(); ++number) {
     const double threshold = threshold_of(scene.engine, share, pilot.measures);
-    scene.engine.schedule->thresholds->front() = threshold;
+    scene.engine.schedule->limits["thresholds"].front() = threshold;
     pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
     if (!pilot.measures.empty() && std::abs(pilot.share - share) <= within) {
       return {{pointer, threshold}};

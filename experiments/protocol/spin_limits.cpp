@@ -7,7 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"

@@ -4,36 +4,51 @@
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline questions {
-namespace click_response {
 
-bool is_asked(const Script& script) { return script.clicks.has_value(); }
+const ResponseKind& click_kind();
 
-Text feedback(const Script& /*script*/, const AttemptRecord& record) {
-  const std::size_t clicks = record.clicks.size();
-  const std::string times = clicks == 1 ? "once" : std::to_string(clicks) + " times";
-  return {"", {clicks == 0 ? "You did not click." : "You clicked " + times + "."}};
-}
+namespace {
 
-}  // namespace click_response
+/// Nothing of its block matters before the analysis, which reads it from the protocol.
+class ClickTask final : public Question {
+ public:
+  [[nodiscard]] const ResponseKind& kind() const override { return click_kind(); }
 
-ResponseKind click_kind() {
-  using namespace click_response;
-  return {"click",
-          "clicks",
-          "during the stimulus",
-          "click",
-          {{"merge_within_ms", "for the analysis: events of one kind closer than this are one"}},
-          {{"number", "from 1"},
-           {"device", "mouse, key or simulated"},
-           {"arrived_ns", "own stamp when the event was taken from the queue"},
-           {"arrival_uncertainty_ns", "it may have arrived this much earlier"},
-           {"interval", "of a two-interval trial, during its first or second stimulus"}},
-          "take_clicks",
-          is_asked,
-          nullptr,
-          nullptr,
-          nullptr,
-          feedback};
+  [[nodiscard]] Text feedback(const AttemptRecord& record) const override {
+    const std::size_t clicks = record.clicks.size();
+    const std::string times = clicks == 1 ? "once" : std::to_string(clicks) + " times";
+    return {"", {clicks == 0 ? "You did not click." : "You clicked " + times + "."}};
+  }
+
+  [[nodiscard]] std::string explanation(const Words& /*words*/) const override {
+    return "clicks are recorded";
+  }
+};
+
+}  // namespace
+
+bool takes_clicks(const Script& script) { return find_question<ClickTask>(script) != nullptr; }
+
+const ResponseKind& click_kind() {
+  static const ResponseKind kind{
+      .name = "click",
+      .protocol_key = "clicks",
+      .when = "during the stimulus",
+      .table = "click",
+      .parameters = {{"merge_within_ms",
+                      "for the analysis: events of one kind closer than this are one"}},
+      .recorded = {{"number", "from 1"},
+                   {"device", "mouse, key or simulated"},
+                   {"arrived_ns", "own stamp when the event was taken from the queue"},
+                   {"arrival_uncertainty_ns", "it may have arrived this much earlier"},
+                   {"interval", "of a two-interval trial, during its first or second stimulus"}},
+      .event = "A click during the stimulus",
+      .tested_as = "clicks",
+      .during_stimulus = true,
+      .read = [](const nlohmann::json&) -> std::shared_ptr<const Question> {
+        return std::make_shared<ClickTask>();
+      }};
+  return kind;
 }
 
 }  // namespace impetus::inline questions

@@ -3,45 +3,61 @@
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline questions {
-namespace free_text_response {
 
-constexpr const char* kName = "free_text";
+const ResponseKind& free_text_kind();
 
-bool is_asked(const Script& script) { return script.free_text.has_value(); }
+namespace {
 
-Page page(const AskedTrial& asked) {
-  Page page;
-  page.layout = Page::Layout::kForm;
-  page.response = kName;
-  page.title = asked.script.free_text->question;
-  page.fields = {{kName, "", Field::Kind::kText, {}, 0.0, 0.0}};
-  page.choices = {{"Continue", "enter"}};
-  page.progress = asked.progress;
-  return page;
-}
+/// A question above a text box.
+class FreeTextQuestion final : public Question {
+ public:
+  explicit FreeTextQuestion(const nlohmann::json& block)
+      : question_(block["question"].get<std::string>()) {}
 
-void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) {
-  ResponseRecord response = response_record(kName, asked.script.free_text->question, answer);
-  response.answer = answer.fields.front();
-  record.responses.push_back(response);
-}
+  [[nodiscard]] const ResponseKind& kind() const override { return free_text_kind(); }
 
-}  // namespace free_text_response
+  [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
+    Page page;
+    page.layout = Page::Layout::kForm;
+    page.response = kind().name;
+    page.title = question_;
+    page.fields = {{kind().name, "", Field::Kind::kText, {}, 0.0, 0.0}};
+    page.choices = {{"Continue", "enter"}};
+    page.progress = asked.progress;
+    return page;
+  }
 
-ResponseKind free_text_kind() {
-  using namespace free_text_response;
-  return {kName,
-          "free_text",
-          "after the stimulus",
-          "response",
-          {{"question", "the words above the text box"}},
-          {},
-          "ask",
-          is_asked,
-          nullptr,
-          page,
-          keep,
-          nullptr};
+  void keep(const AskedTrial& /*asked*/, const Answer& answer,
+            AttemptRecord& record) const override {
+    ResponseRecord response = response_record(kind().name, question_, answer);
+    response.answer = answer.fields.front();
+    record.responses.push_back(response);
+  }
+
+  [[nodiscard]] std::string explanation(const Words& words) const override {
+    return "“" + words(question_) + "” in free words";
+  }
+
+ private:
+  std::string question_;
+};
+
+}  // namespace
+
+const ResponseKind& free_text_kind() {
+  static const ResponseKind kind{
+      .name = "free_text",
+      .protocol_key = "free_text",
+      .when = "after the stimulus",
+      .table = "response",
+      .parameters = {{"question", "the words above the text box"}},
+      .recorded = {},
+      .event = "Free words were asked for",
+      .is_typed = true,
+      .read = [](const nlohmann::json& block) -> std::shared_ptr<const Question> {
+        return std::make_shared<FreeTextQuestion>(block);
+      }};
+  return kind;
 }
 
 }  // namespace impetus::inline questions

@@ -1,86 +1,129 @@
-// A rating on a scale with words at both ends, by key or mouse. It has a table of its own; only
-// that the time was up is kept beside the other responses. (Dingliana 2002, sec. 6.2)
 // SPDX-License-Identifier: MIT
-#include "experiments/questions/response_kinds.hpp"
-#include "experiments/questions/session_pages.hpp"
+#include "experiments/questions/rating.hpp"
 
 namespace impetus::inline questions {
-namespace rating_response {
 
-constexpr const char* kName = "rating";
+const ResponseKind& rating_kind();
 
-bool is_asked(const Script& script) { return script.scale.has_value(); }
+namespace {
 
-Page page(const AskedTrial& asked) {
-  const RatingScale& scale = *asked.script.scale;
+void check_ends(const JsonDocument& protocol) {
+  const nlohmann::json& rating = protocol.value["rating"];
+  if (rating["minimum"] >= rating["maximum"]) {
+    refuse(protocol, "/rating/maximum",
+           "expected more than the minimum " + rating["minimum"].dump() + ", got " +
+               rating["maximum"].dump());
+  }
+  if (rating["best"] != rating["minimum"] && rating["best"] != rating["maximum"]) {
+    refuse(protocol, "/rating/best",
+           "expected one end of the scale, " + rating["minimum"].dump() + " or " +
+               rating["maximum"].dump() + ", got " + rating["best"].dump());
+  }
+}
+
+/// Draws how far from the good end the point lies, by the probability of each.
+void simulate_rating(const Page& page, Judge& judge, Answer& answer) {
+  const std::vector<double> chances = judge.probabilities(judge.clearest());
+  const double draw = judge.uniform();
+  std::size_t disbelief = 0;
+  for (double reached = chances[0]; disbelief + 1 < chances.size() && draw >= reached;) {
+    reached += chances[++disbelief];
+  }
+  answer.choice = page.best_choice == 0 ? disbelief : page.best_choice - disbelief;
+}
+
+}  // namespace
+
+std::string RatingScale::meaning(std::int64_t rating) const {
+  const std::string low = "“" + low_anchor + "”";
+  const std::string high = "“" + high_anchor + "”";
+  return rating == minimum ? low : rating == maximum ? high : "between " + low + " and " + high;
+}
+
+RatingQuestion::RatingQuestion(const nlohmann::json& block)
+    : question_(block["question"].get<std::string>()),
+      scale_{block["minimum"].get<std::int64_t>(), block["maximum"].get<std::int64_t>(),
+             block["best"].get<std::int64_t>(), block["low_anchor"].get<std::string>(),
+             block["high_anchor"].get<std::string>()},
+      timeout_ms_(block.value("timeout_ms", 0.0)) {}
+
+const ResponseKind& RatingQuestion::kind() const { return rating_kind(); }
+
+std::optional<Page> RatingQuestion::page(const AskedTrial& asked) const {
   Page page;
   page.layout = Page::Layout::kScale;
-  page.response = kName;
-  page.title = scale.question;
-  page.low_anchor = scale.low_anchor;
-  page.high_anchor = scale.high_anchor;
+  page.response = kind().name;
+  page.title = question_;
+  page.low_anchor = scale_.low_anchor;
+  page.high_anchor = scale_.high_anchor;
   page.progress = asked.progress;
-  page.best_choice = static_cast<std::size_t>(scale.best - scale.minimum);
-  page.timeout_ms = scale.timeout_ms;
-  for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
+  page.best_choice = static_cast<std::size_t>(scale_.best - scale_.minimum);
+  page.timeout_ms = timeout_ms_;
+  for (std::int64_t point = scale_.minimum; point <= scale_.maximum; ++point) {
     page.choices.push_back({std::to_string(point), std::to_string(point)});
   }
   return page;
 }
 
-void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) {
-  const RatingScale& scale = *asked.script.scale;
+void RatingQuestion::keep(const AskedTrial& /*asked*/, const Answer& answer,
+                          AttemptRecord& record) const {
   if (answer.timed_out) {
-    record.responses.push_back(response_record(kName, scale.question, answer));
+    record.responses.push_back(response_record(kind().name, question_, answer));
     return;
   }
-  record.ratings.push_back({scale.minimum + static_cast<std::int64_t>(answer.choice), scale.minimum,
-                            scale.maximum, scale.best, scale.low_anchor, scale.high_anchor,
-                            answer.device, answer.shown_ns, answer.arrived_ns,
+  record.ratings.push_back({scale_.minimum + static_cast<std::int64_t>(answer.choice),
+                            scale_.minimum, scale_.maximum, scale_.best, scale_.low_anchor,
+                            scale_.high_anchor, answer.device, answer.shown_ns, answer.arrived_ns,
                             answer.arrival_uncertainty_ns});
 }
 
-Text feedback(const Script& script, const AttemptRecord& record) {
+Text RatingQuestion::feedback(const AttemptRecord& record) const {
   if (record.ratings.empty()) {
-    return time_was_up(script.scale->timeout_ms);
+    return time_was_up(timeout_ms_);
   }
-  const std::string rating = std::to_string(record.ratings.front().rating);
+  const std::int64_t given = record.ratings.front().rating;
+  const std::string rating = std::to_string(given);
   return {"You answered " + rating,
-          {"On the scale, " + rating + " means " +
-           meaning_of(*script.scale, record.ratings.front().rating) + "."}};
+          {"On the scale, " + rating + " means " + scale_.meaning(given) + "."}};
 }
 
-}  // namespace rating_response
+std::string RatingQuestion::explanation(const Words& words) const {
+  return "“" + words(question_) + "” " + std::to_string(scale_.minimum) + " (" +
+         words(scale_.low_anchor) + ") to " + std::to_string(scale_.maximum) + " (" +
+         words(scale_.high_anchor) + ")";
+}
 
-ResponseKind rating_kind() {
-  using namespace rating_response;
-  return {kName,
-          "rating",
-          "after the stimulus",
-          "rating",
-          {{"question", "the words above the scale"},
-           {"minimum", "first point"},
-           {"maximum", "last point"},
-           {"best", "which end is good"},
-           {"low_anchor", "words at the first point"},
-           {"high_anchor", "words at the last point"},
-           {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
-          {{"rating", "the point chosen"},
-           {"minimum", "of its scale"},
-           {"maximum", "of its scale"},
-           {"best", "of its scale"},
-           {"low_anchor", "of its scale"},
-           {"high_anchor", "of its scale"},
-           {"device", "mouse, key or simulated"},
-           {"question_shown_ns", "flip that first showed the question"},
-           {"arrived_ns", "own stamp when the event was taken from the queue"},
-           {"arrival_uncertainty_ns", "it may have arrived this much earlier"}},
-          "ask",
-          is_asked,
-          nullptr,
-          page,
-          keep,
-          feedback};
+const ResponseKind& rating_kind() {
+  static const ResponseKind kind{
+      .name = "rating",
+      .protocol_key = "rating",
+      .when = "after the stimulus",
+      .table = "rating",
+      .parameters = {{"question", "the words above the scale"},
+                     {"minimum", "first point"},
+                     {"maximum", "last point"},
+                     {"best", "which end is good"},
+                     {"low_anchor", "words at the first point"},
+                     {"high_anchor", "words at the last point"},
+                     {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
+      .recorded = {{"rating", "the point chosen"},
+                   {"minimum", "of its scale"},
+                   {"maximum", "of its scale"},
+                   {"best", "of its scale"},
+                   {"low_anchor", "of its scale"},
+                   {"high_anchor", "of its scale"},
+                   {"device", "mouse, key or simulated"},
+                   {"question_shown_ns", "flip that first showed the question"},
+                   {"arrived_ns", "own stamp when the event was taken from the queue"},
+                   {"arrival_uncertainty_ns", "it may have arrived this much earlier"}},
+      .event = "A rating was asked for and given",
+      .tested_as = "rating",
+      .read = [](const nlohmann::json& block) -> std::shared_ptr<const Question> {
+        return std::make_shared<RatingQuestion>(block);
+      },
+      .check_block = check_ends,
+      .simulate = simulate_rating};
+  return kind;
 }
 
 }  // namespace impetus::inline questions

@@ -6,31 +6,78 @@
 
 namespace impetus::inline questions {
 
-using DeclaredKind = ResponseKind();
-DeclaredKind click_kind, rating_kind, yes_no_kind, two_interval_kind, free_text_kind;
+using Kinds = std::vector<std::reference_wrapper<const ResponseKind>>;
+using Declared = const ResponseKind&();
+Declared click_kind, rating_kind, yes_no_kind, two_interval_kind, free_text_kind;
 
-const std::vector<ResponseKind>& response_kinds() {
-  static const std::vector<ResponseKind> kinds{click_kind(), rating_kind(), yes_no_kind(),
-                                               two_interval_kind(), free_text_kind()};
+const Kinds& response_kinds() {
+  static const Kinds kinds{click_kind(), rating_kind(), yes_no_kind(), two_interval_kind(),
+                           free_text_kind()};
   return kinds;
 }
 
-std::vector<std::string> responses_of(const Script& script) {
-  std::vector<std::string> names;
+const Kinds& listed_kinds() {
+  static const Kinds listed = [] {
+    Kinds kinds = response_kinds();
+    std::stable_partition(kinds.begin(), kinds.end(),
+                          [](const ResponseKind& kind) { return !kind.during_stimulus; });
+    return kinds;
+  }();
+  return listed;
+}
+
+const ResponseKind* find_kind(const std::string& name) {
+  const auto found = std::find_if(response_kinds().begin(), response_kinds().end(),
+                                  [&](const ResponseKind& kind) { return kind.name == name; });
+  return found == response_kinds().end() ? nullptr : &found->get();
+}
+
+Questions read_questions(const nlohmann::json& protocol) {
+  Questions questions;
   for (const ResponseKind& kind : response_kinds()) {
-    if (kind.is_asked(script)) {
-      names.push_back(kind.name);
+    if (protocol.contains(kind.protocol_key)) {
+      questions.push_back(kind.read(protocol[kind.protocol_key]));
     }
   }
-  return names;
+  return questions;
+}
+
+void check_question_blocks(const JsonDocument& protocol) {
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.check_block != nullptr && protocol.value.contains(kind.protocol_key)) {
+      kind.check_block(protocol);
+    }
+  }
+}
+
+void check_questions_in_design(const JsonDocument& protocol) {
+  for (const ResponseKind& kind : response_kinds()) {
+    if (kind.check_in_design != nullptr && protocol.value.contains(kind.protocol_key)) {
+      kind.check_in_design(protocol);
+    }
+  }
+}
+
+std::vector<nlohmann::json> levels_of_questions(const nlohmann::json& protocol) {
+  std::vector<nlohmann::json> levels;
+  for (const ResponseKind& kind : response_kinds()) {
+    for (const DeclaredValue& parameter : kind.parameters) {
+      const nlohmann::json::json_pointer place("/" + kind.protocol_key + "/" + parameter.name);
+      if (parameter.levels && protocol.contains(place)) {
+        levels.push_back(protocol.at(place));
+      }
+    }
+  }
+  return levels;
+}
+
+double Judge::clearest() const {
+  return *std::max_element(seen_in_intervals().begin(), seen_in_intervals().end());
 }
 
 bool has_right_answers(const Script& script) {
-  const std::vector<ResponseKind>& kinds = response_kinds();
-  return std::any_of(kinds.begin(), kinds.end(), [&](const ResponseKind& kind) {
-    return kind.is_asked(script) && kind.has_right_answer != nullptr &&
-           kind.has_right_answer(script);
-  });
+  return std::any_of(script.asked.begin(), script.asked.end(),
+                     [](const auto& question) { return question->has_right_answer(); });
 }
 
 std::optional<bool> answered_right(const AttemptRecord& record) {
@@ -41,6 +88,15 @@ std::optional<bool> answered_right(const AttemptRecord& record) {
     }
   }
   return right;
+}
+
+std::optional<bool> counted_answer(const AttemptRecord& attempt) {
+  for (const ResponseRecord& response : attempt.responses) {
+    if (response.positive) {
+      return response.positive;
+    }
+  }
+  return std::nullopt;
 }
 
 const ResponseRecord* response_to(const std::string& kind, const AttemptRecord& record) {
@@ -71,13 +127,23 @@ Text time_was_up(double timeout_ms) {
   return {"The time was up", {"You have " + std::string(seconds) + " s to answer."}};
 }
 
-std::optional<bool> counted_answer(const AttemptRecord& attempt) {
-  for (const ResponseRecord& response : attempt.responses) {
-    if (response.positive) {
-      return response.positive;
+LevelValue level_value(const nlohmann::json& value) {
+  if (value.is_string()) {
+    return value.get<std::string>();
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  return value.get<double>();
+}
+
+const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name) {
+  for (const nlohmann::json& factor : protocol.value["design"]["factors"]) {
+    if (factor["name"].get<std::string>() == name) {
+      return &factor;
     }
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace impetus::inline questions

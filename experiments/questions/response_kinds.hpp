@@ -1,36 +1,64 @@
-// The kinds of response that a protocol can ask for. Each is one file in responses/: its parameters
-// in the protocol, what it records, its page, and what an answer becomes.
+// The kinds of response that a protocol can ask for. Each is one source file in this folder: its
+// parameters in the protocol and their checks, its page, what becomes of an answer, how a simulated
+// participant gives one, and what exports and pages of explanation call it.
 //
-//   script ─is_asked─> page ─Input::ask─> answer ─keep─> record ─feedback─> words after practice
+//   protocol ─read─> question ─page─> Input::ask ─> answer ─keep─> record ─feedback─> after
+//   practice
 //
-// A new kind is such a file, its line in response_kinds.cpp, and its block in the protocol's schema
-// and the script: a test holds declarations, schema and tables against each other.
-// SPDX-License-Identifier: MIT
+// A new kind is such a file, its line in response_kinds.cpp, and its block in the protocol's
+// schema: CONTRIBUTING.md shows one. SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/record/ports.hpp"
 #include "experiments/record/script.hpp"
+#include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline questions {
 
+/// A parameter of a kind's block in the protocol, or something that the kind records.
 struct DeclaredValue {
   std::string name;
   std::string meaning;
   bool optional{false};  ///< of a parameter: it may be left out
+  bool levels{false};    ///< of a parameter: levels of factors, which put values into the scene
 };
 
 /// The trial that a question is about; what it refers to must outlive it.
 struct AskedTrial {
-  const Script& script;
   const PlannedTrial& trial;
   const SessionProgress& progress;
   std::int64_t test_interval{1};  ///< which of two intervals showed the condition's own stimulus
 };
 
+/// A simulated participant, as a question meets it after the stimulus.
+class Judge {
+ public:
+  virtual ~Judge() = default;
+
+  /// How clearly something wrong was seen in each interval of the trial, from 0 to 1.
+  [[nodiscard]] virtual const std::vector<double>& seen_in_intervals() const = 0;
+  /// The same in the clearest of them.
+  [[nodiscard]] double clearest() const;
+
+  /// Probability of each point of a rating scale, from its good end on, for what was seen.
+  [[nodiscard]] virtual std::vector<double> probabilities(double seen) const = 0;
+  /// Probability of yes for what was seen.
+  [[nodiscard]] virtual double yes_probability(double seen) const = 0;
+  /// Probability that the first of two intervals is chosen, for what was seen in each.
+  [[nodiscard]] virtual double first_probability(double seen_first, double seen_second) const = 0;
+
+  /// A draw from 0 to below 1.
+  virtual double uniform() = 0;
+};
+
+/// What all questions of a kind have in common.
 struct ResponseKind {
   std::string name;
   std::string protocol_key;               ///< its block of parameters in a protocol
@@ -40,24 +68,79 @@ struct ResponseKind {
   /// Recorded beside the attempt it belongs to: the table's columns; of the table `response`, the
   /// names in its column `detail`.
   std::vector<DeclaredValue> recorded;
-  std::string simulated_by;  ///< Input's function that a simulated participant has
+  std::string event;  ///< what an export says of such an event
 
-  bool (*is_asked)(const Script& script);
-  /// Whether an answer can be right or wrong; null: never.
-  bool (*has_right_answer)(const Script& script){nullptr};
-  /// The question after the stimulus; null: nothing is asked then, and nothing kept.
-  Page (*page)(const AskedTrial& asked){nullptr};
+  /// What `impetus power` tests of it, "rating", "answer" or "clicks"; "": nothing.
+  std::string tested_as{};
+  bool during_stimulus{false};  ///< there is no page for it
+  bool is_typed{false};         ///< an anonymised study lacks what was typed
+  bool asks_for_a_fact{false};  ///< some answer is true, whether the protocol knows it or not
+
+  /// The question that a protocol's block asks; the block is valid by the schema.
+  std::shared_ptr<const Question> (*read)(const nlohmann::json& block);
+  /// Whether the block, which is there, fits itself. Throws InputError; null: nothing to ask.
+  void (*check_block)(const JsonDocument& protocol){nullptr};
+  /// Whether the block fits the design, whose factors are known to be sound. The same.
+  void (*check_in_design)(const JsonDocument& protocol){nullptr};
+  /// Answers a page as a simulated participant does; null: the first choice, and no words.
+  void (*simulate)(const Page& page, Judge& judge, Answer& answer){nullptr};
+};
+
+/// What a script asks by one kind of response, with the parameters that its protocol gives.
+class Question {
+ public:
+  virtual ~Question() = default;
+  [[nodiscard]] virtual const ResponseKind& kind() const = 0;
+
+  /// Whether an answer can be right or wrong.
+  [[nodiscard]] virtual bool has_right_answer() const { return false; }
+  /// The page after the stimulus; none: nothing is asked then, and nothing kept.
+  [[nodiscard]] virtual std::optional<Page> page(const AskedTrial& /*asked*/) const { return {}; }
   /// Puts what was answered, or that the time was up, into the record.
-  void (*keep)(const AskedTrial& asked, const Answer& answer, AttemptRecord& record){nullptr};
-  /// What is said of the answer after a practice trial; null: nothing.
-  Text (*feedback)(const Script& script, const AttemptRecord& record){nullptr};
+  virtual void keep(const AskedTrial& /*asked*/, const Answer& /*answer*/,
+                    AttemptRecord& /*record*/) const {}
+  /// What is said of the answer after a practice trial; empty: nothing.
+  [[nodiscard]] virtual Text feedback(const AttemptRecord& /*record*/) const { return {}; }
+
+  /// What a page of explanation says of it, where `words` makes any text fit to stand there: what
+  /// is asked, or what is recorded during the stimulus.
+  using Words = std::function<std::string(const std::string&)>;
+  [[nodiscard]] virtual std::string explanation(const Words& words) const = 0;
 };
 
 /// All kinds, in the order in which they are asked.
-const std::vector<ResponseKind>& response_kinds();
+const std::vector<std::reference_wrapper<const ResponseKind>>& response_kinds();
 
-/// The names of those that a script asks for.
-std::vector<std::string> responses_of(const Script& script);
+/// The same in the order in which words list them: what is asked after the stimulus comes first.
+const std::vector<std::reference_wrapper<const ResponseKind>>& listed_kinds();
+
+/// The kind of this name; null when there is none.
+const ResponseKind* find_kind(const std::string& name);
+
+/// The questions of a protocol that is valid by its schema, in the order in which they are asked.
+Questions read_questions(const nlohmann::json& protocol);
+
+/// Whether the block of each kind that a protocol asks for fits itself, and whether it fits the
+/// design. Both throw InputError.
+void check_question_blocks(const JsonDocument& protocol);
+void check_questions_in_design(const JsonDocument& protocol);
+
+/// The levels of factors that the protocol's questions show besides the design's, by factor.
+std::vector<nlohmann::json> levels_of_questions(const nlohmann::json& protocol);
+
+/// A script's question of a class that is known; null when it asks none.
+template <typename Asked>
+const Asked* find_question(const Script& script) {
+  for (const auto& question : script.asked) {
+    if (const auto* asked = dynamic_cast<const Asked*>(question.get())) {
+      return asked;
+    }
+  }
+  return nullptr;
+}
+
+/// Whether clicks during the stimulus are asked for.
+bool takes_clicks(const Script& script);
 
 /// Whether the script has a question that can be answered right or wrong.
 bool has_right_answers(const Script& script);
@@ -79,5 +162,9 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
 
 /// "The time was up", and how much there is: what is said after practice.
 Text time_was_up(double timeout_ms);
+
+/// A factor's level as JSON has it, and the factor of a protocol's design; null: there is none.
+LevelValue level_value(const nlohmann::json& value);
+const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name);
 
 }  // namespace impetus::inline questions

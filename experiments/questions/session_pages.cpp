@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/session_pages.hpp"
 
-#include <string>
-
-#include "experiments/questions/response_kinds.hpp"
-
 namespace impetus::inline questions {
 namespace {
-
-std::string quoted(const std::string& words) { return "“" + words + "”"; }
 
 std::string times(std::int64_t count) {
   return count == 1 ? "once" : std::to_string(count) + " times";
 }
 
 }  // namespace
-
-std::string meaning_of(const RatingScale& scale, std::int64_t rating) {
-  if (rating == scale.minimum) {
-    return quoted(scale.low_anchor);
-  }
-  if (rating == scale.maximum) {
-    return quoted(scale.high_anchor);
-  }
-  return "between " + quoted(scale.low_anchor) + " and " + quoted(scale.high_anchor);
-}
 
 Text welcome_back(std::int64_t completed_trials) {
   return {"Welcome back",
@@ -91,11 +75,10 @@ Page demonstration_over(const Text& text, const SessionProgress& progress) {
 std::optional<Page> practice_feedback(const Script& script, const AttemptRecord& record,
                                       const SessionProgress& progress) {
   Text text;
-  for (const ResponseKind& kind : response_kinds()) {
-    if (!kind.is_asked(script) || kind.feedback == nullptr) {
-      continue;
-    }
-    const Text words = kind.feedback(script, record);
+  bool asks_for_a_fact = false;
+  for (const auto& question : script.asked) {
+    asks_for_a_fact = asks_for_a_fact || question->kind().asks_for_a_fact;
+    const Text words = question->feedback(record);
     if (text.title.empty()) {
       text.title = words.title;
     } else if (!words.title.empty()) {
@@ -109,8 +92,8 @@ std::optional<Page> practice_feedback(const Script& script, const AttemptRecord&
   text.title = text.title.empty() ? "Practice" : text.title;
   if (!script.practice_rule && !has_right_answers(script)) {  // which would ask for better ones
     text.paragraphs.emplace_back(
-        script.yes_no ? "Answer by how it looked to you."
-                      : "There are no right or wrong answers: it is how it looked to you.");
+        asks_for_a_fact ? "Answer by how it looked to you."
+                        : "There are no right or wrong answers: it is how it looked to you.");
   }
   return text_page(text, progress);
 }
@@ -136,7 +119,7 @@ Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std
   for (std::int64_t point = scale.minimum; point <= scale.maximum; ++point) {
     const auto used = use.find(point);
     const std::int64_t count = used == use.end() ? 0 : used->second;
-    text.paragraphs.push_back(std::to_string(point) + " (" + meaning_of(scale, point) +
+    text.paragraphs.push_back(std::to_string(point) + " (" + scale.meaning(point) +
                               "): " + (count == 0 ? "not used" : times(count)));
   }
   text.paragraphs.push_back(use.size() == 1

@@ -7,18 +7,13 @@
 #include <string>
 
 #include "experiments/design/plan.hpp"
-#include "experiments/record/page.hpp"
-#include "experiments/record/record.hpp"
-#include "experiments/record/script.hpp"
+#include "experiments/questions/rating.hpp"
 
 namespace impetus::inline questions {
 
 inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
 inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
-
-/// "“Very believable”", or where the point lies between the two anchors.
-std::string meaning_of(const RatingScale& scale, std::int64_t rating);
 
 Text welcome_back(std::int64_t completed_trials);
 Page text_page(const Text& text, const SessionProgress& progress);

@@ -1,32 +1,81 @@
-// Which of two stimuli: the condition's own and the standard, in an order that the trial's seed
-// decides. To have chosen the condition's own is positive, and right.
 // SPDX-License-Identifier: MIT
-#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/two_interval.hpp"
+
+#include <algorithm>
+
+#include "engine/numerics/random_stream.hpp"
 
 namespace impetus::inline questions {
-namespace two_interval_response {
 
-constexpr const char* kName = "two_interval";
+const ResponseKind& two_interval_kind();
 
-bool is_asked(const Script& script) { return script.two_interval.has_value(); }
+namespace {
 
-bool has_right_answer(const Script& /*script*/) { return true; }
+using nlohmann::json;
 
-Page page(const AskedTrial& asked) {
-  const TwoIntervalQuestion& question = *asked.script.two_interval;
+void check_standard_names(const JsonDocument& protocol) {
+  const json& standard = protocol.value["two_interval"]["standard"];
+  if (standard.empty()) {
+    refuse(protocol, "/two_interval/standard",
+           "expected at least one level, or both intervals show the same, got {}");
+  }
+  for (auto level = standard.begin(); level != standard.end(); ++level) {
+    if (find_factor(protocol, level.key()) == nullptr) {
+      refuse(protocol, "/two_interval/standard",
+             "expected only factors of the design, got " + json(level.key()).dump());
+    }
+  }
+}
+
+void simulate_choice(const Page& /*page*/, Judge& judge, Answer& answer) {
+  const std::vector<double>& seen = judge.seen_in_intervals();
+  const double first = judge.first_probability(seen.front(), seen.back());
+  answer.choice = judge.uniform() < first ? 0 : 1;
+}
+
+}  // namespace
+
+TwoIntervalQuestion::TwoIntervalQuestion(const json& block)
+    : question_(block["question"].get<std::string>()),
+      first_(block.value("first", std::string("the first"))),
+      second_(block.value("second", std::string("the second"))),
+      between_ms_(block.value("between_ms", 500.0)),
+      timeout_ms_(block.value("timeout_ms", 0.0)) {
+  const json& standard = block["standard"];
+  for (auto level = standard.begin(); level != standard.end(); ++level) {
+    standard_.push_back({level.key(), level_value(level.value())});
+  }
+}
+
+Condition TwoIntervalQuestion::standard(const Condition& condition) const {
+  Condition standard = condition;
+  for (FactorLevel& level : standard) {
+    for (const FactorLevel& replacement : standard_) {
+      if (replacement.factor == level.factor) {
+        level.value = replacement.value;
+      }
+    }
+  }
+  return standard;
+}
+
+const ResponseKind& TwoIntervalQuestion::kind() const { return two_interval_kind(); }
+
+std::optional<Page> TwoIntervalQuestion::page(const AskedTrial& asked) const {
   Page page;
   page.layout = Page::Layout::kChoices;
-  page.response = kName;
-  page.title = question.question;
-  page.choices = {{question.first, "1"}, {question.second, "2"}};
+  page.response = kind().name;
+  page.title = question_;
+  page.choices = {{first_, "1"}, {second_, "2"}};
   page.positive_choice = static_cast<std::size_t>(asked.test_interval - 1);
   page.progress = asked.progress;
-  page.timeout_ms = question.timeout_ms;
+  page.timeout_ms = timeout_ms_;
   return page;
 }
 
-void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) {
-  ResponseRecord response = response_record(kName, asked.script.two_interval->question, answer);
+void TwoIntervalQuestion::keep(const AskedTrial& asked, const Answer& answer,
+                               AttemptRecord& record) const {
+  ResponseRecord response = response_record(kind().name, question_, answer);
   response.detail = {{"test_interval", static_cast<double>(asked.test_interval)}};
   response.correct = false;
   if (!answer.timed_out) {
@@ -37,41 +86,72 @@ void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) 
   record.responses.push_back(response);
 }
 
-Text feedback(const Script& script, const AttemptRecord& record) {
-  const TwoIntervalQuestion& question = *script.two_interval;
-  const ResponseRecord& response = *response_to(kName, record);
+Text TwoIntervalQuestion::feedback(const AttemptRecord& record) const {
+  const ResponseRecord& response = *response_to(kind().name, record);
   if (response.timed_out) {
-    return time_was_up(question.timeout_ms);
+    return time_was_up(timeout_ms_);
   }
   const bool chose_first = response.answer == "first";
   const bool first_is_right = chose_first == *response.correct;
-  return {"You chose “" + (chose_first ? question.first : question.second) + "”",
+  return {"You chose “" + (chose_first ? first_ : second_) + "”",
           {*response.correct ? "That was right."
                              : "That was not right: the answer was “" +
-                                   (first_is_right ? question.first : question.second) + "”."}};
+                                   (first_is_right ? first_ : second_) + "”."}};
 }
 
-}  // namespace two_interval_response
+std::string TwoIntervalQuestion::explanation(const Words& words) const {
+  return "“" + words(question_) + "” " + words(first_) + " or " + words(second_);
+}
 
-ResponseKind two_interval_kind() {
-  using namespace two_interval_response;
-  return {kName,
-          "two_interval",
-          "after the second stimulus",
-          "response",
-          {{"question", "the words above the choices"},
-           {"first", "the words on the choice", true},
-           {"second", "the words on the choice", true},
-           {"standard", "levels that the standard has in place of the condition's"},
-           {"between_ms", "blank between the two stimuli", true},
-           {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
-          {{"test_interval", "which interval showed the condition's own stimulus"}},
-          "ask",
-          is_asked,
-          has_right_answer,
-          page,
-          keep,
-          feedback};
+const ResponseKind& two_interval_kind() {
+  static const ResponseKind kind{
+      .name = "two_interval",
+      .protocol_key = "two_interval",
+      .when = "after the second stimulus",
+      .table = "response",
+      .parameters = {{"question", "the words above the choices"},
+                     {"first", "the words on the choice", true},
+                     {"second", "the words on the choice", true},
+                     {.name = "standard",
+                      .meaning = "levels that the standard has in place of the condition's",
+                      .levels = true},
+                     {"between_ms", "blank between the two stimuli", true},
+                     {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
+      .recorded = {{"test_interval", "which interval showed the condition's own stimulus"}},
+      .event = "Which of two stimuli was asked for",
+      .tested_as = "answer",
+      .read = [](const json& block) -> std::shared_ptr<const Question> {
+        return std::make_shared<TwoIntervalQuestion>(block);
+      },
+      .check_in_design = check_standard_names,
+      .simulate = simulate_choice};
+  return kind;
+}
+
+std::int64_t test_interval(const Script& script, const PlannedTrial& trial) {
+  if (find_two_interval(script) == nullptr) {
+    return 1;
+  }
+  RandomStream order(trial.seed, "order of intervals");
+  return 1 + static_cast<std::int64_t>(order.below(2));
+}
+
+std::vector<PlannedTrial> stimuli_of(const Script& script, const PlannedTrial& trial) {
+  std::vector<PlannedTrial> stimuli;
+  for (Condition& condition : shown_conditions(script, trial.condition)) {
+    stimuli.push_back(trial);
+    stimuli.back().condition = std::move(condition);
+  }
+  if (test_interval(script, trial) == 2) {
+    std::reverse(stimuli.begin(), stimuli.end());
+  }
+  return stimuli;
+}
+
+std::vector<Condition> shown_conditions(const Script& script, const Condition& condition) {
+  const TwoIntervalQuestion* question = find_two_interval(script);
+  return question == nullptr ? std::vector<Condition>{condition}
+                             : std::vector<Condition>{condition, question->standard(condition)};
 }
 
 }  // namespace impetus::inline questions

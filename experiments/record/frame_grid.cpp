@@ -2,7 +2,6 @@
 #include "experiments/record/frame_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace impetus::inline record {
 

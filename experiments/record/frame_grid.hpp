@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace impetus::inline record {
@@ -24,6 +25,7 @@ struct Flip {
   [[nodiscard]] bool late() const { return missed_slots > 0; }
 };
 
+/// Which slots are taken, and when the next is due.
 class FrameGrid {
  public:
   /// `refresh_hz` must be positive.
@@ -51,5 +53,11 @@ class FrameGrid {
   std::int64_t anchor_ns_{0};
   std::int64_t slot_{0};
 };
+
+/// The frames that cover a duration; whole for every duration that a protocol's check passed.
+inline std::int64_t whole_frames(double duration_s, double refresh_hz) {
+  constexpr double kOfAFrame = 1e-6;  // what rounding may make of a whole number
+  return static_cast<std::int64_t>(std::ceil(duration_s * refresh_hz - kOfAFrame));
+}
 
 }  // namespace impetus::inline record

@@ -48,6 +48,7 @@ struct PointMap {
   std::vector<LookedAtPoint> points;
 };
 
+/// One page, whole.
 struct Page {
   /// kText: paragraphs, then choices as buttons. kForm: fields to fill in as well. kScale: the
   /// choices are the points of a rating scale, side by side, with anchors under the two ends.

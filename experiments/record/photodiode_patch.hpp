@@ -42,6 +42,7 @@ std::int64_t patch_code(std::int64_t frame);
 /// What the square is drawn with, as an sRGB grey from 0 to 1. Precondition: 0 ≤ code ≤ 3.
 float patch_grey(std::int64_t code);
 
+/// Where the square is drawn.
 enum class ScreenCorner { kTopLeft, kTopRight, kBottomLeft, kBottomRight };
 
 /// "top left", "top right", "bottom left", "bottom right".

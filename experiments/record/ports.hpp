@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@
 
 namespace impetus::inline record {
 
+/// When it is.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -59,6 +61,7 @@ struct Picture {
 Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, double time_s,
                    const SessionProgress& progress);
 
+/// The screen: what shows pictures, each at a flip.
 class Display {
  public:
   virtual ~Display() = default;
@@ -95,6 +98,7 @@ struct Answer {
   bool timed_out{false};                   ///< nothing came in the page's time; device is "none"
 };
 
+/// What the participant answers, and does meanwhile.
 class Input {
  public:
   virtual ~Input() = default;
@@ -119,6 +123,7 @@ class Input {
   }
 };
 
+/// What is on show under a condition.
 class Scenes {
  public:
   virtual ~Scenes() = default;
@@ -132,6 +137,7 @@ class Scenes {
                                                         const ScreenGeometry& screen) const = 0;
 };
 
+/// Keeps what happened.
 class Recorder {
  public:
   virtual ~Recorder() = default;
@@ -151,6 +157,16 @@ class Recorder {
 
   /// Waits until everything handed over is committed to disk. Throws when it could not be.
   virtual void await_saved() = 0;
+};
+
+/// The machine's own, which a change of date never moves: CLOCK_MONOTONIC.
+class SteadyClock final : public Clock {
+ public:
+  [[nodiscard]] std::int64_t now_ns() const override {
+    std::timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  }
 };
 
 }  // namespace impetus::inline record

@@ -65,6 +65,7 @@ struct CollisionRecord {
   std::optional<ImposedSpin> imposed_spin{};
 };
 
+/// What a frame is of: the cross before the stimulus, or the stimulus.
 enum class FramePhase { kFixation, kStimulus };
 
 /// One frame of a timed phase.
@@ -116,6 +117,7 @@ struct ResponseRecord {
   bool timed_out{false};
 };
 
+/// Whether a showing came to its end, all answers included.
 enum class AttemptOutcome { kCompleted, kInterrupted };
 
 /// One showing of a planned trial. An interrupted trial is shown again as the next attempt.
@@ -156,6 +158,7 @@ struct CalibrationPointRecord {
   std::int64_t lost{0};
 };
 
+/// What points were shown for: to find the correction, to judge it, or to see whether it drifted.
 enum class CalibrationKind { kCalibration, kValidation, kDriftCheck };
 
 /// One run through the points.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,21 +11,18 @@
 #include "experiments/design/design.hpp"
 #include "experiments/record/page.hpp"
 
+namespace impetus::inline questions {
+class Question;  // each kind of response has its own, with what a protocol asks by it
+}
+
 namespace impetus::inline record {
 
+using Questions = std::vector<std::shared_ptr<const Question>>;
+
+/// A title and the paragraphs under it.
 struct Text {
   std::string title;
   std::vector<std::string> paragraphs;
-};
-
-struct RatingScale {
-  std::string question;
-  std::int64_t minimum{1};
-  std::int64_t maximum{3};
-  std::int64_t best{1};  ///< which end is good: minimum or maximum
-  std::string low_anchor;
-  std::string high_anchor;
-  double timeout_ms{0.0};  ///< 0: none
 };
 
 /// When practice is understood: something was clicked in a round's trials of the worst level (where
@@ -44,41 +42,10 @@ struct TrainingRule {
   std::int64_t most_trials{0};
 };
 
+/// How long a trial takes besides its stimulus.
 struct TrialTiming {
   double fixation_ms{500.0};
   double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
-};
-
-/// Clicks during the stimulus, whenever something is seen.
-struct ClickTask {
-  double merge_within_ms{100.0};  ///< of what happened, for the analysis; clicks are kept raw
-};
-
-/// Yes or no, after the stimulus.
-struct YesNoQuestion {
-  std::string question;
-  std::string yes;  ///< the words on the two choices; keys are y and n
-  std::string no;
-  double timeout_ms{0.0};  ///< 0: none
-  /// Yes is right where the factor's level is above this; "": there is no right answer.
-  std::string right_factor{};
-  double right_above{0.0};
-};
-
-/// Two stimuli, of which the participant chooses one: the condition's own and one of the standard,
-/// in an order drawn with the trial's seed.
-struct TwoIntervalQuestion {
-  std::string question;
-  std::string first;  ///< the words on the two choices; keys are 1 and 2
-  std::string second;
-  Condition standard;  ///< levels that the standard has instead of the condition's
-  double between_ms{500.0};
-  double timeout_ms{0.0};
-};
-
-/// Free words after the stimulus.
-struct FreeTextQuestion {
-  std::string question;
 };
 
 /// A calibration of the gaze before practice: 9 points, then a validation; a drift check at breaks.
@@ -91,6 +58,7 @@ struct CalibrationTask {
 
 /// What becomes of a trial in which the gaze was lost for more than a share of the stimulus.
 struct GazeLossRule {
+  /// It counts as any other, it counts and is marked, or it is shown again.
   enum class Policy { kKeep, kMark, kRepeat };
   double most_lost_share{0.5};
   Policy policy{Policy::kMark};
@@ -119,6 +87,7 @@ struct Demonstration {
   Text text;
 };
 
+/// A question at the end of the session, answered in free words.
 struct FreeQuestion {
   std::string id;
   std::string text;
@@ -126,11 +95,13 @@ struct FreeQuestion {
 
 /// Where a session that was left goes on, and until when it may.
 struct ResumeRule {
+  /// At the next trial, or at the start of its block.
   enum class At { kTrial, kBlock };
-  At at{At::kTrial};           ///< the next trial, or the start of its block
+  At at{At::kTrial};
   double refuse_after_h{0.0};  ///< since anything was last recorded; 0: never
 };
 
+/// Everything that a participant is shown and asked, from the welcome to the thanks.
 struct Script {
   std::string title;
   Text welcome;
@@ -146,13 +117,9 @@ struct Script {
   std::vector<FreeQuestion> questions;
   Text thanks;
   bool part_follows{false};  ///< after the thanks: another protocol of a series
-  std::optional<RatingScale> scale{};
   TrialTiming timing;
-  std::optional<ClickTask> clicks;
   std::optional<GazeTask> gaze;
-  std::optional<YesNoQuestion> yes_no{};
-  std::optional<TwoIntervalQuestion> two_interval{};
-  std::optional<FreeTextQuestion> free_text{};
+  Questions asked{};  ///< of each trial, in the order in which they are asked
   ResumeRule resume{};
 };
 

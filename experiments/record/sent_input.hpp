@@ -7,18 +7,21 @@
 
 namespace impetus::inline record {
 
+/// What seems to send it.
 enum class InputDevice { kKey, kMouse };
 
 /// Where it was put in: into the program's own queue of events, or into the window system, from
 /// which it comes as a real one would.
 enum class InputRoute { kQueue, kWindowSystem };
 
+/// One event that was put in.
 struct SentInput {
   InputDevice device{InputDevice::kKey};
   InputRoute route{InputRoute::kQueue};
   std::int64_t sent_ns{0};
 };
 
+/// One event that came out.
 struct ArrivedInput {
   InputDevice device{InputDevice::kKey};
   InputRoute route{InputRoute::kQueue};

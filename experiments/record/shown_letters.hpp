@@ -1,6 +1,7 @@
 // The letters that screens can show, by code point: those that the stage loads of its fonts. What
 // is written from right to left is not among them, nor is what needs several code points for a
-// letter. SPDX-License-Identifier: MIT
+// letter.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 namespace impetus::inline record {
 
+/// Code points from the first to the last.
 struct LetterRange {
   std::uint16_t first{0};
   std::uint16_t last{0};

@@ -3,18 +3,64 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/scheduling/metrics.hpp"
+#include "engine/scheduling/viewer.hpp"
+#include "engine/shapes/triangle_mesh.hpp"
 #include "engine/world/world.hpp"
-#include "experiments/record/drawn_levels.hpp"
-#include "experiments/record/gaze_path.hpp"
-#include "experiments/record/turning_viewer.hpp"
+#include "experiments/record/gaze.hpp"
 
 namespace impetus::inline record {
+
+/// A viewer who goes round the scene: the eye turns about the vertical at a constant rate, and
+/// looks at the world's origin all the time (Dingliana 2002, eq. 5.1: camera motion). The eye's
+/// velocity is ω × eye, ω being the rate about y.
+struct ViewerTurn {
+  double azimuth_deg{0.0};  ///< at time zero
+  double rate_deg_s{0.0};   ///< anticlockwise from above; 0: the viewer stays
+};
+
+/// The viewer `time_s` after `start`, which is as it was when nothing turns. The same bits on every
+/// machine: a step's viewer follows from its number.
+Viewer turned_viewer(const Viewer& start, const ViewerTurn& turn, double time_s);
+
+// How finely a body of a crowd is drawn: by the coarsest mesh that nobody could tell from its own.
+//
+//   mesh ──reduced──> level ──reduced──> level ...      each with its deviation in metres
+//                       │
+//    deviation, as seen from the eye, of half a pixel at most? ── yes ──> try the next
+//
+// Only crowds are drawn more coarsely than they are simulated: a picture of few bodies shows their
+// own meshes, triangle by triangle.
+
+/// A picture of more bodies is a crowd's.
+inline constexpr std::size_t kFewBodies = 20;
+
+/// How far from its place the surface of one of a crowd may be drawn, on average, in pixels.
+inline constexpr double kMostDeviation_px = 0.5;
+
+/// A mesh that stands for a finer one.
+struct DrawnLevel {
+  std::shared_ptr<const TriangleMesh> mesh;
+  /// Of either surface from the other: the root of the mean squared distance, the greater of both.
+  double deviation_m{0.0};
+};
+
+/// From the finest to the coarsest, deviations rising.
+using DrawnLevels = std::vector<DrawnLevel>;
+
+[[nodiscard]] inline bool is_crowd(std::size_t bodies) { return bodies > kFewBodies; }
+
+/// The mesh to draw of a body that has `mesh` and perhaps `coarser` ones, where a metre across the
+/// line of sight takes `px_per_metre` pixels.
+[[nodiscard]] const std::shared_ptr<const TriangleMesh>& mesh_as_seen(
+    const std::shared_ptr<const TriangleMesh>& mesh, const DrawnLevels* coarser,
+    double px_per_metre);
 
 /// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
 /// none; colour sRGB, 0–1.
@@ -38,6 +84,7 @@ enum class RegionKind {
   kRecorded,  ///< about another participant's recorded gaze
 };
 
+/// Which region a schedule has, with what each kind of it needs.
 struct RegionRule {
   RegionKind kind{RegionKind::kNone};
   double radius_deg{0.0};
@@ -51,6 +98,7 @@ struct WorkBudget {
   std::int64_t ns_per_step{0};                   ///< by the clock; 0: none
 };
 
+/// The world at its start, and all that decides how it goes on and how it looks.
 struct StagedScene {
   World world;
   Viewer viewer;

@@ -14,6 +14,7 @@ namespace impetus::inline run {
 /// How long a collision, which may last a step, is told.
 inline constexpr double kDetailInView_s = 0.25;
 
+/// The detail in which a body's collisions were handled.
 struct BodyDetail {
   int list{-1};   ///< the most urgent; −1: none
   int level{-1};  ///< the finest that its collisions reached; −1: none
@@ -21,6 +22,7 @@ struct BodyDetail {
   friend bool operator==(const BodyDetail&, const BodyDetail&) = default;
 };
 
+/// Remembers each body's latest collision while it is told.
 class LatestDetail {
  public:
   LatestDetail(std::size_t bodies, double step_hz);
@@ -34,6 +36,7 @@ class LatestDetail {
   [[nodiscard]] std::vector<BodyDetail> at(std::int64_t step) const;
 
  private:
+  /// A body's latest collision.
   struct Collided {
     BodyDetail detail;
     std::int64_t step{-1};  ///< −1: not yet

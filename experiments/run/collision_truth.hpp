@@ -7,13 +7,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/record/staged_scene.hpp"
 
 namespace impetus::inline run {
 
+/// Of the bodies' own meshes and balls, in world; 0 apart when the surfaces cross.
+ClosestPoints closest_surfaces(const DrawnBody& a, const Pose& pose_a, const DrawnBody& b,
+                               const Pose& pose_b);
+
 inline constexpr double kArcminPerDegree = 60.0;
 
+/// The gap that a collision shows, which an exact one would not have.
 struct CollisionTruth {
   double gap_m{0.0};         ///< closest distance of the drawn surfaces
   double gap_px{0.0};        ///< between the two closest points as projected

@@ -23,6 +23,7 @@ namespace impetus::inline run {
 /// other.
 inline constexpr double kLeastNsPerUnit = 7.0;
 
+/// Grants work until a step's time is up, by a clock.
 class DeadlineWork final : public WorkMeter {
  public:
   /// `clock` must outlive it. Grants nothing before the first start_step().

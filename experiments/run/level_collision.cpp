@@ -8,8 +8,9 @@
 #include <stdexcept>
 
 #include "engine/numerics/at.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline run {
@@ -20,12 +21,6 @@ Schedule only_level(int level) {
   Schedule schedule;
   schedule.lists = {{1.0, level, level}};
   return schedule;
-}
-
-/// One list by distance decides nothing here, so that the viewer may stand anywhere.
-StepReport stepped(World& world, const StagedScene& scene) {
-  FixedWork meter(kUnlimitedTests);
-  return world.step({1.0 / scene.step_hz, scene.viewer}, meter);
 }
 
 /// Parts of one figure fold onto each other by their hinge: alone they would not.
@@ -42,12 +37,13 @@ struct FirstCollision {
   std::int64_t step{0};
 };
 
-std::optional<FirstCollision> first_collision(World world, const StagedScene& scene) {
+std::optional<FirstCollision> first_collision(SceneRun run) {
+  const StagedScene& scene = run.scene();
   const auto steps = static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz));
   std::optional<FirstCollision> with_wall;
   for (std::int64_t step = 1; step <= steps; ++step) {
-    for (const CollisionReport& collision : stepped(world, scene).collisions) {
-      if (are_of_one_figure(world, collision.bodies)) {
+    for (const CollisionReport& collision : run.step_whole().collisions) {
+      if (are_of_one_figure(run.world(), collision.bodies)) {
         continue;
       }
       if (!is_wall(collision.bodies.b)) {
@@ -87,17 +83,17 @@ bool are_hinged(const World& world, const BodyPair& pair) {
 
 /// From where both fly undisturbed until they meet: the onset, or what either met last; parts of
 /// figures for the last step alone.
-Approach approach_to(const FirstCollision& first, World world, const StagedScene& scene) {
+Approach approach_to(const FirstCollision& first, SceneRun run) {
   Approach approach;
   approach.contact_step = first.step;
   approach.bodies = {at(first.bodies.a)};
   if (!is_wall(first.bodies.b)) {
     approach.bodies.push_back(at(first.bodies.b));
   }
-  approach.states = states_of(world, approach.bodies);
-  approach.hinged = are_hinged(world, first.bodies);
+  approach.states = states_of(run.world(), approach.bodies);
+  approach.hinged = are_hinged(run.world(), first.bodies);
   for (std::int64_t step = 1; step < first.step; ++step) {
-    const StepReport report = stepped(world, scene);
+    const StepReport& report = run.step_whole();
     const bool disturbed =
         std::any_of(report.collisions.begin(), report.collisions.end(),
                     [&first](const CollisionReport& collision) {
@@ -106,14 +102,15 @@ Approach approach_to(const FirstCollision& first, World world, const StagedScene
                              pair.a == first.bodies.b || pair.b == first.bodies.b;
                     });
     if (disturbed || approach.hinged) {
-      approach.states = states_of(world, approach.bodies);
+      approach.states = states_of(run.world(), approach.bodies);
       approach.step = step;
     }
   }
   return approach;
 }
 
-World alone(const Approach& approach, const StagedScene& scene, int level) {
+/// The bodies of the approach alone in the scene, at one level.
+SceneRun run_alone(const Approach& approach, StagedScene scene, int level) {
   std::vector<BodyModel> models;
   for (const std::size_t body : approach.bodies) {
     models.push_back(scene.world.models()[body]);
@@ -126,9 +123,9 @@ World alone(const Approach& approach, const StagedScene& scene, int level) {
   if (approach.bodies.size() > 1) {
     settings.enclosure.reset();
   }
-  World world(std::move(models), approach.states, std::move(settings));
-  world.watch_node_contacts(true);
-  return world;
+  scene.world = World(std::move(models), approach.states, std::move(settings));
+  scene.world.watch_node_contacts(true);
+  return SceneRun(std::move(scene));
 }
 
 /// Steps in which the bodies move by about half a body's size.
@@ -185,18 +182,6 @@ std::vector<RoundedBox> touching_nodes(const World& world, int level) {
   return boxes;
 }
 
-void take_contacts(const StepReport& report, LevelCollision& row) {
-  for (const Contact& contact : report.node_contacts) {
-    row.node_contacts.push_back(contact.touch.point);
-  }
-  for (const ReportedContact& contact : report.contacts) {
-    row.contacts.push_back(contact.touch);
-  }
-  if (row.contacts.empty()) {
-    row.contacts.push_back(report.collisions.front().contact.touch);
-  }
-}
-
 void measure_gap(const Approach& approach, const StagedScene& scene, const BodyPair& pair,
                  LevelCollision& row) {
   const CollisionMoment& contact = row.moments[kAtContact];
@@ -221,7 +206,8 @@ double fit_error_m(const World& world, int level) {
 }
 
 LevelCollision at_level(const Approach& approach, const StagedScene& scene, int level) {
-  World world = alone(approach, scene, level);
+  SceneRun run = run_alone(approach, scene, level);
+  const World& world = run.world();
   const std::int64_t aside = steps_aside(world, scene);
   LevelCollision row;
   row.level = level;
@@ -233,18 +219,24 @@ LevelCollision at_level(const Approach& approach, const StagedScene& scene, int 
     if (++step > approach.contact_step + (approach.hinged ? aside : 0)) {
       throw std::logic_error("what touches at the finest level was apart at a coarser one");
     }
-    report = stepped(world, scene);
+    report = run.step_whole();
     course.push_back(moment_of(world, step, scene));
   }
   const auto contact = static_cast<std::int64_t>(course.size()) - 1;
   row.moments[kBeforeContact] =
       course[static_cast<std::size_t>(std::max<std::int64_t>(0, contact - aside))];
   row.moments[kAtContact] = course.back();
-  take_contacts(report, row);
+  for (const Contact& contact : report.node_contacts) {
+    row.node_contacts.push_back(contact.touch.point);
+  }
+  for (const CollisionReport& collision : report.collisions) {
+    const std::vector<TouchPoint> touches = touch_points(report, collision);
+    row.contacts.insert(row.contacts.end(), touches.begin(), touches.end());
+  }
   row.touching = touching_nodes(world, level);
   measure_gap(approach, scene, report.collisions.front().bodies, row);
   for (std::int64_t after = 0; after < aside; ++after) {
-    static_cast<void>(stepped(world, scene));
+    static_cast<void>(run.step_whole());
   }
   row.moments[kAfterContact] = moment_of(world, step + aside, scene);
   return row;
@@ -267,9 +259,10 @@ int finest_level_of(const World& world) {
 }
 
 CollisionByLevel collision_by_level(const StagedScene& scene) {
-  World finest = scene.world;
-  finest.set_schedule(only_level(finest_level_of(finest)));
-  const auto first = first_collision(finest, scene);
+  SceneRun finest(scene);
+  const int finest_level = finest_level_of(scene.world);
+  finest.world().set_schedule(only_level(finest_level));
+  const auto first = first_collision(finest);
   if (!first) {
     char sentence[120];
     std::snprintf(sentence, sizeof sentence,
@@ -277,10 +270,10 @@ CollisionByLevel collision_by_level(const StagedScene& scene) {
                   scene.duration_s);
     throw InputError(sentence);
   }
-  const Approach approach = approach_to(*first, finest, scene);
+  const Approach approach = approach_to(*first, finest);
   CollisionByLevel result;
   result.bodies = approach.bodies;
-  for (int level = 0; level <= finest_level_of(finest); ++level) {
+  for (int level = 0; level <= finest_level; ++level) {
     result.levels.push_back(at_level(approach, scene, level));
   }
   const Vector3 exact = deepest(result.levels.back().contacts).normal;

@@ -26,8 +26,11 @@ struct CollisionMoment {
   std::vector<Vector3> velocities;  ///< m/s
 };
 
+/// The moments of a collision that are shown: half a body's size before contact, at it, and after
+/// it.
 enum CollisionMomentName : std::size_t { kBeforeContact, kAtContact, kAfterContact };
 
+/// The scene's first collision as one level of detail handles it.
 struct LevelCollision {
   int level{0};
   std::array<CollisionMoment, 3> moments;  ///< by CollisionMomentName
@@ -40,6 +43,7 @@ struct LevelCollision {
   double normal_off_deg{0.0};  ///< of the deepest contact, from the finest level's
 };
 
+/// The same collision at every level, beside each other.
 struct CollisionByLevel {
   std::vector<std::size_t> bodies;     ///< of the scene; one when it is with a wall
   std::vector<LevelCollision> levels;  ///< from the root to the finest

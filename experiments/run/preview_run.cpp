@@ -38,13 +38,12 @@ double energy_J(const World& world) {
 PreviewRun::PreviewRun(StagedScene scene, const Clock& clock)
     : clock_(&clock),
       start_(scene),
-      scene_(std::move(scene)),
-      regions_(scene_, kPlacesSeed),
-      settings_(settings_of(scene_)),
-      start_energy_J_(energy_J(scene_.world)),
-      before_(scene_.world.states()),
-      latest_(before_.size(), scene_.step_hz) {
-  regions_.set_rule(settings_.region);
+      run_(std::move(scene), kPlacesSeed, clock_),
+      settings_(settings_of(start_)),
+      start_energy_J_(energy_J(start_.world)),
+      latest_(start_.looks.size(), start_.step_hz) {
+  run_.set_region_rule(settings_.region);
+  run_.world().watch_pairs(true);
 }
 
 void PreviewRun::advance(double real_s) {
@@ -52,44 +51,38 @@ void PreviewRun::advance(double real_s) {
     return;
   }
   const double asked_s = std::min(real_s, kMostCaughtUp_s) * speed_;
-  const double target = position_ + asked_s * scene_.step_hz;
+  const double target = position_ + asked_s * scene().step_hz;
   const std::int64_t started_ns = clock_->now_ns();
-  while (static_cast<double>(step_) < target && clock_->now_ns() - started_ns < kMostPerFrameNs) {
+  while (static_cast<double>(run_.number()) < target &&
+         clock_->now_ns() - started_ns < kMostPerFrameNs) {
     step_once();
   }
-  const double reached = std::min(target, static_cast<double>(step_));
+  const double reached = std::min(target, static_cast<double>(run_.number()));
   if (real_s > 0.0) {
-    const double share = (reached - position_) / (real_s * speed_ * scene_.step_hz);
+    const double share = (reached - position_) / (real_s * speed_ * scene().step_hz);
     pace_ += std::min(1.0, real_s / kPaceAveraged_s) * (share - pace_);
   }
   position_ = reached;
-  find_pairs();
 }
 
 void PreviewRun::step() {
   playing_ = false;
-  if (position_ >= static_cast<double>(step_)) {
+  if (position_ >= static_cast<double>(run_.number())) {
     step_once();
   }
-  position_ = static_cast<double>(step_);
-  find_pairs();
+  position_ = static_cast<double>(run_.number());
 }
 
 void PreviewRun::restart() {
-  const Schedule schedule = scene_.world.settings().schedule;
-  scene_ = start_;
-  scene_.world.set_schedule(schedule);
+  const Schedule schedule = run_.world().settings().schedule;
+  run_ = SceneRun(start_, kPlacesSeed, clock_);
+  run_.world().watch_pairs(true);
+  run_.world().set_schedule(schedule);
   apply_settings();
-  regions_ = RegionSource(scene_, kPlacesSeed);
-  regions_.set_rule(settings_.region);
-  input_ = {};
-  before_ = scene_.world.states();
-  latest_ = LatestDetail(before_.size(), scene_.step_hz);
+  latest_ = LatestDetail(start_.looks.size(), start_.step_hz);
   position_ = 0.0;
-  step_ = 0;
   pace_ = 1.0;
   collision_count_ = 0;
-  pairs_.clear();
   contacts_.clear();
   node_contacts_.clear();
   pop_count_ = stopped_count_ = 0;
@@ -97,7 +90,7 @@ void PreviewRun::restart() {
 }
 
 void PreviewRun::apply_settings() {
-  World& world = scene_.world;
+  World& world = run_.world();
   if (!world.settings().figures.empty()) {
     settings_.response = ResponseMethod::kInTurn;  // figures have no other
   }
@@ -107,11 +100,13 @@ void PreviewRun::apply_settings() {
   world.set_rotation(settings_.rotation);
   world.set_costs(costs_of(settings_));
   world.watch_node_contacts(watches_node_contacts_);
+  run_.set_region_rule(settings_.region);
+  run_.set_budget(budget_of(settings_));
 }
 
 void PreviewRun::watch_node_contacts(bool watch) {
   watches_node_contacts_ = watch;
-  scene_.world.watch_node_contacts(watch);
+  run_.world().watch_node_contacts(watch);
   if (!watch) {
     node_contacts_.clear();
   }
@@ -119,54 +114,37 @@ void PreviewRun::watch_node_contacts(bool watch) {
 
 void PreviewRun::change(const PreviewSettings& settings) {
   settings_ = settings;
-  regions_.set_rule(settings_.region);
   apply_settings();
   problem_ = problem_of(settings_);
   if (problem_.empty()) {
-    scene_.world.set_schedule(schedule_of(settings_));
+    run_.world().set_schedule(schedule_of(settings_));
   }
 }
 
 std::optional<GazeRegion> PreviewRun::region() const {
-  if (scene_.world.settings().schedule.rule != ListRule::kRegion) {
+  if (!follows_region(run_.world().settings().schedule)) {
     return std::nullopt;
   }
   if (settings_.region.kind == RegionKind::kTracked) {
     return GazeRegion{looked_at(), settings_.region.radius_deg};
   }
-  return input_.region;
+  return run_.input().region;
 }
 
 ScreenPoint PreviewRun::looked_at() const { return gaze_.value_or(ScreenPoint{}); }
 
 std::optional<GazeRegion> PreviewRun::region_of_step() {
-  const std::optional<GazeRegion> region = regions_.at(step_ + 1, looked_at());
-  const bool by_region = scene_.world.settings().schedule.rule == ListRule::kRegion;
-  return by_region ? region : std::nullopt;
+  const std::optional<GazeRegion> region = run_.next_region(looked_at());
+  return follows_region(run_.world().settings().schedule) ? region : std::nullopt;
 }
 
 void PreviewRun::step_once() {
-  before_ = scene_.world.states();
-  const double time_s = static_cast<double>(step_ + 1) / scene_.step_hz;
-  input_ = {1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), gaze_, region_of_step()};
   const std::int64_t started_ns = clock_->now_ns();
-  const StepReport report = step_world(input_);
+  const StepReport& report = run_.step(gaze_, region_of_step());
   const double taken_ms = static_cast<double>(clock_->now_ns() - started_ns) / 1e6;
-  step_ms_ += (step_ == 0 ? 1.0 : 1.0 / kStepsAveraged) * (taken_ms - step_ms_);
-  ++step_;
+  step_ms_ += (run_.number() == 1 ? 1.0 : 1.0 / kStepsAveraged) * (taken_ms - step_ms_);
   keep(report);
   forget_old();
-}
-
-StepReport PreviewRun::step_world(const StepInput& input) {
-  if (settings_.budget == BudgetUnit::kMilliseconds) {
-    DeadlineWork meter(*clock_, std::llround(settings_.ms_per_step * 1e6));
-    meter.start_step();
-    return scene_.world.step(input, meter);
-  }
-  const bool limited = settings_.budget == BudgetUnit::kTests;
-  FixedWork meter(limited ? settings_.tests_per_step : kUnlimitedTests);
-  return scene_.world.step(input, meter);
 }
 
 void PreviewRun::keep(const StepReport& report) {
@@ -174,7 +152,7 @@ void PreviewRun::keep(const StepReport& report) {
     collision_count_ += collision.began ? 1 : 0;
     keep_contacts(report, collision);
   }
-  latest_.take(step_, report);
+  latest_.take(run_.number(), report);
   const bool by_tests = settings_.budget == BudgetUnit::kTests;
   work_.push_back({report.work_spent, report.work_floor,
                    by_tests ? settings_.tests_per_step : report.work_granted});
@@ -188,13 +166,8 @@ void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& 
   };
   std::erase_if(contacts_, of_pair);
   std::erase_if(node_contacts_, of_pair);
-  const auto first = static_cast<std::size_t>(collision.first_contact);
-  const auto count = static_cast<std::size_t>(collision.contact_count);
-  for (std::size_t i = first; i < std::min(first + count, report.contacts.size()); ++i) {
-    contacts_.push_back({collision.bodies, report.contacts[i].touch, collision.list, step_});
-  }
-  if (report.contacts.empty()) {
-    contacts_.push_back({collision.bodies, collision.contact.touch, collision.list, step_});
+  for (const TouchPoint& touch : touch_points(report, collision)) {
+    contacts_.push_back({collision.bodies, touch, collision.list, run_.number()});
   }
   std::vector<TouchPoint> touches;
   for (const Contact& contact : report.node_contacts) {
@@ -205,13 +178,7 @@ void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& 
   // More could not be told apart.
   const std::size_t stride = 1 + touches.size() / kMostNodeContacts;
   for (std::size_t i = 0; i < touches.size(); i += stride) {
-    node_contacts_.push_back({collision.bodies, touches[i], collision.list, step_});
-  }
-}
-
-void PreviewRun::find_pairs() {
-  if (step_ > 0) {
-    pairs_ = pairs_of_step(scene_.world, before_, input_);
+    node_contacts_.push_back({collision.bodies, touches[i], collision.list, run_.number()});
   }
 }
 
@@ -228,23 +195,23 @@ void PreviewRun::forget_old() {
 }
 
 double PreviewRun::energy_share() const {
-  return start_energy_J_ > 0.0 ? energy_J(scene_.world) / start_energy_J_ : 0.0;
+  return start_energy_J_ > 0.0 ? energy_J(run_.world()) / start_energy_J_ : 0.0;
 }
 
-Viewer PreviewRun::viewer() const { return scene_.viewer_at_time(position_ / scene_.step_hz); }
+Viewer PreviewRun::viewer() const { return scene().viewer_at_time(position_ / scene().step_hz); }
 
 std::vector<PosedBody> PreviewRun::bodies() const {
-  const double fraction = std::clamp(position_ - static_cast<double>(step_) + 1.0, 0.0, 1.0);
+  const double fraction = position_ - static_cast<double>(run_.number()) + 1.0;
+  const std::vector<Pose> poses = run_.poses(std::clamp(fraction, 0.0, 1.0));
   std::vector<PosedBody> bodies;
-  for (std::size_t body = 0; body < before_.size(); ++body) {
-    bodies.push_back(
-        {between(before_[body], scene_.world.states()[body], fraction), scene_.looks[body]});
+  for (std::size_t body = 0; body < poses.size(); ++body) {
+    bodies.push_back({poses[body], scene().looks[body]});
   }
   return bodies;
 }
 
 double PreviewRun::freshness(const ShownContact& contact) const {
-  const double age_s = static_cast<double>(step_ - contact.step) / scene_.step_hz;
+  const double age_s = static_cast<double>(run_.number() - contact.step) / scene().step_hz;
   return std::max(0.0, 1.0 - age_s / kContactInView_s);
 }
 
@@ -254,11 +221,11 @@ std::optional<int> PreviewRun::level_in_use(std::int32_t body) const {
 }
 
 std::vector<BodyDetail> PreviewRun::details() const {
-  std::vector<BodyDetail> details = latest_.at(step_);
+  std::vector<BodyDetail> details = latest_.at(run_.number());
   for (BodyDetail& detail : details) {
     detail.list = -1;  // of a pair, which need not collide
   }
-  for (const ScheduledPair& pair : pairs_) {
+  for (const ScheduledPair& pair : pairs()) {
     for (const std::int32_t body : {pair.pair.a, pair.pair.b}) {
       if (!is_wall(body)) {
         BodyDetail& detail = details[static_cast<std::size_t>(body)];
@@ -271,7 +238,7 @@ std::vector<BodyDetail> PreviewRun::details() const {
 }
 
 std::size_t PreviewRun::work_span() const {
-  return static_cast<std::size_t>(std::lround(kWorkInView_s * scene_.step_hz));
+  return static_cast<std::size_t>(std::lround(kWorkInView_s * scene().step_hz));
 }
 
 }  // namespace impetus::inline run

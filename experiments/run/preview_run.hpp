@@ -13,12 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/gaze/region_source.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/body_detail.hpp"
-#include "experiments/run/deadline_work.hpp"
-#include "experiments/run/pairs_of_step.hpp"
 #include "experiments/run/preview_settings.hpp"
+#include "experiments/run/scene_run.hpp"
 
 namespace impetus::inline run {
 
@@ -37,6 +35,7 @@ struct ShownContact {
   std::int64_t step{0};
 };
 
+/// Runs a scene in real time for somebody who changes its settings meanwhile.
 class PreviewRun {
  public:
   /// Starts playing. `clock` times steps and must outlive this.
@@ -67,10 +66,10 @@ class PreviewRun {
   /// The region of the last step; one about the gaze is where the next step will have it.
   [[nodiscard]] std::optional<GazeRegion> region() const;
 
-  [[nodiscard]] const StagedScene& scene() const { return scene_; }
+  [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
   [[nodiscard]] bool playing() const { return playing_; }
   [[nodiscard]] double speed() const { return speed_; }
-  [[nodiscard]] std::int64_t step_number() const { return step_; }
+  [[nodiscard]] std::int64_t step_number() const { return run_.number(); }
   [[nodiscard]] std::int64_t collision_count() const { return collision_count_; }
   /// Pairs that fell to a coarser level while they touched.
   [[nodiscard]] std::int64_t pop_count() const { return pop_count_; }
@@ -87,7 +86,7 @@ class PreviewRun {
   /// The bodies as they are now, poses between steps included.
   [[nodiscard]] std::vector<PosedBody> bodies() const;
   /// The last step's, by list.
-  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return pairs_; }
+  [[nodiscard]] const std::vector<ScheduledPair>& pairs() const { return run_.world().pairs(); }
   /// What is still in view, oldest first.
   [[nodiscard]] const std::deque<ShownContact>& contacts() const { return contacts_; }
   /// The same of overlapping nodes, before the reduction; at most 500 of a pair.
@@ -109,25 +108,21 @@ class PreviewRun {
   /// The gaze, or the centre of the screen as long as the mouse was nowhere.
   [[nodiscard]] ScreenPoint looked_at() const;
   std::optional<GazeRegion> region_of_step();
-  StepReport step_world(const StepInput& input);
   void apply_settings();
   void keep(const StepReport& report);
   void keep_contacts(const StepReport& report, const CollisionReport& collision);
-  void find_pairs();
   void forget_old();
 
   const Clock* clock_;
   StagedScene start_;
-  StagedScene scene_;
-  RegionSource regions_;
+  SceneRun run_;
   PreviewSettings settings_;
   std::string problem_;
   Fixation gaze_;
 
   bool playing_{true};
   double speed_{1.0};
-  double position_{0.0};  ///< in steps, between step_ − 1 and step_
-  std::int64_t step_{0};
+  double position_{0.0};  ///< in steps, within the last one
   double pace_{1.0};
   double step_ms_{0.0};
   double start_energy_J_{0.0};
@@ -136,9 +131,6 @@ class PreviewRun {
   std::int64_t stopped_count_{0};
   bool watches_node_contacts_{false};
 
-  std::vector<BodyState> before_;
-  StepInput input_;
-  std::vector<ScheduledPair> pairs_;
   LatestDetail latest_;
   std::deque<ShownContact> contacts_;
   std::deque<ShownContact> node_contacts_;

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kRegion = "region";
 
 std::string name_of(const StagedScene& scene) {
-  if (scene.world.settings().schedule.rule == ListRule::kRegion) {
+  if (follows_region(scene.world.settings().schedule)) {
     return kRegion;
   }
   return scene.scheduler.empty() ? "distance" : scene.scheduler;
@@ -59,7 +59,7 @@ void take_world(PreviewSettings& settings, const StagedScene& scene) {
   const WorldSettings& world = scene.world.settings();
   settings.traversal = world.schedule.traversal;
   settings.persistence_steps = static_cast<int>(world.schedule.persistence_steps);
-  settings.by_pair_shares = world.schedule.rule == ListRule::kPairShares;
+  settings.by_pair_shares = world.schedule.rule == make_list_rule("pair_shares");
   settings.all_phases = !(world.costs == WorkCosts{});
   settings.metric_options = scene.metric_options;
   if (settings.metric_options.terms.empty()) {
@@ -147,11 +147,8 @@ PreviewSettings settings_of(const StagedScene& scene) {
     shown.share = list.share;
     shown.least_level = std::min(list.least_level, settings.finest_level);
     shown.greatest_level = std::min(list.greatest_level, settings.finest_level);
-    if (at(i) < schedule.thresholds.size()) {
-      shown.threshold = schedule.thresholds[at(i)];
-    }
-    if (at(i) < schedule.pair_shares.size()) {
-      shown.pair_share = schedule.pair_shares[at(i)];
+    if (at(i) < schedule.limits.size()) {
+      (settings.by_pair_shares ? shown.pair_share : shown.threshold) = schedule.limits[at(i)];
     }
   }
   return settings;
@@ -177,12 +174,22 @@ WorkCosts costs_of(const PreviewSettings& settings) {
   return settings.all_phases ? kAllPhases : WorkCosts{};
 }
 
+WorkBudget budget_of(const PreviewSettings& settings) {
+  WorkBudget budget;
+  if (settings.budget == BudgetUnit::kMilliseconds) {
+    budget.ns_per_step = std::llround(settings.ms_per_step * 1e6);
+  } else if (settings.budget == BudgetUnit::kTests) {
+    budget.tests_per_step = settings.tests_per_step;
+  }
+  return budget;
+}
+
 Schedule schedule_of(const PreviewSettings& settings) {
   Schedule schedule;
   const bool by_region = settings.scheduler == kRegion;
-  schedule.rule = by_region                 ? ListRule::kRegion
-                  : settings.by_pair_shares ? ListRule::kPairShares
-                                            : ListRule::kThresholds;
+  schedule.rule = make_list_rule(by_region                 ? kRegion
+                                 : settings.by_pair_shares ? "pair_shares"
+                                                           : "thresholds");
   schedule.metric = by_region
                         ? nullptr
                         : make_metric(settings.scheduler,
@@ -196,11 +203,7 @@ Schedule schedule_of(const PreviewSettings& settings) {
     schedule.lists.push_back(
         {list.share, list.least_level, limited ? list.greatest_level : kUnlimitedLevel});
     if (!by_region && i + 1 < settings.list_count) {
-      if (settings.by_pair_shares) {
-        schedule.pair_shares.push_back(list.pair_share);
-      } else {
-        schedule.thresholds.push_back(list.threshold);
-      }
+      schedule.limits.push_back(settings.by_pair_shares ? list.pair_share : list.threshold);
     }
   }
   return schedule;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,10 @@ namespace impetus::inline run {
 
 inline constexpr int kMostPreviewLists = 4;
 
+/// What limits a step's work: nothing, units of work, or time by the clock.
 enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
 
+/// The controls of one priority list.
 struct PreviewList {
   double share{1.0};       ///< relative to the other lists'
   int least_level{0};      ///< done whatever the budget
@@ -28,6 +31,7 @@ struct PreviewList {
   double pair_share{0.0};  ///< in place of the threshold, when lists go by shares
 };
 
+/// All that the preview's controls say.
 struct PreviewSettings {
   std::string scheduler{"distance"};  ///< one of scheduler_names()
   int list_count{1};                  ///< 1 to kMostPreviewLists; two for "region"
@@ -39,7 +43,7 @@ struct PreviewSettings {
   double ms_per_step{0.2};
   bool all_phases{false};  ///< work counts contacts and response too
   bool by_pair_shares{false};
-  Traversal traversal{Traversal::kDepthFirst};
+  std::shared_ptr<const Traversal> traversal = make_traversal("depth-first");
   int persistence_steps{0};
   MetricOptions metric_options{};    ///< the scene's own; its terms for the scheduler "weighted"
   std::string reduction{"average"};  ///< one of reduction_names()
@@ -71,8 +75,9 @@ void choose_scheduler(PreviewSettings& settings, const std::string& scheduler);
 /// Another number of lists, with thresholds spread anew.
 void choose_list_count(PreviewSettings& settings, int count);
 
-/// What the contacts, and the work, are to be.
+/// What the contacts, the work and the budget are to be.
 ContactModel contacts_of(const PreviewSettings& settings);
+WorkBudget budget_of(const PreviewSettings& settings);
 WorkCosts costs_of(const PreviewSettings& settings);
 
 /// The schedule they ask for, which may be impossible: see problem_of().

@@ -22,8 +22,8 @@ std::optional<Divergence> divergence_of(const StepRecord& recorded, const StateH
 }
 
 RunningReplay::RunningReplay(StagedScene scene, const std::vector<StepRecord>& recorded)
-    : scene_(std::move(scene)), recorded_(&recorded) {
-  start_.state = hash_state(scene_.world.states());
+    : run_(std::move(scene)), recorded_(&recorded) {
+  start_.state = hash_state(run_.world().states());
 }
 
 const StepReport& RunningReplay::next() {
@@ -31,18 +31,15 @@ const StepReport& RunningReplay::next() {
   const StepReport* now = &start_;
   if (then.step != 0) {
     FixedWork meter(then.work_granted);
-    const double time_s = static_cast<double>(then.step) / scene_.step_hz;
-    const StepInput input{1.0 / scene_.step_hz, scene_.viewer_at_time(time_s), then.gaze.fixation,
-                          then.gaze.region};
-    now = &scene_.world.step(input, meter);
+    now = &run_.step(then.gaze.fixation, then.gaze.region, meter);
     ++result_.steps;
   }
   for (const NotFiniteBody& found : now->not_finite) {
     result_.taken_out.push_back({then.step,
-                                 scene_.world.models()[static_cast<std::size_t>(found.body)].name,
+                                 run_.world().models()[static_cast<std::size_t>(found.body)].name,
                                  std::string(name_of(found.field))});
   }
-  result_.divergence = divergence_of(then, now->state, scene_.world, result_.divergence);
+  result_.divergence = divergence_of(then, now->state, run_.world(), result_.divergence);
   return *now;
 }
 

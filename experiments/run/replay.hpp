@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/record/record.hpp"
-#include "experiments/record/staged_scene.hpp"
+#include "experiments/run/scene_run.hpp"
 
 namespace impetus::inline run {
 
@@ -29,6 +29,7 @@ struct TakenOut {
   std::string field;  ///< "position", ...
 };
 
+/// What a replay found so far.
 struct ReplayResult {
   std::int64_t steps{0};  ///< simulated, the start not counted
   std::optional<Divergence> divergence;
@@ -53,12 +54,12 @@ class RunningReplay {
   /// What it returns is empty for step 0, and stays until the next step.
   const StepReport& next();
 
-  [[nodiscard]] const StagedScene& scene() const { return scene_; }
+  [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
   /// By now. The divergence is the first.
   [[nodiscard]] const ReplayResult& result() const { return result_; }
 
  private:
-  StagedScene scene_;
+  SceneRun run_;
   const std::vector<StepRecord>* recorded_;
   StepReport start_;
   std::size_t next_{0};

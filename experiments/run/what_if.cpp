@@ -7,8 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/scheduling/relative_acuity.hpp"
-#include "experiments/gaze/region_source.hpp"
+#include "engine/scheduling/eccentricity_metric.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/seen_apart.hpp"
 
@@ -20,50 +19,25 @@ bool same_rule(const RegionRule& one, const RegionRule& other) {
          one.renewal_steps == other.renewal_steps && one.point == other.point;
 }
 
-/// The regions of `now`: recorded where they are what was recorded.
-class Regions {
- public:
-  Regions(const StagedScene& then, const StagedScene& now, std::uint64_t seed)
-      : rule_(now.region), recorded_(same_rule(then.region, now.region)), own_(now, seed) {}
-
-  std::optional<GazeRegion> at(const StepRecord& step) {
-    if (recorded_) {
-      return step.gaze.region;
-    }
-    const std::optional<GazeRegion> own = own_.at(step.step, step.gaze.fixation);
-    if (rule_.kind == RegionKind::kRecorded && step.gaze.region) {
-      return GazeRegion{step.gaze.region->centre, rule_.radius_deg};
-    }
-    return own;
-  }
-
- private:
-  RegionRule rule_;
-  bool recorded_;
-  RegionSource own_;
-};
-
 /// One of the two, as it goes.
 class Running {
  public:
-  explicit Running(StagedScene scene) : scene_(std::move(scene)) {}
+  Running(StagedScene scene, std::uint64_t seed) : run_(std::move(scene), seed) {}
 
   const StepReport& step(const StepRecord& recorded, const std::optional<GazeRegion>& region,
                          std::int64_t granted) {
     FixedWork meter(granted);
-    const double time_s = static_cast<double>(recorded.step) / scene_.step_hz;
-    const StepInput input{1.0 / scene_.step_hz, scene_.viewer_at_time(time_s),
-                          recorded.gaze.fixation, region};
-    const StepReport& report = scene_.world.step(input, meter);
-    keep(report, recorded.step, input);
+    const StepReport& report = run_.step(recorded.gaze.fixation, region, meter);
+    keep(report);
     return report;
   }
 
-  [[nodiscard]] const StagedScene& scene() const { return scene_; }
+  SceneRun& run() { return run_; }
+  [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
   WhatIfCourse take_course() { return std::move(course_); }
 
  private:
-  void keep(const StepReport& report, std::int64_t step, const StepInput& input) {
+  void keep(const StepReport& report) {
     course_.work_spent += report.work_spent;
     course_.steps_over_budget += (report.degradations & kFloorOverBudget) != 0 ? 1 : 0;
     course_.pops += static_cast<std::int64_t>(report.pops.size());
@@ -72,18 +46,19 @@ class Running {
       course_.imposed_holds += collision.imposed_hold_s > 0.0 ? 1 : 0;
       course_.imposed_spins += collision.imposed_spin ? 1 : 0;
       if (collision.began) {
-        course_.collisions.push_back(seen(collision, step, input));
+        course_.collisions.push_back(seen(collision));
       }
     }
   }
 
-  [[nodiscard]] SeenCollision seen(const CollisionReport& collision, std::int64_t step,
-                                   const StepInput& input) const {
-    const CollisionTruth truth = measure_truth(scene_, scene_.world, collision.bodies, step);
+  [[nodiscard]] SeenCollision seen(const CollisionReport& collision) const {
+    const CollisionTruth truth =
+        measure_truth(scene(), run_.world(), collision.bodies, run_.number());
+    const StepInput& input = run_.input();
     const Vector3 looked_at = on_screen(input.viewer, input.fixation.value_or(ScreenPoint{}));
     const double eccentricity_deg =
         visual_angle_deg(input.viewer, collision.contact.touch.point, looked_at);
-    return {step,
+    return {run_.number(),
             collision.bodies,
             collision.level,
             collision.stop,
@@ -92,15 +67,29 @@ class Running {
             truth.visible_arcmin() * relative_acuity(eccentricity_deg)};
   }
 
-  StagedScene scene_;
+  SceneRun run_;
   WhatIfCourse course_;
 };
 
-bool any_seen_apart(const Running& then, const Running& now, std::int64_t step) {
+/// The region of the next step of `now`: what was recorded where both have the same rule, and about
+/// the same places where it follows another participant's gaze.
+std::optional<GazeRegion> region_now(const RegionRule& then, SceneRun& now,
+                                     const StepRecord& recorded) {
+  const RegionRule& rule = now.scene().region;
+  const std::optional<GazeRegion> own = now.next_region(recorded.gaze.fixation);
+  if (same_rule(then, rule)) {
+    return recorded.gaze.region;
+  }
+  if (rule.kind == RegionKind::kRecorded && recorded.gaze.region) {
+    return GazeRegion{recorded.gaze.region->centre, rule.radius_deg};
+  }
+  return own;
+}
+
+bool any_seen_apart(const Running& then, const Running& now, const Viewer& viewer) {
   const StagedScene& scene = then.scene();
   const std::vector<BodyState>& states = scene.world.states();
   const std::vector<BodyState>& others = now.scene().world.states();
-  const Viewer viewer = scene.viewer_at_time(static_cast<double>(step) / scene.step_hz);
   for (std::size_t body = 0; body < states.size(); ++body) {
     if (seen_apart(states[body].pose, others[body].pose, scene.looks[body].mesh != nullptr,
                    viewer)) {
@@ -173,9 +162,8 @@ std::vector<CollisionMatch> matched(const std::vector<SeenCollision>& then,
 WhatIf what_if(StagedScene then, StagedScene now, const std::vector<StepRecord>& recorded,
                std::uint64_t seed) {
   WhatIf result;
-  Regions regions(then, now, seed);
-  Running first(std::move(then));
-  Running second(std::move(now));
+  Running first(std::move(then), seed);
+  Running second(std::move(now), seed);
   for (const StepRecord& step : recorded) {
     if (step.step == 0) {
       result.divergence =
@@ -183,13 +171,14 @@ WhatIf what_if(StagedScene then, StagedScene now, const std::vector<StepRecord>&
     } else {
       const StepReport& was = first.step(step, step.gaze.region, step.work_granted);
       result.divergence = divergence_of(step, was.state, first.scene().world);
-      const StepReport& is =
-          second.step(step, regions.at(step), granted_now(second.scene().budget, step));
+      const StepReport& is = second.step(step, region_now(first.scene().region, second.run(), step),
+                                         granted_now(second.scene().budget, step));
       ++result.steps;
       if (!result.parts_at && was.state.hash != is.state.hash) {
         result.parts_at = step.step;
       }
-      if (result.parts_at && !result.seen_apart_at && any_seen_apart(first, second, step.step)) {
+      if (result.parts_at && !result.seen_apart_at &&
+          any_seen_apart(first, second, first.run().input().viewer)) {
         result.seen_apart_at = step.step;
       }
     }

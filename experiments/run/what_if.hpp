@@ -8,7 +8,7 @@
 // Collisions count at the step in which they begin. The same pair beginning within a twentieth of a
 // second in both is one collision; what is left happened only then, or only now. How visible a gap
 // is goes by the part of it that nothing hides, and by where the participant looked: as many
-// minutes of arc at the point of gaze would be as hard to resolve (relative_acuity.hpp).
+// minutes of arc at the point of gaze would be as hard to resolve (eccentricity_metric.hpp).
 //
 // Nothing else is changed, and nothing of it is random: where the settings are the recorded ones,
 // both are the same in every bit.
@@ -57,6 +57,7 @@ struct CollisionMatch {
   std::optional<std::size_t> now{};
 };
 
+/// Both simulations, their collisions matched, and when they parted.
 struct WhatIf {
   WhatIfCourse then;
   WhatIfCourse now;

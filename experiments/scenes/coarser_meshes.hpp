@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/trees/tree_settings.hpp"
-#include "experiments/record/drawn_levels.hpp"
+#include "experiments/record/staged_scene.hpp"
 
 namespace impetus::inline scenes {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/volume.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "experiments/scenes/random_places.hpp"
 

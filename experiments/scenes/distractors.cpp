@@ -6,7 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "experiments/scenes/random_places.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"

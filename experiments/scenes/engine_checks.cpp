@@ -52,26 +52,27 @@ void add_region_rule_problems(const ScheduleSettings& schedule, SceneProblems& p
     problems.add(kPlace + "/lists", "expected two lists, inside and outside the region, got " +
                                         std::to_string(schedule.lists.size()));
   }
-  const std::string message = "expected none with the scheduler region";
-  if (schedule.thresholds && !schedule.thresholds->empty()) {
-    problems.add_got(kPlace + "/thresholds", message);
-  }
-  if (schedule.pair_shares && !schedule.pair_shares->empty()) {
-    problems.add_got(kPlace + "/pair_shares", message);
+  for (const std::string& key : limits_keys()) {
+    const auto limits = schedule.limits.find(key);
+    if (limits != schedule.limits.end() && !limits->second.empty()) {
+      problems.add_got(kPlace + "/" + key, "expected none with the scheduler region");
+    }
   }
 }
 
 void add_metric_rule_problems(const ScheduleSettings& schedule, SceneProblems& problems) {
-  if (schedule.pair_shares && schedule.thresholds) {
-    problems.add_got(kPlace + "/thresholds", "expected none beside pair_shares");
+  const std::string key = limits_key(schedule);
+  for (const std::string& other : limits_keys()) {
+    if (other != key && schedule.limits.contains(other)) {
+      problems.add_got(kPlace + "/" + other, "expected none beside " + key);
+    }
   }
-  const auto& parts = schedule.pair_shares ? schedule.pair_shares : schedule.thresholds;
+  const auto limits = schedule.limits.find(key);
   const std::size_t needed = schedule.lists.size() - 1;
-  const std::size_t given = parts ? parts->size() : 0;
+  const std::size_t given = limits == schedule.limits.end() ? 0 : limits->second.size();
   if (given != needed) {
-    problems.add(kPlace + (schedule.pair_shares ? "/pair_shares" : "/thresholds"),
-                 "expected one fewer than lists, " + std::to_string(needed) + ", got " +
-                     std::to_string(given));
+    problems.add(kPlace + "/" + key, "expected one fewer than lists, " + std::to_string(needed) +
+                                         ", got " + std::to_string(given));
   }
 }
 

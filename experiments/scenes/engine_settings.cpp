@@ -12,6 +12,15 @@ std::vector<std::string> texts(const std::vector<std::string_view>& views) {
   return {views.begin(), views.end()};
 }
 
+/// "depth-first, breadth-first, best-first, ..."
+std::string first_three(const std::vector<std::string_view>& names) {
+  std::string words;
+  for (std::size_t i = 0; i < 3 && i < names.size(); ++i) {
+    words += std::string(names[i]) + ", ";
+  }
+  return words + "...";
+}
+
 Kind<WeightedTerm> term_kind() {
   std::vector<std::string> metrics = texts(metric_names());
   std::erase_if(metrics, [](const std::string& name) { return needs_terms(name); });
@@ -35,12 +44,18 @@ Kind<PriorityList> list_kind() {
            "Never exceeded; the trees' deepest when left out.")});
 }
 
+/// Limits of the list rule of this name.
+Row<ScheduleSettings> limits_row(const std::string& rule, NumberRange range,
+                                 const std::string& sentence) {
+  const Kind<std::vector<double>> limits = list(number(range), {0, kMostLists - 1});
+  return {rule, described(sentence, limits), false,
+          [rule, read = limits.read](const nlohmann::json& value, ScheduleSettings& into) {
+            into.limits[rule] = read(value);
+          }};
+}
+
 Kind<ScheduleSettings> schedule_kind() {
   using S = ScheduleSettings;
-  const Names<Traversal> traversals{{"depth-first", Traversal::kDepthFirst},
-                                    {"breadth-first", Traversal::kBreadthFirst},
-                                    {"best-first", Traversal::kBestFirst},
-                                    {"visible-first", Traversal::kVisibleFirst}};
   std::vector<std::string> schedulers = texts(metric_names());
   schedulers.emplace_back(kRegionScheduler);
   std::sort(schedulers.begin(), schedulers.end());
@@ -69,24 +84,24 @@ Kind<ScheduleSettings> schedule_kind() {
        row("terms", &S::terms, list(term_kind(), {1, 16}),
            "Of the scheduler weighted: each metric counts 1 at urgent and beyond, 0 at relaxed and "
            "beyond, linear between them, times its weight."),
-       row("traversal", &S::traversal, choice(traversals),
+       row("traversal", &S::traversal, one_of(texts(traversal_names())),
            "Which pair of a list gets the next work. depth-first, when left out: one pair after "
            "the other. breadth-first: level after level. best-first: the pair whose next level "
            "should take away most of the visible gap for its work. visible-first: the pair of "
            "which finer levels should take away most of what shows to the eye, for their work: "
            "gaps that only coarse bounds leave, near where one looks.")
-           .with("traversal", "depth-first, breadth-first, best-first, ..."),
+           .with("traversal", first_three(traversal_names())),
        row("persistence_ms", &S::persistence_ms, number({0, 60000}),
            "A pair that touches keeps the highest priority it had for so long, against popping; a "
            "whole number of steps, 0 when left out.")
            .with("persistence-ms", "how long a pair keeps its priority"),
        required("lists", &S::lists, list(list_kind(), {1, kMostLists}),
                 "From high priority to low; the scheduler region takes two, inside and outside."),
-       row("thresholds", &S::thresholds, list(number({-kBillion, kBillion}), {0, kMostLists - 1}),
-           "One fewer than lists, in the metric's own unit, from high priority to low."),
-       row("pair_shares", &S::pair_shares, list(number({0, 1}), {0, kMostLists - 1}),
-           "In place of thresholds: the share of a step's pairs that each list but the last takes, "
-           "together at most 1.")});
+       limits_row("thresholds", {-kBillion, kBillion},
+                  "One fewer than lists, in the metric's own unit, from high priority to low."),
+       limits_row("pair_shares", {0, 1},
+                  "In place of thresholds: the share of a step's pairs that each list but the last "
+                  "takes, together at most 1.")});
 }
 
 Kind<RegionSettings> region_kind() {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,11 +37,11 @@ struct ScheduleSettings {
   std::string scheduler;  ///< a metric's name, or "region"
   std::optional<ScreenPlace> point_deg;
   std::optional<std::vector<WeightedTerm>> terms;
-  Traversal traversal{Traversal::kDepthFirst};
+  std::optional<std::string> traversal;  ///< one of traversal_names()
   double persistence_ms{0.0};
   std::vector<PriorityList> lists;
-  std::optional<std::vector<double>> thresholds;
-  std::optional<std::vector<double>> pair_shares;
+  /// What lists are parted by, by the name of the list rule that it is for.
+  std::map<std::string, std::vector<double>> limits;
 };
 
 /// Where collisions are of high priority.

@@ -22,24 +22,30 @@ std::vector<PairRestitution> restitutions_of(const Scene& scene) {
 
 void set_rule(const ScheduleSettings& schedule, Schedule& result) {
   if (schedule.scheduler == kRegionScheduler) {
-    result.rule = ListRule::kRegion;
-  } else if (schedule.pair_shares) {
-    result.rule = ListRule::kPairShares;
-    result.pair_shares = *schedule.pair_shares;
-  } else {
-    result.thresholds = schedule.thresholds.value_or(std::vector<double>{});
+    result.rule = make_list_rule(kRegionScheduler);
+    return;
+  }
+  const std::string name = limits_key(schedule);
+  result.rule = make_list_rule(name);
+  if (const auto said = schedule.limits.find(name); said != schedule.limits.end()) {
+    result.limits = said->second;
   }
 }
 
-/// Whether a metric goes by where the viewer looks, by itself or as a term.
-bool goes_by_gaze(const ScheduleSettings& schedule) {
-  const auto by_gaze = [](const std::string& metric) {
-    return metric == "eccentricity" || metric == "visible-frequency";
+std::shared_ptr<const Traversal> traversal_in(const ScheduleSettings& schedule) {
+  return schedule.traversal ? make_traversal(*schedule.traversal) : Schedule().traversal;
+}
+
+/// Whether any of the metrics that take part in a schedule's decisions looks at the fixation.
+bool measures_from_fixation(const ScheduleSettings& schedule) {
+  const auto looks = [](const std::string& metric) {
+    return metric != kRegionScheduler && !needs_terms(metric) &&
+           (make_metric(metric)->terms() & kFixationTerm) != 0;
   };
   const auto terms = schedule.terms.value_or(std::vector<WeightedTerm>{});
-  return by_gaze(schedule.scheduler) ||
+  return looks(schedule.scheduler) ||
          std::any_of(terms.begin(), terms.end(),
-                     [&](const WeightedTerm& term) { return by_gaze(term.metric); });
+                     [&](const WeightedTerm& term) { return looks(term.metric); });
 }
 
 }  // namespace
@@ -86,12 +92,30 @@ Schedule schedule_of(const EngineSettings& engine, double metres_per_degree) {
   const ScheduleSettings& schedule = *engine.schedule;
   result.lists = schedule.lists;
   set_rule(schedule, result);
-  if (result.rule != ListRule::kRegion) {
+  if (!follows_region(result)) {
     result.metric = make_metric(schedule.scheduler, metric_options_of(engine, metres_per_degree));
   }
-  result.traversal = schedule.traversal;
+  result.traversal = traversal_in(schedule);
   result.persistence_steps = std::llround(steps_of(schedule.persistence_ms, engine));
   return result;
+}
+
+std::vector<std::string> limits_keys() {
+  std::vector<std::string> keys;
+  for (const std::string_view name : list_rule_names()) {
+    if (make_list_rule(name)->has_limits()) {
+      keys.emplace_back(name);
+    }
+  }
+  return keys;
+}
+
+std::string limits_key(const ScheduleSettings& schedule) {
+  const std::vector<std::string> keys = limits_keys();
+  const auto said = std::find_if(keys.rbegin(), keys.rend(), [&](const std::string& key) {
+    return schedule.limits.contains(key);
+  });
+  return said == keys.rend() ? keys.front() : *said;
 }
 
 int deepest_level_of(const EngineSettings& engine) {
@@ -141,8 +165,8 @@ bool depends_on_gaze(const EngineSettings& engine) {
   }
   const bool tracked = engine.scheduler() == kRegionScheduler && engine.region &&
                        engine.region->kind == RegionKind::kTracked;
-  return tracked || engine.schedule->traversal == Traversal::kVisibleFirst ||
-         (!engine.schedule->point_deg && goes_by_gaze(*engine.schedule));
+  return tracked || (traversal_in(*engine.schedule)->terms() & kAcuityTerm) != 0 ||
+         (!engine.schedule->point_deg && measures_from_fixation(*engine.schedule));
 }
 
 TreeSettings tree_settings_of(const EngineSettings& engine, int deepest_level) {

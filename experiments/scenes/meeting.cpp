@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/volume.hpp"
 
 namespace impetus::inline scenes {
 namespace {

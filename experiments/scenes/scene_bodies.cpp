@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 

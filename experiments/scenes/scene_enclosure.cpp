@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "engine/numerics/cube_root.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline scenes {
 namespace {

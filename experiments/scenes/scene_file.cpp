@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "engine/world/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/distractors.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/dynamics/limits.hpp"
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/trees/builders/part_shape.hpp"
 #include "experiments/scenes/figures/figure_making.hpp"
 #include "experiments/scenes/scene_bodies.hpp"

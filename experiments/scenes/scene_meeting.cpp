@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/meeting.hpp"

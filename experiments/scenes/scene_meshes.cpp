@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "experiments/models/base64.hpp"
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
+#include "experiments/models/readable_file.hpp"
 
 namespace impetus::inline scenes {
 namespace {

@@ -5,12 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/knot_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "engine/shapes/solids/swept_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/builders/swept_tree.hpp"
 #include "experiments/scenes/coarser_meshes.hpp"

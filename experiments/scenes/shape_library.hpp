@@ -13,7 +13,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/trees/volume_tree.hpp"
 #include "experiments/models/tree_cache.hpp"
-#include "experiments/record/drawn_levels.hpp"
+#include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_settings.hpp"
 
 namespace impetus::inline scenes {

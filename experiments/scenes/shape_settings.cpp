@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus::inline scenes {

@@ -9,8 +9,10 @@
 
 namespace impetus::inline session {
 
+/// How a session ended: all done, left by the participant, no consent, or its display closed.
 enum class SessionEnding { kFinished, kQuit, kDeclined, kDisplayClosed };
 
+/// Asks the participant page by page, and knows whether and why the session has ended.
 class Conversation {
  public:
   /// All must outlive this.

@@ -1,11 +1,245 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/gaze_calibration.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/questions/session_pages.hpp"
-#include "experiments/session/calibration_pages.hpp"
 
 namespace impetus::inline session {
+namespace {
+
+std::string degrees_text(const std::optional<double>& value_deg) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f°", value_deg.value_or(0.0));
+  return value_deg ? text : "unknown";
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
+/// Short ones: a line that is broken is broken after the points of its numbers, too.
+std::vector<std::string> accuracy_words(const CalibrationRecord& record) {
+  if (!record.accuracy_deg) {
+    return {"No gaze was found at any of the points."};
+  }
+  return {"Your gaze was " + degrees_text(record.accuracy_deg) + " from the points on average; " +
+              degrees_text(record.accuracy_limit_deg) + " is allowed.",
+          "It was " + degrees_text(record.worst_accuracy_deg) + " from the worst one."};
+}
+
+std::int64_t unseen_in(const CalibrationRecord& record) {
+  std::int64_t count = 0;
+  for (const CalibrationPointRecord& point : record.points) {
+    count += point.gaze ? 0 : 1;
+  }
+  return count;
+}
+
+std::vector<std::string> quality_words(const CalibrationRecord& record) {
+  std::string samples = percent(record.lost_share) + " of the samples were lost";
+  if (record.sampling_hz) {
+    samples += "; " + std::to_string(std::lround(*record.sampling_hz)) + " came per second";
+  }
+  return {"It moved by " + degrees_text(record.precision_rms_deg) + " from sample to sample, by " +
+              degrees_text(record.precision_sd_deg) + " about its mean.",
+          samples + " (" + record.gaze_source + ")."};
+}
+
+PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
+  PointMap map;
+  map.aspect = screen.width_m / screen.height_m;
+  for (const CalibrationPointRecord& point : record.points) {
+    const ScreenPoint gaze = point.gaze.value_or(ScreenPoint{});
+    map.points.push_back({point.shown.x_m / screen.width_m, point.shown.y_m / screen.height_m,
+                          point.gaze.has_value(), gaze.x_m / screen.width_m,
+                          gaze.y_m / screen.height_m});
+  }
+  return map;
+}
+
+Page with_results(const std::string& title, const CalibrationRecord& validation,
+                  const ScreenGeometry& screen, const SessionProgress& progress) {
+  Page page = text_page({title, accuracy_words(validation)}, progress);
+  const std::int64_t unseen = unseen_in(validation);
+  if (unseen > 0 && validation.accuracy_deg) {
+    page.paragraphs.push_back("At " + std::to_string(unseen) +
+                              (unseen == 1 ? " point" : " points") + " there was no gaze at all.");
+  }
+  if (validation.accuracy_deg) {
+    for (std::string& words : quality_words(validation)) {
+      page.paragraphs.push_back(std::move(words));
+    }
+  }
+  page.point_map = map_of(validation, screen);
+  return page;
+}
+
+}  // namespace
+
+Page calibration_intro(bool by_pointer, const SessionProgress& progress) {
+  if (by_pointer) {
+    return text_page({"Where you point",
+                      {"The mouse pointer stands in for your eyes in this study, so it must be "
+                       "where you look.",
+                       "Points appear one after the other, twice nine of them. Move the pointer "
+                       "onto each as soon as you see it, and keep it there until the next one."}},
+                     progress);
+  }
+  return text_page({"Where you look",
+                    {"Now the eye tracker learns where you look.",
+                     "Points appear one after the other, twice nine of them. Look at the middle of "
+                     "each until it is gone. Please keep your head still."}},
+                   progress);
+}
+
+Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
+                         const SessionProgress& progress) {
+  if (validation.passed) {
+    return with_results("That went well", validation, screen, progress);
+  }
+  Page page = with_results("Once more, please", validation, screen, progress);
+  page.choices = {{"Try again", "space"}};
+  return page;
+}
+
+Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
+                            const SessionProgress& progress) {
+  Page page = with_results("Your gaze is not known well enough", validation, screen, progress);
+  page.paragraphs.emplace_back(
+      "Please call the experimenter, who decides whether the study goes on.");
+  page.choices = {{"Go on with the study", "g"}, {"Stop here", "s"}};
+  return page;
+}
+
+Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress) {
+  const std::string found = check.accuracy_deg
+                                ? "Your gaze was found " + degrees_text(check.accuracy_deg) +
+                                      " from the point in the middle; at most " +
+                                      degrees_text(check.accuracy_limit_deg) + " is allowed."
+                                : "No gaze was found at the point in the middle.";
+  return text_page({"Let us look at the points again", {found}}, progress);
+}
+
+Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgress& progress) {
+  return text_page(
+      {"That one is shown once more",
+       {"For " + percent(lost_share) +
+            " of the time it was not known where you looked. That happens, and it is no fault of "
+            "yours.",
+        by_pointer ? "Please keep the mouse pointer on the screen while you watch."
+                   : "Please keep looking at the screen while you watch; blink as you always do."}},
+      progress);
+}
+
+namespace {
+
+constexpr double kSettlingShare = 0.5;
+
+/// Shows points one after the other and keeps what was sampled.
+class Run {
+ public:
+  Run(double point_ms, const SessionProgress& progress, const Ports& ports)
+      : ports_(ports),
+        hz_(ports.display.refresh_hz()),
+        frames_(std::max<std::int64_t>(1, std::llround(point_ms / 1e3 * hz_))) {
+    picture_.viewer = viewer_at(ports.display.geometry(), 0.0);
+    picture_.pointer = ports.gaze->is_pointer();
+    picture_.progress = progress;
+  }
+
+  PointRun through(const std::vector<ScreenPoint>& points) {
+    ports_.display.restart_grid();
+    static_cast<void>(ports_.gaze->take_samples());  // of before
+    for (const ScreenPoint& point : points) {
+      run_.points.push_back({point, {}});
+      if (!show(point)) {
+        return std::move(run_);
+      }
+    }
+    take_samples();
+    run_.began_ns = onsets_ns_.front();
+    run_.sampling_hz = sampling_hz_of(samples_);
+    share_out();
+    return std::move(run_);
+  }
+
+ private:
+  bool show(const ScreenPoint& point) {
+    picture_.target = point;
+    for (std::int64_t frame = 0; frame < frames_; ++frame) {
+      const Flip flip = ports_.display.show(picture_);
+      ports_.gaze->shown(picture_, flip);
+      if (frame == 0) {
+        onsets_ns_.push_back(flip.flipped_ns);
+      }
+      take_samples();
+      run_.interruption = ports_.input.interruption();
+      if (run_.interruption != Interruption::kNone) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void take_samples() {
+    const std::vector<GazeSample> samples = ports_.gaze->take_samples();
+    samples_.insert(samples_.end(), samples.begin(), samples.end());
+  }
+
+  /// Each sample to the point that was shown when it was taken, if its eye had had time to settle.
+  void share_out() {
+    const double point_ns = static_cast<double>(frames_) * 1e9 / hz_;
+    const auto settling_ns = static_cast<std::int64_t>(kSettlingShare * point_ns);
+    const std::int64_t end_ns = onsets_ns_.back() + static_cast<std::int64_t>(point_ns);
+    for (std::size_t i = 0; i < onsets_ns_.size(); ++i) {
+      const std::int64_t until_ns = i + 1 < onsets_ns_.size() ? onsets_ns_[i + 1] : end_ns;
+      std::copy_if(samples_.begin(), samples_.end(), std::back_inserter(run_.points[i].samples),
+                   [&](const GazeSample& sample) {
+                     return sample.taken_ns >= onsets_ns_[i] + settling_ns &&
+                            sample.taken_ns < until_ns;
+                   });
+    }
+  }
+
+  const Ports& ports_;
+  double hz_;
+  std::int64_t frames_;  ///< of each point
+  Picture picture_;
+  PointRun run_;
+  std::vector<std::int64_t> onsets_ns_;
+  std::vector<GazeSample> samples_;
+};
+
+}  // namespace
+
+PointRun run_points(const std::vector<ScreenPoint>& points, double point_ms,
+                    const SessionProgress& progress, const Ports& ports) {
+  return Run(point_ms, progress, ports).through(points);
+}
+
+std::vector<ScreenPoint> nine_points(const ScreenGeometry& screen, double share) {
+  std::vector<ScreenPoint> points;
+  for (const double y : {0.5, 0.0, -0.5}) {
+    for (const double x : {-0.5, 0.0, 0.5}) {
+      points.push_back({x * share * screen.width_m, y * share * screen.height_m});
+    }
+  }
+  return points;
+}
+
+PointRun corrected(PointRun run, const GazeCorrection& correction) {
+  for (PointSamples& point : run.points) {
+    for (GazeSample& sample : point.samples) {
+      sample.at = correction.corrected(sample.at);
+    }
+  }
+  return run;
+}
+
 namespace {
 
 constexpr double kCalibratedShare = 0.8;  ///< of the screen's width and height

@@ -12,11 +12,68 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/session/calibration_run.hpp"
+#include <string>
+#include <vector>
+
+#include "experiments/gaze/gaze_quality.hpp"
+#include "experiments/record/page.hpp"
+#include "experiments/record/record.hpp"
 #include "experiments/session/conversation.hpp"
+#include "experiments/session/trial.hpp"
 
 namespace impetus::inline session {
 
+inline constexpr std::size_t kStopChoice = 1;  ///< of calibration_not_passed()
+
+/// Before the points. `by_pointer`: the mouse pointer stands in for the eye.
+Page calibration_intro(bool by_pointer, const SessionProgress& progress);
+
+/// What the validation found, in words and as a map: go on, or once more.
+Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
+                         const SessionProgress& progress);
+
+/// The same after the last try: the experimenter decides.
+Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
+                            const SessionProgress& progress);
+
+/// A drift check was worse than its limit: calibrated anew.
+Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress);
+
+/// Too much of the gaze was lost, and the trial is shown again.
+Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgress& progress);
+
+/// What is said before a drift check, at the end of a break.
+inline constexpr const char* kLookAtTheMiddle =
+    "When you go on, a point appears in the middle of the screen. Please look at it until it is "
+    "gone.";
+inline constexpr const char* kPointAtTheMiddle =
+    "When you go on, a point appears in the middle of the screen. Please keep the mouse pointer on "
+    "it until it is gone.";
+
+/// One run through points of the screen that are to be looked at, and the gaze meanwhile.
+///
+///   point 1  |---settle---|--count--| point 2 |---settle---|--count--| ...      one display grid
+///
+/// The first half of each point is for finding it. Samples are given to points by their own stamps,
+/// so that it does not matter how late they come.
+struct PointRun {
+  std::vector<PointSamples> points;   ///< in the order shown; raw samples, of the halves that count
+  std::optional<double> sampling_hz;  ///< over the whole run
+  std::int64_t began_ns{0};
+  Interruption interruption{Interruption::kNone};  ///< other than kNone: the run is not whole
+};
+
+/// Shows each of `points` for `point_ms`. `ports` must have a gaze.
+PointRun run_points(const std::vector<ScreenPoint>& points, double point_ms,
+                    const SessionProgress& progress, const Ports& ports);
+
+/// Nine points, three by three, over `share` of the screen's width and height, row by row.
+std::vector<ScreenPoint> nine_points(const ScreenGeometry& screen, double share);
+
+/// The run with every sample corrected.
+PointRun corrected(PointRun run, const GazeCorrection& correction);
+
+/// Calibrates, validates and checks for drift within a session.
 class GazeCalibration {
  public:
   /// All must outlive this; `ports` must have a gaze and gets the corrections. `seed` is the
@@ -32,6 +89,7 @@ class GazeCalibration {
   bool check_drift(std::int64_t before_slot);
 
  private:
+  /// When in the session a calibration was made, and the how manieth it was there.
   struct Occasion {
     std::int64_t before_slot{0};
     std::int64_t number{1};

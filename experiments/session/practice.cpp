@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/rating.hpp"
 
 namespace impetus::inline session {
 namespace {
@@ -51,17 +51,18 @@ std::vector<std::string> missing_in_practice(const PracticeRule& rule, const Scr
   const LevelTally best = tally(rule.factor, rule.best, round);
   const LevelTally worst = tally(rule.factor, rule.worst, round);
   std::vector<std::string> missing;
-  if (script.clicks && worst.clicks == 0) {
+  if (takes_clicks(script) && worst.clicks == 0) {
     missing.emplace_back(
         "You did not click in the simulations in which every collision was bad. Please click as "
         "soon as you see a bad collision.");
   }
   const bool both_rated = best.rated > 0 && worst.rated > 0;
-  const bool high_is_good = script.scale->best == script.scale->maximum;
+  const RatingScale& scale = *find_scale(script);
+  const bool high_is_good = scale.best == scale.maximum;
   const double better = high_is_good ? best.mean() - worst.mean() : worst.mean() - best.mean();
   if (!both_rated || better <= 0.0) {
     missing.push_back("You did not rate the best simulations better than the worst. " +
-                      std::to_string(script.scale->best) + " is for the best.");
+                      std::to_string(scale.best) + " is for the best.");
   }
   return missing;
 }

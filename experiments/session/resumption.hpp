@@ -15,6 +15,7 @@
 
 namespace impetus::inline session {
 
+/// Where a resumed session begins, and what it does again.
 struct Resumption {
   std::optional<std::int64_t> first_slot{};  ///< the first trial that waits; none: all are done
   std::set<std::int64_t> set_aside{};        ///< slots done before that are to be shown again

@@ -1,14 +1,164 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/session.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "experiments/questions/session_pages.hpp"
-#include "experiments/session/practice_part.hpp"
+#include "experiments/record/frame_grid.hpp"
+#include "experiments/record/script.hpp"
+#include "experiments/run/live_run.hpp"
+#include "experiments/session/practice.hpp"
+#include "experiments/session/trial.hpp"
 #include "experiments/session/trial_sequence.hpp"
 
 namespace impetus::inline session {
 namespace {
+
+/// The part of a session before its main trials: demonstrations, then practice until it suffices.
+class PracticePart {
+ public:
+  /// Both must outlive this.
+  PracticePart(const Sitting& sitting, TrialSequence& trials)
+      : sitting_(sitting), trials_(trials) {}
+
+  /// Demonstrations, then practice; nothing once main trials have begun. Whether the session goes
+  /// on; when it does not, the sitting's conversation knows why.
+  bool run();
+
+ private:
+  bool train();
+  bool practise_rounds();
+  bool demonstrate();
+  [[nodiscard]] std::vector<std::string> missing_in(std::int64_t round) const;
+  bool ask_whether_to_go_on();
+
+  const Sitting& sitting_;
+  TrialSequence& trials_;
+};
+
+/// Plays a demonstration once, a scene that is shown before practice without a task, after an
+/// interval; nothing of it is recorded. Returns what
+/// interrupted it.
+Interruption show_demonstration(const std::string& id, const Script& script,
+                                const SessionProgress& progress, const Ports& ports) {
+  LiveRun live(ports.scenes.stage_demonstration(id, ports.display.geometry()), 0, ports.work_clock);
+  const double hz = ports.display.refresh_hz();
+  const std::int64_t interval = whole_frames(script.timing.interval_ms / 1e3, hz);
+  const std::int64_t last = whole_frames(live.scene().duration_s, hz);
+  ports.display.restart_grid();
+  for (std::int64_t frame = -interval; frame <= last; ++frame) {
+    const double time_s = std::max(0.0, static_cast<double>(frame) / hz);
+    const std::vector<Pose> poses = frame < 0 ? std::vector<Pose>{} : live.poses_at(time_s);
+    ports.display.show(picture_of(live.scene(), poses, time_s, progress));
+    const Interruption interruption = ports.input.interruption();
+    if (interruption != Interruption::kNone) {
+      return interruption;
+    }
+  }
+  return Interruption::kNone;
+}
+
+bool PracticePart::run() {
+  const bool goes_on =
+      sitting_.standing.main_has_begun() ||
+      (demonstrate() && (sitting_.script.training_rule ? train() : practise_rounds()));
+  if (goes_on) {
+    sitting_.standing.end_practice();
+  }
+  return goes_on;
+}
+
+/// Practice trials until enough of the last ones were answered right, or none is left.
+bool PracticePart::train() {
+  const TrainingRule& rule = *sitting_.script.training_rule;
+  const PhaseTrials trials = sitting_.standing.trials_of(TrialPhase::kPractice, 0);
+  std::int64_t done = trials.total - static_cast<std::int64_t>(trials.waiting.size());
+  if (is_trained(rule, sitting_.standing.practice_results(0))) {
+    return true;  // in an earlier session
+  }
+  if (!trials.waiting.empty() && !sitting_.ask(training_intro(rule, sitting_.progress()))) {
+    return false;
+  }
+  for (const PlannedTrial* trial : trials.waiting) {
+    sitting_.standing.begin_round(trial->repetition);
+    const SessionProgress here =
+        sitting_.standing.trial_progress(TrialPhase::kPractice, ++done, trials.total, true);
+    if (!trials_.run_one(*trial, here, done, trials.total)) {
+      return false;
+    }
+    if (is_trained(rule, sitting_.standing.practice_results(0))) {
+      return sitting_
+          .ask(training_over(right_of_last(rule.of, sitting_.standing.practice_results(0)), rule.of,
+                             sitting_.progress()))
+          .has_value();
+    }
+  }
+  return ask_whether_to_go_on();
+}
+
+/// Rounds of practice until one was understood.
+bool PracticePart::practise_rounds() {
+  const std::int64_t last_round = sitting_.standing.last_round();
+  for (std::int64_t round = 1; round <= last_round; ++round) {
+    sitting_.standing.begin_round(round);
+    if (!trials_.run_phase(TrialPhase::kPractice, round)) {
+      return false;
+    }
+    const std::vector<std::string> missing = missing_in(round);
+    if (missing.empty()) {
+      return trials_.summarise_practice();
+    }
+    if (round < last_round && !sitting_.ask(practice_again(missing, sitting_.progress()))) {
+      return false;
+    }
+  }
+  return last_round == 0 || ask_whether_to_go_on();
+}
+
+bool PracticePart::demonstrate() {
+  for (const Demonstration& demonstration : sitting_.script.demonstrations) {
+    if (!sitting_.ask(text_page(demonstration.text, sitting_.progress()))) {
+      return false;
+    }
+    std::optional<Answer> again;
+    do {
+      sitting_.ports.recorder.save(NoteRecord{"demonstration", demonstration.id});
+      const Interruption interruption = show_demonstration(demonstration.id, sitting_.script,
+                                                           sitting_.progress(), sitting_.ports);
+      if (interruption != Interruption::kNone && !sitting_.talk.handle(interruption)) {
+        return false;
+      }
+      again = sitting_.ask(demonstration_over(demonstration.text, sitting_.progress()));
+    } while (again && again->choice == kAgainChoice);
+    if (!again) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// What the round of practice lacks to be understood; nothing where nobody asks.
+std::vector<std::string> PracticePart::missing_in(std::int64_t round) const {
+  if (!sitting_.script.practice_rule) {
+    return {};
+  }
+  return missing_in_practice(*sitting_.script.practice_rule, sitting_.script,
+                             sitting_.standing.practice_results(round));
+}
+
+/// Practice was not understood in all its rounds: the experimenter decides.
+bool PracticePart::ask_whether_to_go_on() {
+  sitting_.ports.recorder.save(NoteRecord{"practice not understood", ""});
+  const auto answer = sitting_.ask(practice_not_understood(sitting_.progress()));
+  if (answer && answer->choice != kContinueChoice) {
+    sitting_.ports.recorder.save(NoteRecord{"quit", ""});
+    return sitting_.talk.end(SessionEnding::kQuit);
+  }
+  return answer.has_value();
+}
 
 constexpr const char* kConsentId = "consent";
 

@@ -11,6 +11,7 @@
 
 namespace impetus::inline session {
 
+/// How a session ended and how far it came.
 struct SessionResult {
   SessionEnding ending{SessionEnding::kQuit};
   std::int64_t completed_trials{0};  ///< practice included, earlier sessions included

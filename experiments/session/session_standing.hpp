@@ -31,6 +31,7 @@ struct PhaseTrials {
   std::int64_t total{0};
 };
 
+/// Keeps count of the plan's trials while a session runs.
 class SessionStanding {
  public:
   /// Both must outlive this.

@@ -13,6 +13,7 @@
 
 namespace impetus::inline session {
 
+/// What the flips of a display were like, and whether they can be trusted.
 struct SyncTest {
   std::int64_t tries{0};
   std::int64_t valid_flips{0};   ///< intervals of 4–40 ms within 20 % of nominal, last try

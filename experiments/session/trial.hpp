@@ -21,6 +21,7 @@ struct Ports {
   GazeCorrection gaze_correction{};      ///< by the last calibration
 };
 
+/// An attempt's record, and what interrupted it.
 struct AttemptResult {
   AttemptRecord record;
   Interruption interruption{Interruption::kNone};

@@ -7,9 +7,8 @@
 
 #include "experiments/gaze/gaze_latency.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
-#include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/session_pages.hpp"
-#include "experiments/session/calibration_pages.hpp"
+#include "experiments/session/gaze_calibration.hpp"
 
 namespace impetus::inline session {
 
@@ -139,7 +138,8 @@ bool TrialSequence::summarise_practice() {
   if (practice_use_.empty()) {
     return true;  // all of it was done in an earlier session, or nothing was rated
   }
-  return sitting_.ask(practice_summary(*sitting_.script.scale, practice_use_, sitting_.progress()))
+  return sitting_
+      .ask(practice_summary(*find_scale(sitting_.script), practice_use_, sitting_.progress()))
       .has_value();
 }
 

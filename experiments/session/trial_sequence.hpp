@@ -13,9 +13,29 @@
 #include <optional>
 
 #include "experiments/design/adaptive_levels.hpp"
-#include "experiments/session/sitting.hpp"
+#include "experiments/design/design.hpp"
+#include "experiments/record/script.hpp"
+#include "experiments/session/conversation.hpp"
+#include "experiments/session/gaze_calibration.hpp"
+#include "experiments/session/session_standing.hpp"
+#include "experiments/session/trial.hpp"
 
 namespace impetus::inline session {
+
+/// What the parts of a session share: who sits there, what is asked, how far it is. All must
+/// outlive the parts.
+struct Sitting {
+  const Script& script;
+  const Design& design;
+  Ports& ports;  ///< with the present correction of the gaze
+  SessionStanding& standing;
+  Conversation& talk;
+  std::optional<GazeCalibration>& calibration;  ///< none: the gaze is not calibrated
+
+  /// Asks until there is an answer; nothing when the session ends.
+  [[nodiscard]] std::optional<Answer> ask(const Page& page) const { return talk.ask(page); }
+  [[nodiscard]] SessionProgress progress() const { return standing.progress(); }
+};
 
 /// Of the trials of this session.
 struct GazeTroubles {
@@ -25,6 +45,7 @@ struct GazeTroubles {
   std::int64_t repeated_trials{0};  ///< attempts shown again for that
 };
 
+/// Shows the waiting trials of a phase in their order, with breaks and adaptive levels.
 class TrialSequence {
  public:
   /// `levels` as the answers of earlier sessions left them.

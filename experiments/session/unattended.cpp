@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 
 namespace impetus::inline session {
 
-void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress) {
+void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress) {
   constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
   constexpr double kMostToldSteps = 250.0;
-  const double tell_s = std::min(kMostTold_s, kMostToldSteps / playback.scene().step_hz);
+  const double tell_s = std::min(kMostTold_s, kMostToldSteps / live.scene().step_hz);
   for (double time_s = 0.0; time_s < end_s;) {
     time_s = std::min(time_s + tell_s, end_s);
-    playback.poses_at(time_s);
+    live.poses_at(time_s);
     if (progress) {
       progress(time_s / end_s);
     }
@@ -23,23 +23,23 @@ void play_to(Playback& playback, double end_s, const std::function<void(double s
 
 AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
                                    const std::function<void(double share)>& progress) {
-  Playback playback(std::move(scene), trial.seed);
-  playback.drop_digests();
-  play_to(playback, playback.scene().duration_s, progress);
+  LiveRun live(std::move(scene), trial.seed);
+  live.drop_digests();
+  play_to(live, live.scene().duration_s, progress);
   AttemptRecord record;
   record.slot = trial.slot;
   record.outcome = AttemptOutcome::kCompleted;
-  for (const BodyModel& body : playback.scene().world.models()) {
+  for (const BodyModel& body : live.scene().world.models()) {
     record.body_names.push_back(body.name);
   }
-  record.wall_naming = wall_naming(playback.scene().world.settings().enclosure);
-  record.intended_hold_s = playback.scene().intended_hold_s;
-  record.realised_hold_s = playback.scene().realised_hold_s;
-  record.steps = playback.take_steps();
+  record.wall_naming = wall_naming(live.scene().world.settings().enclosure);
+  record.intended_hold_s = live.scene().intended_hold_s;
+  record.realised_hold_s = live.scene().realised_hold_s;
+  record.steps = live.take_steps();
   for (StepRecord& step : record.steps) {
     step.shown_frame = -1;
   }
-  record.collisions = playback.take_collisions();
+  record.collisions = live.take_collisions();
   return record;
 }
 

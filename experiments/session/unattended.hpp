@@ -9,13 +9,13 @@
 #include <functional>
 
 #include "experiments/record/ports.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/session/session_standing.hpp"
 
 namespace impetus::inline session {
 
 /// Plays until `end_s`. `progress` hears of the share that is done, however many steps it takes.
-void play_to(Playback& playback, double end_s, const std::function<void(double share)>& progress);
+void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress);
 
 /// One trial from start to end. No frame shows it: its onset is 0. `progress` hears of the share
 /// that is done.

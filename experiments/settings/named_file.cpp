@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/settings/named_file.hpp"
 
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/readable_file.hpp"
 
 namespace impetus::inline settings {

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/attempt_rows.hpp"
 
-#include <SQLiteCpp/Statement.h>
-#include <SQLiteCpp/VariadicBind.h>
-
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include "experiments/gaze/gaze_latency.hpp"
-#include "experiments/record/wall_names.hpp"
-#include "experiments/store/optional_values.hpp"
-#include "experiments/store/response_rows.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus::inline store {
 namespace {
-
-void bind_imposed_spin(SQLite::Statement& statement, int first,
-                       const std::optional<ImposedSpin>& spin) {
-  for (int component = 0; spin && component < 3; ++component) {
-    statement.bind(first + component, spin->a[component]);
-    statement.bind(first + 3 + component, spin->b[component]);
-  }
-}
 
 const char* name_of(StopReason reason) {
   switch (reason) {
@@ -39,87 +29,106 @@ const char* name_of(StopReason reason) {
   }
 }
 
+std::optional<double> in_ms(const std::optional<double>& seconds) {
+  return seconds ? std::optional(*seconds * 1e3) : std::nullopt;
+}
+
 std::int64_t insert_attempt_row(SQLite::Database& database, const AttemptOwner& owner,
                                 const AttemptRecord& attempt) {
-  SQLite::Statement insert(
-      database,
-      "INSERT INTO attempt (trial_id, session_id, number, outcome, onset_ns, intended_hold_ms, "
-      "realised_hold_ms, timed_frames, late_timed_frames, late_untimed_frames, sync_overridden, "
-      "gaze_source, gaze_late, interrupted_by, gaze_latency_p95_ms, region_covered_share, "
-      "gaze_lost_share, imposed_gaze_latency_ms, saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?, nullif(?, ''), ?, nullif(?, ''), ?, ?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))");
-  SQLite::bind(insert, owner.trial_id, owner.session_id, attempt.number,
-               attempt.outcome == AttemptOutcome::kCompleted ? "completed" : "interrupted",
-               attempt.onset_ns, attempt.intended_hold_s * 1e3, attempt.realised_hold_s * 1e3,
-               static_cast<std::int64_t>(attempt.frames.size()), late_frames(attempt),
-               attempt.late_untimed_frames, owner.sync_overridden ? 1 : 0, attempt.gaze_source,
-               attempt.gaze_latency_p95_ms.value_or(0.0) > kMarkedGazeLatency_ms ? 1 : 0,
-               attempt.interrupted_by);
-  bind_or_null(insert, 15, attempt.gaze_latency_p95_ms);
-  bind_or_null(insert, 16, attempt.region_covered_share);
-  bind_or_null(insert, 17, attempt.gaze_lost_share);
-  if (attempt.imposed_gaze_latency_s) {
-    insert.bind(18, *attempt.imposed_gaze_latency_s * 1e3);
-  }
-  insert.exec();
-  return database.getLastInsertRowid();
+  const bool is_late = attempt.gaze_latency_p95_ms.value_or(0.0) > kMarkedGazeLatency_ms;
+  return insert_row(
+      database, "attempt",
+      {{"trial_id", owner.trial_id},
+       {"session_id", owner.session_id},
+       {"number", attempt.number},
+       {"outcome", attempt.outcome == AttemptOutcome::kCompleted ? "completed" : "interrupted"},
+       {"onset_ns", attempt.onset_ns},
+       {"intended_hold_ms", attempt.intended_hold_s * 1e3},
+       {"realised_hold_ms", attempt.realised_hold_s * 1e3},
+       {"timed_frames", attempt.frames.size()},
+       {"late_timed_frames", late_frames(attempt)},
+       {"late_untimed_frames", attempt.late_untimed_frames},
+       {"sync_overridden", owner.sync_overridden},
+       {"gaze_source", text_or_null(attempt.gaze_source)},
+       {"gaze_late", is_late},
+       {"interrupted_by", text_or_null(attempt.interrupted_by)},
+       {"gaze_latency_p95_ms", attempt.gaze_latency_p95_ms},
+       {"region_covered_share", attempt.region_covered_share},
+       {"gaze_lost_share", attempt.gaze_lost_share},
+       {"imposed_gaze_latency_ms", in_ms(attempt.imposed_gaze_latency_s)},
+       {"saved_utc", Now()}});
+}
+
+/// What one axis of a body's imposed spin is; none: none was imposed.
+std::optional<double> spin_along(const std::optional<ImposedSpin>& spin, Vector3 ImposedSpin::*body,
+                                 int axis) {
+  return spin ? std::optional((*spin.*body)[axis]) : std::nullopt;
 }
 
 void insert_collisions(SQLite::Database& database, std::int64_t id, const AttemptRecord& attempt) {
-  SQLite::Statement insert(
-      database,
-      "INSERT INTO collision (attempt_id, step, body_a, body_b, level, stopped, point_x_m, "
-      "point_y_m, point_z_m, normal_x, normal_y, normal_z, depth_m, approach_m_s, impulse_Ns, "
-      "imposed_hold_ms, imposed_no_spin, eccentricity_deg, first_frame, list, time_s, "
-      "contacts, interval, gaze_eccentricity_deg, region_eccentricity_deg, distance_m, "
-      "speed_deg_s, collision_speed_deg_s, priority, imposed_spin_a_x_rad_s, "
-      "imposed_spin_a_y_rad_s, imposed_spin_a_z_rad_s, imposed_spin_b_x_rad_s, "
-      "imposed_spin_b_y_rad_s, imposed_spin_b_z_rad_s) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  RowInsert rows(database, "collision");
   for (const CollisionRecord& collision : attempt.collisions) {
     const CollisionReport& report = collision.report;
     const TouchPoint& touch = report.contact.touch;
-    const auto a = static_cast<std::size_t>(report.bodies.a);
-    const std::string body_b = is_wall(report.bodies.b)
-                                   ? wall_name(report.bodies.b, attempt.wall_naming)
-                                   : attempt.body_names[static_cast<std::size_t>(report.bodies.b)];
-    SQLite::bind(insert, id, collision.step, attempt.body_names[a], body_b, report.level,
-                 name_of(report.stop), touch.point.x(), touch.point.y(), touch.point.z(),
-                 touch.normal.x(), touch.normal.y(), touch.normal.z(), touch.depth_m,
-                 report.approach_m_s, report.impulse_Ns, report.imposed_hold_s * 1e3,
-                 collision.no_spin ? 1 : 0, collision.eccentricity_deg, collision.first_frame_shown,
-                 report.list, collision.time_s, report.contact_count, collision.interval);
-    bind_or_null(insert, 24, collision.gaze_eccentricity_deg);
-    bind_or_null(insert, 25, collision.region_eccentricity_deg);
-    bind_or_null(insert, 26, collision.distance_m);
-    bind_or_null(insert, 27, collision.speed_deg_s);
-    bind_or_null(insert, 28, collision.collision_speed_deg_s);
-    bind_or_null(insert, 29, collision.priority);
-    bind_imposed_spin(insert, 30, collision.imposed_spin);
-    insert.exec();
-    insert.reset();
-    insert.clearBindings();
+    const std::optional<ImposedSpin>& spin = collision.imposed_spin;
+    const std::int64_t frame = collision.first_frame_shown;
+    const auto name = [&](std::int32_t body) {
+      return attempt.body_names[static_cast<std::size_t>(body)];
+    };
+    rows.insert(
+        {{"attempt_id", id},
+         {"step", collision.step},
+         {"body_a", name(report.bodies.a)},
+         {"body_b", is_wall(report.bodies.b) ? wall_name(report.bodies.b, attempt.wall_naming)
+                                             : name(report.bodies.b)},
+         {"level", report.level},
+         {"stopped", name_of(report.stop)},
+         {"point_x_m", touch.point.x()},
+         {"point_y_m", touch.point.y()},
+         {"point_z_m", touch.point.z()},
+         {"normal_x", touch.normal.x()},
+         {"normal_y", touch.normal.y()},
+         {"normal_z", touch.normal.z()},
+         {"depth_m", touch.depth_m},
+         {"approach_m_s", report.approach_m_s},
+         {"impulse_Ns", report.impulse_Ns},
+         {"imposed_hold_ms", report.imposed_hold_s * 1e3},
+         {"imposed_no_spin", collision.no_spin},
+         {"eccentricity_deg", collision.eccentricity_deg},
+         {"first_frame", frame == -1 ? std::nullopt : std::optional(frame)},
+         {"list", report.list},
+         {"time_s", collision.time_s},
+         {"contacts", report.contact_count},
+         {"interval", collision.interval},
+         {"gaze_eccentricity_deg", collision.gaze_eccentricity_deg},
+         {"region_eccentricity_deg", collision.region_eccentricity_deg},
+         {"distance_m", collision.distance_m},
+         {"speed_deg_s", collision.speed_deg_s},
+         {"collision_speed_deg_s", collision.collision_speed_deg_s},
+         {"priority", collision.priority},
+         {"imposed_spin_a_x_rad_s", spin_along(spin, &ImposedSpin::a, 0)},
+         {"imposed_spin_a_y_rad_s", spin_along(spin, &ImposedSpin::a, 1)},
+         {"imposed_spin_a_z_rad_s", spin_along(spin, &ImposedSpin::a, 2)},
+         {"imposed_spin_b_x_rad_s", spin_along(spin, &ImposedSpin::b, 0)},
+         {"imposed_spin_b_y_rad_s", spin_along(spin, &ImposedSpin::b, 1)},
+         {"imposed_spin_b_z_rad_s", spin_along(spin, &ImposedSpin::b, 2)}});
   }
 }
 
 void insert_frames(SQLite::Database& database, std::int64_t id,
                    const std::vector<FrameRecord>& frames) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO frame (attempt_id, frame, phase, shown_time_s, "
-                           "scheduled_ns, submitted_ns, flipped_ns, missed_slots, interval, patch) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  RowInsert rows(database, "frame");
   for (const FrameRecord& frame : frames) {
-    SQLite::bind(insert, id, frame.frame,
-                 frame.phase == FramePhase::kFixation ? "fixation" : "stimulus", frame.shown_time_s,
-                 frame.flip.scheduled_ns, frame.flip.submitted_ns, frame.flip.flipped_ns,
-                 frame.flip.missed_slots, frame.interval);
-    if (frame.patch) {
-      insert.bind(10, *frame.patch);
-    }
-    insert.exec();
-    insert.reset();
-    insert.clearBindings();
+    rows.insert({{"attempt_id", id},
+                 {"frame", frame.frame},
+                 {"phase", frame.phase == FramePhase::kFixation ? "fixation" : "stimulus"},
+                 {"shown_time_s", frame.shown_time_s},
+                 {"scheduled_ns", frame.flip.scheduled_ns},
+                 {"submitted_ns", frame.flip.submitted_ns},
+                 {"flipped_ns", frame.flip.flipped_ns},
+                 {"missed_slots", frame.flip.missed_slots},
+                 {"interval", frame.interval},
+                 {"patch", frame.patch}});
   }
 }
 
@@ -136,25 +145,117 @@ const char* name_of(GazeLoss loss) {
 
 void insert_gaze(SQLite::Database& database, std::int64_t id,
                  const std::vector<GazeSample>& samples) {
-  SQLite::Statement insert(
-      database,
-      "INSERT INTO gaze (attempt_id, sample, taken_ns, x_m, y_m, loss, interval) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?)");
+  RowInsert rows(database, "gaze");
   std::int64_t number = 0;
   for (const GazeSample& sample : samples) {
-    insert.bind(1, id);
-    insert.bind(2, ++number);
-    insert.bind(3, sample.taken_ns);
-    if (sample.at) {
-      insert.bind(4, sample.at->x_m);
-      insert.bind(5, sample.at->y_m);
-    } else {
-      insert.bind(6, name_of(sample.loss));
+    const Fixation& at = sample.at;
+    rows.insert({{"attempt_id", id},
+                 {"sample", ++number},
+                 {"taken_ns", sample.taken_ns},
+                 {"x_m", at ? std::optional(at->x_m) : std::nullopt},
+                 {"y_m", at ? std::optional(at->y_m) : std::nullopt},
+                 {"loss", at ? std::nullopt : std::optional<std::string>(name_of(sample.loss))},
+                 {"interval", sample.interval}});
+  }
+}
+
+void insert_clicks(SQLite::Database& database, std::int64_t id,
+                   const std::vector<ClickRecord>& clicks) {
+  RowInsert rows(database, "click");
+  std::int64_t number = 0;
+  for (const ClickRecord& click : clicks) {
+    rows.insert({{"attempt_id", id},
+                 {"number", ++number},
+                 {"device", click.device},
+                 {"arrived_ns", click.arrived_ns},
+                 {"arrival_uncertainty_ns", click.arrival_uncertainty_ns},
+                 {"interval", click.interval}});
+  }
+}
+
+void insert_ratings(SQLite::Database& database, std::int64_t id,
+                    const std::vector<RatingRecord>& ratings) {
+  RowInsert rows(database, "rating");
+  for (const RatingRecord& rating : ratings) {
+    rows.insert({{"attempt_id", id},
+                 {"rating", rating.rating},
+                 {"minimum", rating.minimum},
+                 {"maximum", rating.maximum},
+                 {"best", rating.best},
+                 {"low_anchor", rating.low_anchor},
+                 {"high_anchor", rating.high_anchor},
+                 {"device", rating.device},
+                 {"question_shown_ns", rating.question_shown_ns},
+                 {"arrived_ns", rating.arrived_ns},
+                 {"arrival_uncertainty_ns", rating.arrival_uncertainty_ns}});
+  }
+}
+
+void bind_level(SQLite::Statement& statement, int index, const LevelValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    statement.bind(index, *text);
+  } else if (const auto* truth = std::get_if<bool>(&value)) {
+    statement.bind(index, *truth ? "true" : "false");
+  } else if (const double number = std::get<double>(value);
+             std::floor(number) == number && std::abs(number) < 1e15) {
+    statement.bind(index, static_cast<std::int64_t>(number));
+  } else {
+    statement.bind(index, number);
+  }
+}
+
+/// {"name": value, ...} in this order; whole numbers without a decimal point.
+std::string json_object(SQLite::Database& database, const std::vector<FactorLevel>& values) {
+  std::string sql = "SELECT json_object(";
+  for (const FactorLevel& value : values) {
+    sql += sql.back() == '(' ? "?, " : ", ?, ";
+    sql += std::holds_alternative<bool>(value.value) ? "json(?)" : "?";
+  }
+  SQLite::Statement query(database, sql + ")");
+  int index = 0;
+  for (const FactorLevel& value : values) {
+    query.bind(++index, value.factor);
+    bind_level(query, ++index, value.value);
+  }
+  query.executeStep();
+  return query.getColumn(0).getString();
+}
+
+void insert_responses(SQLite::Database& database, std::int64_t id,
+                      const std::vector<ResponseRecord>& responses) {
+  RowInsert rows(database, "response");
+  std::int64_t number = 0;
+  for (const ResponseRecord& response : responses) {
+    rows.insert({{"attempt_id", id},
+                 {"number", ++number},
+                 {"kind", response.kind},
+                 {"question", response.question},
+                 {"answer", text_or_null(response.answer)},
+                 {"detail", json_object(database, response.detail)},
+                 {"device", response.device},
+                 {"question_shown_ns", response.question_shown_ns},
+                 {"arrived_ns", response.arrived_ns},
+                 {"arrival_uncertainty_ns", response.arrival_uncertainty_ns},
+                 {"timed_out", response.timed_out},
+                 {"positive", response.positive},
+                 {"correct", response.correct}});
+  }
+}
+
+void insert_not_finite_notes(SQLite::Database& database, std::int64_t session_id,
+                             const AttemptRecord& attempt) {
+  const std::string trial =
+      "trial " + std::to_string(attempt.slot) + ", attempt " + std::to_string(attempt.number);
+  for (const StepRecord& step : attempt.steps) {
+    for (const NotFiniteBody& found : step.not_finite) {
+      insert_row(database, "note",
+                 {{"session_id", session_id},
+                  {"written_utc", Now()},
+                  {"kind", "not finite"},
+                  {"text", trial + ", step " + std::to_string(step.step) + ": " +
+                               attempt.body_names.at(static_cast<std::size_t>(found.body)) + ", " +
+                               std::string(name_of(found.field))}});
     }
-    insert.bind(7, sample.interval);
-    insert.exec();
-    insert.reset();
-    insert.clearBindings();
   }
 }
 
@@ -165,6 +266,11 @@ std::int64_t late_frames(const AttemptRecord& attempt) {
                        [](const FrameRecord& frame) { return frame.flip.late(); });
 }
 
+bool has_not_finite(const AttemptRecord& attempt) {
+  return std::any_of(attempt.steps.begin(), attempt.steps.end(),
+                     [](const StepRecord& step) { return !step.not_finite.empty(); });
+}
+
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt) {
   const std::int64_t id = insert_attempt_row(database, owner, attempt);
@@ -172,7 +278,10 @@ void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
   insert_collisions(database, id, attempt);
   insert_frames(database, id, attempt.frames);
   insert_gaze(database, id, attempt.gaze);
-  insert_answers(database, id, attempt);
+  insert_clicks(database, id, attempt.clicks);
+  insert_ratings(database, id, attempt.ratings);
+  insert_responses(database, id, attempt.responses);
+  insert_not_finite_notes(database, owner.session_id, attempt);
 }
 
 }  // namespace impetus::inline store

@@ -5,13 +5,12 @@
 #include <SQLiteCpp/Database.h>
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "experiments/record/record.hpp"
 
 namespace impetus::inline store {
 
+/// Whose attempt it is.
 struct AttemptOwner {
   std::int64_t trial_id{0};
   std::int64_t session_id{0};
@@ -21,8 +20,12 @@ struct AttemptOwner {
 /// How many of its timed frames were late.
 std::int64_t late_frames(const AttemptRecord& attempt);
 
-/// Inserts the attempt with its steps, collisions, frames, gaze, clicks and answers. Throws
-/// SQLite::Exception.
+/// Whether a body was taken out in any step of the attempt, for its state was not finite.
+bool has_not_finite(const AttemptRecord& attempt);
+
+/// Inserts the attempt with its steps, collisions, frames, gaze, clicks and answers; and for each
+/// body that was taken out a note of the session, of kind "not finite", such as "trial 3, attempt
+/// 1, step 12: red, linear momentum". Throws SQLite::Exception.
 void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
                     const AttemptRecord& attempt);
 

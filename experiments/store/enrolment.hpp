@@ -14,6 +14,7 @@
 
 namespace impetus::inline store {
 
+/// A version of a protocol as a study keeps it: what was read, byte for byte.
 struct ProtocolTexts {
   std::string name;
   std::string hash;
@@ -37,6 +38,7 @@ struct StoredTrial {
   std::optional<std::int64_t> yoked_trial_id{};
 };
 
+/// A participant in a protocol: the plan, and what was done of it.
 struct Enrolment {
   std::int64_t id{0};
   std::uint64_t seed{0};

@@ -1,43 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/exclusion.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
+#include <algorithm>
+
 #include "experiments/settings/input_error.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
 namespace {
 
 std::int64_t participant_id(StudyFile& study, const std::string& pseudonym) {
-  SQLite::Statement query(study.database(), "SELECT id FROM participant WHERE pseudonym = ?");
-  query.bind(1, pseudonym);
-  if (!query.executeStep()) {
+  const auto id = load_value<std::int64_t>(
+      study.database(), "SELECT id FROM participant WHERE pseudonym = ?", pseudonym);
+  if (!id) {
     throw InputError(study.name() + ": expected a participant of the study, got " + pseudonym);
   }
-  return query.getColumn(0).getInt64();
+  return *id;
 }
 
 void require_trial(StudyFile& study, std::int64_t participant, const Exclusion& exclusion) {
-  SQLite::Statement query(study.database(),
-                          "SELECT 1 FROM trial JOIN enrolment ON enrolment.id = enrolment_id "
-                          "WHERE trial.id = ? AND participant_id = ?");
-  query.bind(1, *exclusion.trial_id);
-  query.bind(2, participant);
-  if (!query.executeStep()) {
+  if (!load_value<int>(study.database(),
+                       "SELECT 1 FROM trial JOIN enrolment ON enrolment.id = enrolment_id "
+                       "WHERE trial.id = ? AND participant_id = ?",
+                       *exclusion.trial_id, participant)) {
     throw InputError(study.name() + ": expected a trial of " + exclusion.participant + ", got " +
                      std::to_string(*exclusion.trial_id));
   }
 }
 
 bool is_excluded(StudyFile& study, const Exclusion& exclusion) {
-  SQLite::Statement query(study.database(),
-                          "SELECT 1 FROM excluded WHERE participant = ? AND trial IS ?");
-  query.bind(1, exclusion.participant);
-  if (exclusion.trial_id) {
-    query.bind(2, *exclusion.trial_id);
-  }
-  return query.executeStep();
+  const auto excluded = load_column<std::optional<std::int64_t>>(
+      study.database(), "SELECT trial FROM excluded WHERE participant = ?", exclusion.participant);
+  return std::find(excluded.begin(), excluded.end(), exclusion.trial_id) != excluded.end();
 }
 
 std::string what(const Exclusion& exclusion) {
@@ -58,16 +54,12 @@ void exclude(StudyFile& study, const Exclusion& exclusion) {
                      (exclusion.excluded ? " is excluded already" : " is not excluded"));
   }
   SQLite::Transaction transaction(study.database());
-  SQLite::Statement insert(study.database(),
-                           "INSERT INTO exclusion (participant_id, trial_id, excluded, reason, "
-                           "decided_utc) VALUES (?, ?, ?, ?, strftime('%Y-%m-%dT%H:%M:%fZ'))");
-  insert.bind(1, participant);
-  if (exclusion.trial_id) {
-    insert.bind(2, *exclusion.trial_id);
-  }
-  insert.bind(3, exclusion.excluded ? 1 : 0);
-  insert.bind(4, exclusion.reason);
-  insert.exec();
+  insert_row(study.database(), "exclusion",
+             {{"participant_id", participant},
+              {"trial_id", exclusion.trial_id},
+              {"excluded", exclusion.excluded},
+              {"reason", exclusion.reason},
+              {"decided_utc", Now()}});
   transaction.commit();
 }
 

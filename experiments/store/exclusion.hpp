@@ -10,6 +10,7 @@
 
 namespace impetus::inline store {
 
+/// A decision to leave out a participant or one trial of theirs, or to take that back.
 struct Exclusion {
   std::string participant;
   std::optional<std::int64_t> trial_id{};  ///< none: all of the participant's

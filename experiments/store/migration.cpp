@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/migration.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
 #include <string>
-#include <vector>
 
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
@@ -13,6 +11,7 @@
 #include "experiments/store/embedded_migration_4_5.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -27,13 +26,8 @@ std::string in_quotes(const std::string& name) {
 }
 
 void drop_views(SQLite::Database& database) {
-  std::vector<std::string> names;
-  SQLite::Statement query(database, "SELECT name FROM sqlite_master WHERE type = 'view'");
-  while (query.executeStep()) {
-    names.push_back(query.getColumn(0).getString());
-  }
-  query.reset();
-  for (const std::string& name : names) {
+  for (const std::string& name :
+       load_column<std::string>(database, "SELECT name FROM sqlite_master WHERE type = 'view'")) {
     database.exec("DROP VIEW " + in_quotes(name));
   }
 }

@@ -13,6 +13,7 @@
 
 namespace impetus::inline store {
 
+/// What the schema says of one column.
 struct ColumnWords {
   std::string type;       ///< INTEGER, REAL, TEXT or BLOB
   std::string meaning;    ///< "" when the schema says nothing

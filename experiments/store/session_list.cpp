@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/session_list.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
-#include <utility>
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -15,20 +14,16 @@ constexpr const char* kOrdinaryNotes =
 
 std::vector<NoteSummary> load_notes(SQLite::Database& database, std::int64_t session) {
   // Beside min(id), SQLite takes the other columns from that row.
-  SQLite::Statement query(
-      database, std::string("SELECT kind, count(*), text, min(id) FROM note WHERE session_id = ? "
-                            "AND kind NOT IN ") +
-                    kOrdinaryNotes + " GROUP BY kind ORDER BY min(id)");
-  query.bind(1, session);
-  std::vector<NoteSummary> notes;
-  while (query.executeStep()) {
-    notes.push_back({query.getColumn(0).getString(), query.getColumn(1).getInt64(),
-                     query.getColumn(2).getString()});
-  }
-  return notes;
+  return load_as<NoteSummary, std::string, std::int64_t, std::string>(
+      database,
+      std::string("SELECT kind, count(*), text, min(id) FROM note WHERE session_id = ? "
+                  "AND kind NOT IN ") +
+          kOrdinaryNotes + " GROUP BY kind ORDER BY min(id)",
+      session);
 }
 
 std::vector<ListedSession> load_sittings(SQLite::Database& database, std::int64_t enrolment) {
+  std::vector<ListedSession> sittings;
   SQLite::Statement query(
       database,
       "WITH sitting AS (SELECT session.*, "
@@ -40,33 +35,20 @@ std::vector<ListedSession> load_sittings(SQLite::Database& database, std::int64_
       "    AND outcome <> 'interrupted') AS completed, "
       "  (SELECT min(gaze_source) FROM attempt WHERE session_id = session.id) AS attempts_gaze "
       "  FROM session WHERE enrolment_id = ?) "
-      "SELECT id, started_utc, coalesce(ended_utc, ''), last_utc, "
-      "(julianday(coalesce(ended_utc, last_utc)) - julianday(started_utc)) * 86400, "
-      "coalesce(ending, ''), coalesce(resumed_at, ''), resumed_after_s, completed, sync_passed, "
-      "sync_overridden, coalesce(gaze_source, attempts_gaze, ''), sync_tries FROM sitting "
-      "ORDER BY id");
+      "SELECT id, started_utc, ended_utc, last_utc, "
+      "(julianday(coalesce(ended_utc, last_utc)) - julianday(started_utc)) * 86400, ending, "
+      "resumed_at, resumed_after_s, completed, sync_tries, sync_passed, sync_overridden, "
+      "coalesce(gaze_source, attempts_gaze) FROM sitting ORDER BY id");
   query.bind(1, enrolment);
-  std::vector<ListedSession> sittings;
   while (query.executeStep()) {
-    ListedSession sitting;
-    sitting.session = query.getColumn(0).getInt64();
-    sitting.started_utc = query.getColumn(1).getString();
-    sitting.ended_utc = query.getColumn(2).getString();
-    sitting.last_recorded_utc = query.getColumn(3).getString();
-    sitting.length_s = query.getColumn(4).getDouble();
-    sitting.ending = query.getColumn(5).getString();
-    sitting.resumed = !sittings.empty();
-    sitting.resumed_at = query.getColumn(6).getString();
-    if (!query.getColumn(7).isNull()) {
-      sitting.resumed_after_s = query.getColumn(7).getDouble();
-    }
-    sitting.completed_trials = query.getColumn(8).getInt64();
-    sitting.sync_passed = query.getColumn(9).getInt() != 0;
-    sitting.sync_overridden = query.getColumn(10).getInt() != 0;
-    sitting.gaze_source = query.getColumn(11).getString();
-    sitting.sync_tries = query.getColumn(12).getInt64();
+    NextColumn next(query);
+    ListedSession& sitting = sittings.emplace_back();
+    next >> sitting.session >> sitting.started_utc >> sitting.ended_utc >>
+        sitting.last_recorded_utc >> sitting.length_s >> sitting.ending >> sitting.resumed_at >>
+        sitting.resumed_after_s >> sitting.completed_trials >> sitting.sync_tries >>
+        sitting.sync_passed >> sitting.sync_overridden >> sitting.gaze_source;
+    sitting.resumed = sittings.size() > 1;
     sitting.notes = load_notes(database, sitting.session);
-    sittings.push_back(std::move(sitting));
   }
   return sittings;
 }
@@ -75,7 +57,7 @@ std::vector<Participation> load_participations(SQLite::Database& database) {
   SQLite::Statement query(
       database,
       "SELECT enrolment.id, pseudonym, simulated, protocol.name, protocol.hash, "
-      "coalesce(merged_file.name, ''), planned_utc, coalesce(finished_utc, ''), "
+      "merged_file.name, planned_utc, finished_utc, "
       "count(DISTINCT trial.id) FILTER (WHERE phase = 'main'), "
       "count(*) FILTER (WHERE phase = 'main' AND outcome = 'completed'), "
       "count(*) FILTER (WHERE phase = 'practice' AND outcome = 'completed'), "
@@ -90,47 +72,16 @@ std::vector<Participation> load_participations(SQLite::Database& database) {
       "GROUP BY enrolment.id ORDER BY enrolment.id");
   std::vector<Participation> participations;
   while (query.executeStep()) {
-    int column = 0;
-    const auto integer = [&] { return query.getColumn(column++).getInt64(); };
-    const auto text = [&] { return query.getColumn(column++).getString(); };
-    Participation one;
-    const std::int64_t enrolment = integer();
-    one.participant = text();
-    one.simulated = integer() != 0;
-    one.protocol = text();
-    one.protocol_hash = text();
-    one.merged_from = text();
-    one.planned_utc = text();
-    one.finished_utc = text();
-    one.planned_trials = integer();
-    one.completed_trials = integer();
-    one.practice_trials = integer();
-    one.interrupted_attempts = integer();
-    one.set_aside_attempts = integer();
-    one.timed_frames = integer();
-    one.late_timed_frames = integer();
+    NextColumn next(query);
+    Participation& one = participations.emplace_back();
+    std::int64_t enrolment = 0;
+    next >> enrolment >> one.participant >> one.simulated >> one.protocol >> one.protocol_hash >>
+        one.merged_from >> one.planned_utc >> one.finished_utc >> one.planned_trials >>
+        one.completed_trials >> one.practice_trials >> one.interrupted_attempts >>
+        one.set_aside_attempts >> one.timed_frames >> one.late_timed_frames;
     one.sittings = load_sittings(database, enrolment);
-    participations.push_back(std::move(one));
   }
   return participations;
-}
-
-std::vector<LeftOut> load_left_out(SQLite::Database& database) {
-  SQLite::Statement query(database,
-                          "SELECT participant, trial, reason, decided_utc FROM excluded "
-                          "ORDER BY decided_utc");
-  std::vector<LeftOut> left_out;
-  while (query.executeStep()) {
-    LeftOut one;
-    one.participant = query.getColumn(0).getString();
-    if (!query.getColumn(1).isNull()) {
-      one.trial = query.getColumn(1).getInt64();
-    }
-    one.reason = query.getColumn(2).getString();
-    one.decided_utc = query.getColumn(3).getString();
-    left_out.push_back(std::move(one));
-  }
-  return left_out;
 }
 
 /// Of an enrolment's sessions only the last can be running.
@@ -147,14 +98,17 @@ void mark_running(std::vector<Participation>& participations) {
 SessionList load_session_list(StudyFile& study, bool in_use) {
   SQLite::Database& database = study.database();
   SQLite::Transaction one_moment(database);
-  SQLite::Statement made(database, "SELECT created_utc, build FROM study");
   SessionList list;
-  if (made.executeStep()) {
-    list.created_utc = made.getColumn(0).getString();
-    list.build = made.getColumn(1).getString();
+  for (const auto& [created_utc, build] :
+       load_rows<std::string, std::string>(database, "SELECT created_utc, build FROM study")) {
+    list.created_utc = created_utc;
+    list.build = build;
   }
   list.participations = load_participations(database);
-  list.left_out = load_left_out(database);
+  list.left_out =
+      load_as<LeftOut, std::string, std::optional<std::int64_t>, std::string, std::string>(
+          database,
+          "SELECT participant, trial, reason, decided_utc FROM excluded ORDER BY decided_utc");
   if (in_use) {
     mark_running(list.participations);
   }

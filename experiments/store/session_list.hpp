@@ -65,6 +65,7 @@ struct LeftOut {
   std::string decided_utc;
 };
 
+/// A study's participations, and what the analysis leaves out of them.
 struct SessionList {
   std::string created_utc;
   std::string build;  ///< that made the file

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/step_rows.hpp"
 
-#include <SQLiteCpp/Statement.h>
-
 #include <bit>
+#include <optional>
 #include <string>
+
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -33,20 +34,6 @@ std::vector<BodyDigest> unpack(const std::string& bytes) {
   return bodies;
 }
 
-void bind_gaze(SQLite::Statement& insert, int first, const GazeInput& gaze) {
-  if (gaze.fixation) {
-    insert.bind(first, gaze.fixation->x_m);
-    insert.bind(first + 1, gaze.fixation->y_m);
-    insert.bind(first + 2, gaze.taken_ns);
-    insert.bind(first + 3, gaze.age_ns);
-  }
-  if (gaze.region) {
-    insert.bind(first + 4, gaze.region->centre.x_m);
-    insert.bind(first + 5, gaze.region->centre.y_m);
-    insert.bind(first + 6, gaze.region->radius_deg);
-  }
-}
-
 GazeInput gaze_from(SQLite::Statement& query, int first) {
   GazeInput gaze;
   if (!query.getColumn(first).isNull()) {
@@ -67,34 +54,33 @@ GazeInput gaze_from(SQLite::Statement& query, int first) {
 
 void insert_steps(SQLite::Database& database, std::int64_t id,
                   const std::vector<StepRecord>& steps) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO step (attempt_id, step, work_granted, work_spent, "
-                           "degradations, hash, digests, fixation_x_m, fixation_y_m, "
-                           "fixation_taken_ns, fixation_age_ns, region_x_m, region_y_m, "
-                           "region_radius_deg, shown_frame, pops, stopped_short, "
-                           "largest_pop_deg, interval) "
-                           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, -1), ?, ?, "
-                           "?, ?)");
+  RowInsert rows(database, "step");
   for (const StepRecord& step : steps) {
-    const std::string digests = pack(step.state.bodies);
-    insert.bind(1, id);
-    insert.bind(2, step.step);
-    insert.bind(3, step.work_granted);
-    insert.bind(4, step.work_spent);
-    insert.bind(5, static_cast<std::int64_t>(step.degradations));
-    insert.bind(6, std::bit_cast<std::int64_t>(step.state.hash));
-    insert.bind(7, digests.data(), static_cast<int>(digests.size()));
-    bind_gaze(insert, 8, step.gaze);
-    insert.bind(15, step.shown_frame);
-    insert.bind(16, step.pops);
-    insert.bind(17, step.stopped_short);
-    if (step.pops > 0) {
-      insert.bind(18, step.largest_pop_deg);
-    }
-    insert.bind(19, step.interval);
-    insert.exec();
-    insert.reset();
-    insert.clearBindings();
+    const std::optional<GazeRegion>& region = step.gaze.region;
+    const auto if_fixated = [&](auto value) {
+      return step.gaze.fixation ? std::optional(value) : std::nullopt;
+    };
+    const ScreenPoint fixation = step.gaze.fixation.value_or(ScreenPoint{});
+    rows.insert(
+        {{"attempt_id", id},
+         {"step", step.step},
+         {"work_granted", step.work_granted},
+         {"work_spent", step.work_spent},
+         {"degradations", step.degradations},
+         {"hash", step.state.hash},
+         {"digests", Bytes{pack(step.state.bodies)}},
+         {"fixation_x_m", if_fixated(fixation.x_m)},
+         {"fixation_y_m", if_fixated(fixation.y_m)},
+         {"fixation_taken_ns", if_fixated(step.gaze.taken_ns)},
+         {"fixation_age_ns", if_fixated(step.gaze.age_ns)},
+         {"region_x_m", region ? std::optional(region->centre.x_m) : std::nullopt},
+         {"region_y_m", region ? std::optional(region->centre.y_m) : std::nullopt},
+         {"region_radius_deg", region ? std::optional(region->radius_deg) : std::nullopt},
+         {"shown_frame", step.shown_frame == -1 ? std::nullopt : std::optional(step.shown_frame)},
+         {"pops", step.pops},
+         {"stopped_short", step.stopped_short},
+         {"largest_pop_deg", step.pops > 0 ? std::optional(step.largest_pop_deg) : std::nullopt},
+         {"interval", step.interval}});
   }
 }
 

@@ -2,11 +2,11 @@
 #include "experiments/store/study_file.hpp"
 
 #include <SQLiteCpp/Backup.h>
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,11 +16,35 @@
 
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/migration.hpp"
-#include "experiments/store/present_file.hpp"
 #include "experiments/store/read_only_file.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
 namespace {
+
+// A study whose file is removed, renamed or replaced while a session writes to it: SQLite goes on
+// writing to the file that nobody can find any more, so it is noticed here, and all is kept.
+
+/// Whether `path` still names the file that is open as `descriptor`.
+bool is_present(const std::filesystem::path& path, int descriptor) {
+  struct stat named {};
+  struct stat open {};
+  return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &open) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
+/// Writes the whole study beside where it was, as "study.rescued.sqlite" or, where there is such a
+/// file, "study.rescued-2.sqlite", ...; returns that path. Throws SQLite::Exception.
+std::filesystem::path rescue(SQLite::Database& database, const std::filesystem::path& path) {
+  std::filesystem::path rescued = path;
+  rescued.replace_extension(".rescued" + path.extension().string());
+  for (int number = 2; std::filesystem::exists(rescued); ++number) {
+    rescued = path;
+    rescued.replace_extension(".rescued-" + std::to_string(number) + path.extension().string());
+  }
+  execute(database, "VACUUM INTO ?", rescued.string());
+  return rescued;
+}
 
 /// How long another program, such as a viewer of databases or a backup, may hold the file while a
 /// session runs, before the session ends for that.
@@ -85,31 +109,23 @@ void keep_original(SQLite::Database& database, const std::filesystem::path& path
                      " before it is brought to version " + std::to_string(kSchemaVersion) +
                      ", but there is such a file");
   }
-  SQLite::Statement copy(database, "VACUUM INTO ?");
-  copy.bind(1, kept.string());
-  copy.exec();
+  execute(database, "VACUUM INTO ?", kept.string());
   std::fprintf(stderr, "note: %s is of schema version %lld; it is kept as %s and brought to %lld\n",
                path.c_str(), static_cast<long long>(version), kept.c_str(),
                static_cast<long long>(kSchemaVersion));
 }
 
-/// A copy of the study in memory, of the present schema.
-std::unique_ptr<SQLite::Database> migrated_copy(SQLite::Database& original, std::int64_t version) {
+std::unique_ptr<SQLite::Database> copied_in_memory(SQLite::Database& original) {
   auto copy =
       std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   SQLite::Backup(*copy, original).executeStep();
-  migrate(*copy, version);
   return copy;
 }
 
 void create_schema(SQLite::Database& database, const std::string& build) {
   SQLite::Transaction transaction(database);
   create_tables_and_views(database);
-  SQLite::Statement study(database,
-                          "INSERT INTO study (id, created_utc, build) "
-                          "VALUES (1, strftime('%Y-%m-%dT%H:%M:%fZ'), ?)");
-  study.bind(1, build);
-  study.exec();
+  insert_row(database, "study", {{"id", 1}, {"created_utc", Now()}, {"build", build}});
   database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));
   transaction.commit();
@@ -184,7 +200,8 @@ StudyFile StudyFile::open_for_reading(const std::filesystem::path& path) {
   }
   const std::int64_t version = require_study(*study.database_, study.name_);
   if (version < kSchemaVersion) {
-    study.database_ = migrated_copy(*study.database_, version);
+    study.database_ = copied_in_memory(*study.database_);
+    migrate(*study.database_, version);
   }
   return study;
 }
@@ -204,9 +221,7 @@ void StudyFile::require_present() {
 StudyFile StudyFile::copy_in_memory(StudyFile& study) {
   StudyFile copy;
   copy.name_ = study.name();
-  copy.database_ =
-      std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  SQLite::Backup(*copy.database_, *study.database_).executeStep();
+  copy.database_ = copied_in_memory(*study.database_);
   return copy;
 }
 

@@ -21,6 +21,7 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A study that is open, and locked where it is open for writing.
 class StudyFile {
  public:
   /// Opens a study for writing, or makes a new one; `build` goes into a new one. Throws InputError

@@ -1,168 +1,164 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/study_reader.hpp"
 
-#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
 
-#include <utility>
+#include <algorithm>
+
+#include "experiments/record/wall_names.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
+namespace {
+
+std::optional<std::int32_t> body_of(const std::string& name,
+                                    const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) {
+    return static_cast<std::int32_t>(found - names.begin());
+  }
+  return wall_named(name);
+}
+
+}  // namespace
 
 std::vector<StoredAttempt> load_attempts(StudyFile& study) {
   SQLite::Statement query(
       study.database(),
-      "SELECT attempt.id, trial.id, pseudonym, protocol_id, slot, phase, repetition, condition, "
-      "trial.seed, number, outcome = 'completed', "
+      "SELECT attempt.id, trial.id, pseudonym, protocol_id, slot, phase = 'practice', repetition, "
+      "condition, trial.solved, trial.seed, number, outcome = 'completed', "
       "(SELECT count(*) FROM trial AS planned WHERE planned.enrolment_id = enrolment.id), "
       "recording_format, build, screen_width_m, screen_height_m, screen_width_px, "
       "screen_height_px, viewing_distance_m, refresh_hz, rounding_allowed, onset_ns, rating, "
-      "coalesce(arrived_ns, 0), coalesce(trial.solved, '') "
-      "FROM attempt JOIN trial ON trial.id = trial_id "
+      "arrived_ns FROM attempt JOIN trial ON trial.id = trial_id "
       "JOIN enrolment ON enrolment.id = trial.enrolment_id "
       "JOIN participant ON participant.id = participant_id "
       "JOIN session ON session.id = session_id "
       "LEFT JOIN rating ON rating.attempt_id = attempt.id ORDER BY attempt.id");
   std::vector<StoredAttempt> attempts;
   while (query.executeStep()) {
-    int column = 0;
-    const auto integer = [&] { return query.getColumn(column++).getInt64(); };
-    const auto number = [&] { return query.getColumn(column++).getDouble(); };
-    const auto text = [&] { return query.getColumn(column++).getString(); };
-    StoredAttempt attempt;
-    attempt.id = integer();
-    attempt.trial_id = attempt.trial.id = integer();
-    attempt.participant = text();
-    attempt.protocol_id = integer();
-    attempt.trial.slot = integer();
-    attempt.trial.phase = text() == "practice" ? TrialPhase::kPractice : TrialPhase::kMain;
-    attempt.trial.repetition = integer();
-    attempt.trial.condition = text();
-    attempt.trial.seed = static_cast<std::uint64_t>(integer());
-    attempt.number = integer();
-    attempt.completed = integer() != 0;
-    attempt.trials_planned = integer();
-    attempt.recording_format = static_cast<int>(integer());
-    attempt.build = text();
-    attempt.screen.width_m = number();
-    attempt.screen.height_m = number();
-    attempt.screen.width_px = static_cast<int>(integer());
-    attempt.screen.height_px = static_cast<int>(integer());
-    attempt.screen.viewing_distance_m = number();
-    attempt.refresh_hz = number();
-    attempt.rounding_allowed = integer() != 0;
-    attempt.onset_ns = integer();
-    if (!query.getColumn(column).isNull()) {
-      attempt.rating = query.getColumn(column).getInt64();
-    }
-    ++column;
-    attempt.answered_ns = integer();
-    attempt.trial.solved = text();
-    attempts.push_back(std::move(attempt));
+    StoredAttempt& attempt = attempts.emplace_back();
+    StoredTrial& trial = attempt.trial;
+    ScreenGeometry& screen = attempt.screen;
+    bool practice = false;
+    NextColumn(query) >> attempt.id >> trial.id >> attempt.participant >> attempt.protocol_id >>
+        trial.slot >> practice >> trial.repetition >> trial.condition >> trial.solved >>
+        trial.seed >> attempt.number >> attempt.completed >> attempt.trials_planned >>
+        attempt.recording_format >> attempt.build >> screen.width_m >> screen.height_m >>
+        screen.width_px >> screen.height_px >> screen.viewing_distance_m >> attempt.refresh_hz >>
+        attempt.rounding_allowed >> attempt.onset_ns >> attempt.rating >> attempt.answered_ns;
+    attempt.trial_id = trial.id;
+    trial.phase = practice ? TrialPhase::kPractice : TrialPhase::kMain;
   }
   return attempts;
 }
 
 ProtocolTexts load_protocol_texts(StudyFile& study, std::int64_t protocol_id) {
-  SQLite::Statement query(
-      study.database(), "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?");
-  query.bind(1, protocol_id);
-  query.executeStep();
-  return {query.getColumn(0).getString(), query.getColumn(1).getString(),
-          query.getColumn(2).getString(), query.getColumn(3).getString()};
+  const auto [name, hash, protocol, scene] =
+      load_row<std::string, std::string, std::string, std::string>(
+          study.database(),
+          "SELECT name, hash, protocol_json, scene_json FROM protocol WHERE id = ?", protocol_id);
+  return {name, hash, protocol, scene};
 }
 
 std::vector<GazeSample> load_gaze(StudyFile& study, std::int64_t attempt_id) {
-  SQLite::Statement query(
-      study.database(),
-      "SELECT taken_ns, x_m, y_m, loss, interval FROM gaze WHERE attempt_id = ? "
-      "ORDER BY sample");
-  query.bind(1, attempt_id);
   std::vector<GazeSample> samples;
-  while (query.executeStep()) {
-    GazeSample sample{
-        query.getColumn(0).getInt64(), {}, GazeLoss::kNone, query.getColumn(4).getInt64()};
-    if (query.getColumn(3).isNull()) {
-      sample.at = ScreenPoint{query.getColumn(1).getDouble(), query.getColumn(2).getDouble()};
+  for (const auto& [taken_ns, x_m, y_m, loss, interval] :
+       load_rows<std::int64_t, double, double, std::optional<std::string>, std::int64_t>(
+           study.database(),
+           "SELECT taken_ns, x_m, y_m, loss, interval FROM gaze WHERE attempt_id = ? "
+           "ORDER BY sample",
+           attempt_id)) {
+    GazeSample& sample = samples.emplace_back(GazeSample{taken_ns, {}, GazeLoss::kNone, interval});
+    if (!loss) {
+      sample.at = ScreenPoint{x_m, y_m};
     } else {
-      const std::string loss = query.getColumn(3).getString();
-      sample.loss = loss == "blink"        ? GazeLoss::kBlink
-                    : loss == "off screen" ? GazeLoss::kOffScreen
-                                           : GazeLoss::kLost;
+      sample.loss = *loss == "blink"        ? GazeLoss::kBlink
+                    : *loss == "off screen" ? GazeLoss::kOffScreen
+                                            : GazeLoss::kLost;
     }
-    samples.push_back(sample);
   }
   return samples;
 }
 
 GazeCorrection load_gaze_correction(StudyFile& study, std::int64_t attempt_id) {
-  SQLite::Statement query(
+  const auto last = load_as<GazeCorrection, double, double, double, double, double, double>(
       study.database(),
       "SELECT correction_x0_m, correction_xx, correction_xy, correction_y0_m, correction_yx, "
       "correction_yy FROM calibration JOIN attempt ON attempt.session_id = calibration.session_id "
       "WHERE attempt.id = ? AND correction_x0_m IS NOT NULL AND began_ns < onset_ns "
-      "ORDER BY calibration.id DESC LIMIT 1");
-  query.bind(1, attempt_id);
-  if (!query.executeStep()) {
-    return {};
-  }
-  const auto number = [&query](int column) { return query.getColumn(column).getDouble(); };
-  return {number(0), number(1), number(2), number(3), number(4), number(5)};
+      "ORDER BY calibration.id DESC LIMIT 1",
+      attempt_id);
+  return last.empty() ? GazeCorrection() : last.front();
 }
 
 std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,
                                       std::int64_t interval) {
-  SQLite::Statement query(study.database(),
-                          "SELECT arrived_ns FROM click WHERE attempt_id = ? AND interval = ? "
-                          "ORDER BY number");
-  query.bind(1, attempt_id);
-  query.bind(2, interval);
-  std::vector<std::int64_t> arrived_ns;
-  while (query.executeStep()) {
-    arrived_ns.push_back(query.getColumn(0).getInt64());
-  }
-  return arrived_ns;
+  return load_column<std::int64_t>(
+      study.database(),
+      "SELECT arrived_ns FROM click WHERE attempt_id = ? AND interval = ? ORDER BY number",
+      attempt_id, interval);
 }
 
 std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id,
                                        std::int64_t interval) {
-  SQLite::Statement query(study.database(),
-                          "SELECT flipped_ns FROM frame WHERE attempt_id = ? AND interval = ? "
-                          "AND phase = 'stimulus' ORDER BY frame LIMIT 1");
-  query.bind(1, attempt_id);
-  query.bind(2, interval);
-  return query.executeStep() ? std::optional(query.getColumn(0).getInt64()) : std::nullopt;
+  return load_value<std::int64_t>(
+      study.database(),
+      "SELECT flipped_ns FROM frame WHERE attempt_id = ? AND interval = ? "
+      "AND phase = 'stimulus' ORDER BY frame LIMIT 1",
+      attempt_id, interval);
 }
 
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {
-  SQLite::Statement query(study.database(),
-                          "SELECT kind, coalesce(answer, ''), timed_out, arrived_ns, positive, "
-                          "correct FROM response WHERE attempt_id = ? ORDER BY number");
-  query.bind(1, attempt_id);
-  const auto truth = [&](int column) {
-    return query.getColumn(column).isNull() ? std::nullopt
-                                            : std::optional(query.getColumn(column).getInt() != 0);
-  };
-  std::vector<StoredResponse> responses;
-  while (query.executeStep()) {
-    responses.push_back({query.getColumn(0).getString(), query.getColumn(1).getString(), truth(4),
-                         truth(5), query.getColumn(2).getInt() != 0,
-                         query.getColumn(3).getInt64()});
-  }
-  return responses;
+  return load_as<StoredResponse, std::string, std::string, std::optional<bool>, std::optional<bool>,
+                 bool, std::int64_t>(
+      study.database(),
+      "SELECT kind, answer, positive, correct, timed_out, arrived_ns FROM response "
+      "WHERE attempt_id = ? ORDER BY number",
+      attempt_id);
 }
 
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
                                         std::int64_t interval) {
-  SQLite::Statement query(study.database(),
-                          "SELECT shown_time_s, missed_slots FROM frame WHERE attempt_id = ? "
-                          "AND interval = ? AND phase = 'stimulus' AND missed_slots > 0 "
-                          "ORDER BY frame");
-  query.bind(1, attempt_id);
-  query.bind(2, interval);
-  std::vector<LateFrame> frames;
-  while (query.executeStep()) {
-    frames.push_back({query.getColumn(0).getDouble(), query.getColumn(1).getInt64()});
+  return load_as<LateFrame, double, std::int64_t>(
+      study.database(),
+      "SELECT shown_time_s, missed_slots FROM frame WHERE attempt_id = ? "
+      "AND interval = ? AND phase = 'stimulus' AND missed_slots > 0 ORDER BY frame",
+      attempt_id, interval);
+}
+
+std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
+                                             const std::vector<std::string>& names,
+                                             std::int64_t interval) {
+  std::vector<StoredCollision> collisions;
+  for (const auto& [id, step, name_a, name_b] :
+       load_rows<std::int64_t, std::int64_t, std::string, std::string>(
+           study.database(),
+           "SELECT id, step, body_a, body_b FROM collision WHERE attempt_id = ? "
+           "AND interval = ? ORDER BY id",
+           attempt_id, interval)) {
+    const auto a = body_of(name_a, names);
+    const auto b = body_of(name_b, names);
+    if (a && b) {
+      collisions.push_back({id, step, {*a, *b}});
+    }
   }
-  return frames;
+  return collisions;
+}
+
+void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions) {
+  try {
+    SQLite::Transaction transaction(study.database());
+    for (const auto& [id, truth] : collisions) {
+      execute(study.database(),
+              "INSERT OR REPLACE INTO collision_truth (collision_id, gap_m, gap_px, gap_arcmin, "
+              "hidden_share) VALUES (?, ?, ?, ?, ?)",
+              id, truth.gap_m, truth.gap_px, truth.gap_arcmin, truth.hidden_share);
+    }
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": the truth could not be saved: " + error.what());
+  }
 }
 
 }  // namespace impetus::inline store

@@ -1,4 +1,5 @@
-// What a replay needs of a study: every attempt with the inputs that decided it.
+// What a replay needs of a study: every attempt with the inputs that decided it. And what it adds:
+// the truth of recorded collisions, kept apart from the record.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,11 +11,13 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
+#include "experiments/run/collision_truth.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline store {
 
+/// One showing of a trial, under what it was recorded.
 struct StoredAttempt {
   std::int64_t id{0};
   std::int64_t trial_id{0};
@@ -75,5 +78,27 @@ struct LateFrame {
 };
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
                                         std::int64_t interval = 1);
+
+/// A recorded collision; bodies by their index in the scene, b a wall where it is one.
+struct StoredCollision {
+  std::int64_t id{0};
+  std::int64_t step{0};
+  BodyPair bodies;
+};
+
+/// What a replay measured of one.
+struct MeasuredCollision {
+  std::int64_t collision_id{0};
+  CollisionTruth truth;
+};
+
+/// The collisions of an attempt's interval between bodies of `names` and walls, in order; others
+/// are left out.
+std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
+                                             const std::vector<std::string>& names,
+                                             std::int64_t interval = 1);
+
+/// Stores them in one transaction, in place of what was measured before. Throws StoreError.
+void store_truths(StudyFile& study, const std::vector<MeasuredCollision>& collisions);
 
 }  // namespace impetus::inline store

@@ -1,35 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/study_writer.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
-#include <SQLiteCpp/VariadicBind.h>
-
-#include <utility>
 
 #include "experiments/store/adaptive_rows.hpp"
 #include "experiments/store/attempt_rows.hpp"
-#include "experiments/store/calibration_rows.hpp"
-#include "experiments/store/not_finite_notes.hpp"
-#include "experiments/store/resumption_rows.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
-namespace {
-
-void bind_resumed(SQLite::Statement& insert, int first,
-                  const std::optional<ResumedSession>& resumed) {
-  if (!resumed) {
-    return;
-  }
-  insert.bind(first, resumed->at == ResumeRule::At::kBlock ? "block" : "trial");
-  insert.bind(first + 1, resumed->after_s);
-  if (resumed->resumption.first_slot) {
-    insert.bind(first + 2, *resumed->resumption.first_slot);
-  }
-}
-
-}  // namespace
-
 StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
     : study_(study),
       enrolment_id_(enrolment.id),
@@ -39,7 +17,7 @@ StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFa
     trial_ids_[trial.slot] = trial.id;
   }
   enqueue([this, facts = std::move(facts)](SQLite::Database& database) {
-    begin_session(database, facts);
+    session_id_ = insert_session(database, enrolment_id_, facts);
   });
 }
 
@@ -52,37 +30,6 @@ StudyWriter::~StudyWriter() {
   thread_.join();
 }
 
-void StudyWriter::begin_session(SQLite::Database& database, const SessionFacts& facts) {
-  SQLite::Statement insert(
-      database,
-      "INSERT INTO session (enrolment_id, started_utc, recording_format, build, machine, display, "
-      "simulated, observer, screen_width_m, screen_height_m, screen_width_px, screen_height_px, "
-      "viewing_distance_m, screen_measured, refresh_hz, rounding_allowed, sync_tries, "
-      "sync_valid_flips, sync_mean_interval_ns, sync_sd_interval_ns, sync_passed, sync_overridden, "
-      "series, series_place, resumed_at, resumed_after_s, first_slot, photodiode_patch, "
-      "gaze_source) "
-      "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?, ?, ?, ?, nullif(?, ''), ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, nullif(?, ''), nullif(?, ''))");
-  SQLite::bind(insert, enrolment_id_, kRecordingFormat, facts.build, facts.machine, facts.display,
-               facts.simulated ? 1 : 0, facts.observer, facts.screen.width_m, facts.screen.height_m,
-               facts.screen.width_px, facts.screen.height_px, facts.screen.viewing_distance_m,
-               facts.screen_measured ? 1 : 0, facts.refresh_hz, facts.rounding_allowed ? 1 : 0,
-               facts.sync.tries, facts.sync.valid_flips, facts.sync.mean_interval_ns,
-               facts.sync.sd_interval_ns, facts.sync.passed ? 1 : 0, facts.sync_overridden ? 1 : 0);
-  if (!facts.series.empty()) {
-    insert.bind(22, facts.series);
-    insert.bind(23, facts.series_place);
-  }
-  bind_resumed(insert, 24, facts.resumed);
-  insert.bind(27, facts.photodiode_patch);
-  insert.bind(28, facts.gaze_source);
-  insert.exec();
-  session_id_ = database.getLastInsertRowid();
-  if (facts.resumed) {
-    set_aside(database, enrolment_id_, session_id_, facts.resumed->resumption.set_aside);
-  }
-}
-
 void StudyWriter::save(AttemptRecord attempt) {
   const std::int64_t late = late_frames(attempt);
   frames_.timed += static_cast<std::int64_t>(attempt.frames.size());
@@ -91,7 +38,6 @@ void StudyWriter::save(AttemptRecord attempt) {
   not_finite_attempts_ += has_not_finite(attempt) ? 1 : 0;
   enqueue([this, attempt = std::move(attempt)](SQLite::Database& database) {
     insert_attempt(database, {trial_ids_.at(attempt.slot), session_id_, sync_overridden_}, attempt);
-    insert_not_finite_notes(database, session_id_, attempt);
     if (saved_) {
       saved_();
     }
@@ -100,21 +46,22 @@ void StudyWriter::save(AttemptRecord attempt) {
 
 void StudyWriter::save(QuestionRecord answer) {
   enqueue([this, answer = std::move(answer)](SQLite::Database& database) {
-    SQLite::Statement insert(database,
-                             "INSERT INTO answer (session_id, kind, question, words, answer) "
-                             "VALUES (?, ?, ?, ?, nullif(?, ''))");
-    SQLite::bind(insert, session_id_, answer.kind, answer.id, answer.text, answer.answer);
-    insert.exec();
+    insert_row(database, "answer",
+               {{"session_id", session_id_},
+                {"kind", answer.kind},
+                {"question", answer.id},
+                {"words", answer.text},
+                {"answer", text_or_null(answer.answer)}});
   });
 }
 
 void StudyWriter::save(NoteRecord note) {
   enqueue([this, note = std::move(note)](SQLite::Database& database) {
-    SQLite::Statement insert(database,
-                             "INSERT INTO note (session_id, written_utc, kind, text) "
-                             "VALUES (?, strftime('%Y-%m-%dT%H:%M:%fZ'), ?, ?)");
-    SQLite::bind(insert, session_id_, note.kind, note.text);
-    insert.exec();
+    insert_row(database, "note",
+               {{"session_id", session_id_},
+                {"written_utc", Now()},
+                {"kind", note.kind},
+                {"text", note.text}});
   });
 }
 
@@ -132,21 +79,18 @@ void StudyWriter::save(CalibrationRecord calibration) {
 
 void StudyWriter::mark_finished() {
   enqueue([this](SQLite::Database& database) {
-    SQLite::Statement update(database,
-                             "UPDATE enrolment SET finished_utc = strftime('%Y-%m-%dT%H:%M:%fZ') "
-                             "WHERE id = ?");
-    update.bind(1, enrolment_id_);
-    update.exec();
+    execute(database,
+            "UPDATE enrolment SET finished_utc = strftime('%Y-%m-%dT%H:%M:%fZ') WHERE id = ?",
+            enrolment_id_);
   });
 }
 
 void StudyWriter::end(const std::string& ending) {
   enqueue([this, ending](SQLite::Database& database) {
-    SQLite::Statement update(database,
-                             "UPDATE session SET ended_utc = strftime('%Y-%m-%dT%H:%M:%fZ'), "
-                             "ending = ? WHERE id = ?");
-    SQLite::bind(update, ending, session_id_);
-    update.exec();
+    execute(
+        database,
+        "UPDATE session SET ended_utc = strftime('%Y-%m-%dT%H:%M:%fZ'), ending = ? WHERE id = ?",
+        ending, session_id_);
   });
   await_saved();
 }

@@ -17,19 +17,10 @@
 #include <utility>
 
 #include "experiments/record/ports.hpp"
-#include "experiments/session/resumption.hpp"
-#include "experiments/session/timing_check.hpp"
 #include "experiments/store/enrolment.hpp"
+#include "experiments/store/session_rows.hpp"
 
 namespace impetus::inline store {
-
-/// How a session goes on with what an earlier one left.
-struct ResumedSession {
-  ResumeRule::At at{ResumeRule::At::kTrial};
-  double after_s{
-      0.0};  ///< by the wall clock, since anything was last recorded; < 0: it was set back
-  Resumption resumption{};
-};
 
 /// Timed frames of the attempts that were given to save.
 struct FrameCount {
@@ -38,26 +29,7 @@ struct FrameCount {
   std::int64_t late_attempts{0};  ///< with any that was late
 };
 
-/// What a session says of itself before it begins.
-struct SessionFacts {
-  std::string build;
-  std::string machine;
-  std::string display;
-  bool simulated{false};
-  std::string observer;  ///< JSON; "" for a person
-  ScreenGeometry screen;
-  bool screen_measured{false};
-  double refresh_hz{0.0};
-  bool rounding_allowed{false};
-  SyncTest sync;
-  bool sync_overridden{false};
-  std::string series{};  ///< of protocols, which this one is part of; "": none
-  std::int64_t series_place{1};
-  std::string photodiode_patch{};           ///< its corner; "": none
-  std::string gaze_source{};                ///< "mouse", ...; "": gaze is not followed
-  std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
-};
-
+/// Keeps all that a session records.
 class StudyWriter final : public Recorder {
  public:
   /// Begins a session row. `study` and `enrolment` must outlive this. Several may write to one
@@ -82,7 +54,7 @@ class StudyWriter final : public Recorder {
   /// Throws StoreError with the first thing that could not be saved.
   void await_saved() override;
 
-  /// Of those that were given to save: how many had a body taken out (not_finite_notes.hpp).
+  /// Of those that were given to save: how many had a body taken out (attempt_rows.hpp).
   [[nodiscard]] std::int64_t not_finite_attempts() const { return not_finite_attempts_; }
 
   [[nodiscard]] const FrameCount& frames() const { return frames_; }
@@ -99,7 +71,6 @@ class StudyWriter final : public Recorder {
   void enqueue(Task task);
   void run();
   void perform(const Task& task);
-  void begin_session(SQLite::Database& database, const SessionFacts& facts);
 
   StudyFile& study_;
   std::int64_t enrolment_id_;

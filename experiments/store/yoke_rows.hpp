@@ -3,13 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/design/plan.hpp"
-#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/gaze.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline store {
@@ -52,12 +51,5 @@ std::vector<YokeSource> yoke_sources(StudyFile& study, const YokePartner& partne
 
 /// The fixations that the steps of the trial's completed attempt used. Throws SQLite::Exception.
 GazePath load_gaze_path(StudyFile& study, std::int64_t trial_id);
-
-/// What the trials of an enrolment follow, by slot.
-using Yokes = std::map<std::int64_t, std::int64_t>;
-
-/// Belongs into the transaction that stores the plan. Throws SQLite::Exception.
-void store_yokes(SQLite::Database& database, std::int64_t enrolment_id, const Yokes& yokes);
-Yokes load_yokes(SQLite::Database& database, std::int64_t enrolment_id);
 
 }  // namespace impetus::inline store

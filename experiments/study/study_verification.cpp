@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/study/study_verification.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 
 #include <string>
@@ -11,12 +10,7 @@
 #include "experiments/store/migration.hpp"
 #include "experiments/store/read_only_file.hpp"
 #include "experiments/store/study_integrity.hpp"
-#include "experiments/store/study_schema.hpp"
-#include "experiments/study/asked_check.hpp"
-#include "experiments/study/plan_check.hpp"
-#include "experiments/study/protocol_shelf.hpp"
-#include "experiments/study/remarks.hpp"
-#include "experiments/study/screen_check.hpp"
+#include "experiments/study/protocol_check.hpp"
 #include "experiments/study/stored_rules.hpp"
 
 namespace impetus::inline study {

@@ -1,4 +1,5 @@
-// A line of CSV (RFC 4180, lines ended by a line feed): commas between, quotes where needed.
+// Lines of CSV (RFC 4180, ended by a line feed: commas between, quotes where needed), and lines of
+// tab-separated values as BIDS has them: no quotes; what is missing is "n/a".
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,5 +28,11 @@ std::string bits_text(std::int64_t value);
 
 /// The letter x and two hexadecimal digits for each byte.
 std::string bytes_text(std::string_view bytes);
+
+/// Of tab-separated values: the cells as one line, its end included; an empty cell becomes "n/a".
+std::string tsv_line(const std::vector<std::string>& cells);
+
+/// The text in UTF-8 on one line without tabs: there is no way to quote them.
+std::string tsv_text(std::string_view text);
 
 }  // namespace impetus::inline tables

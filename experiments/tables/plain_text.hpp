@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,5 +24,15 @@ std::string markdown_code(std::string_view text);
 
 /// For a file's name: ASCII letters and digits stay, all else becomes '-'; at most `longest` bytes.
 std::string file_name_text(std::string_view text, std::size_t longest = 64);
+
+/// One character of a text, and how many bytes it takes there.
+struct CodePoint {
+  std::uint32_t value{0};
+  std::size_t bytes{0};
+};
+
+/// The code point that a text, which is not empty, begins with; none when it begins with bytes that
+/// are no UTF-8: cut short, overlong, half of a pair, or beyond U+10FFFF.
+std::optional<CodePoint> first_code_point(std::string_view text);
 
 }  // namespace impetus::inline tables

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/timing/timing_json.hpp"
 
-#include "experiments/timing/methods_paragraph.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 
 namespace impetus::inline timing {

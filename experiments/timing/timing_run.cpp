@@ -3,16 +3,22 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
-#include "experiments/design/whole_frames.hpp"
 #include "experiments/gaze/gaze_latency.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/record/frame_grid.hpp"
+#include "experiments/run/live_run.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/trial.hpp"
-#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/embedded_creatures.hpp"
+#include "experiments/timing/embedded_l_blocks.hpp"
 
 namespace impetus::inline timing {
 namespace {
+
+constexpr int kMostBlocks = 100;
 
 constexpr int kParts = 6;
 constexpr int kGazeBodies = 15;
@@ -147,15 +153,15 @@ class TimingRun {
 
   bool measure_input() {
     begin("keys and mouse, which are better left alone");
-    Playback playback(scenes_.stage(timing_trial(kGazeBodies), lab_.display().geometry()), 1,
-                      &lab_.clock());
+    LiveRun live(scenes_.stage(timing_trial(kGazeBodies), lab_.display().geometry()), 1,
+                 &lab_.clock());
     std::int64_t frame = 0;
     bool interrupted = false;
     lab_.display().restart_grid();
     const InputTrace trace = lab_.try_input([&] {
       const double time_s = static_cast<double>(frame) / nominal_hz();
-      static_cast<void>(lab_.display().show(
-          picture_of(playback.scene(), playback.poses_at(time_s), time_s, progress_)));
+      static_cast<void>(
+          lab_.display().show(picture_of(live.scene(), live.poses_at(time_s), time_s, progress_)));
       interrupted = lab_.input().interruption() != Interruption::kNone;
       return ++frame < frames() && !interrupted;
     });
@@ -188,6 +194,30 @@ class TimingRun {
 };
 
 }  // namespace
+
+PlannedTrial timing_trial(int bodies) {
+  PlannedTrial trial;
+  trial.slot = bodies;
+  trial.condition = {{"bodies", static_cast<double>(bodies)}};
+  trial.seed = 1;
+  return trial;
+}
+
+StagedScene TimingScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
+  const bool crowd = trial.slot > kMostBlocks;
+  nlohmann::json scene = nlohmann::json::parse(crowd ? kCreaturesSceneText : kLBlocksSceneText);
+  scene["crowd"]["count"] = trial.slot;
+  scene["duration_s"] = duration_s_;
+  if (!crowd) {
+    scene["engine"]["region"]["kind"] = "tracked";
+  }
+  return build_scene(scene, screen, kUnroundedHold, *shapes_, "timing", trial.seed);
+}
+
+StagedScene TimingScenes::stage_demonstration(const std::string& id,
+                                              const ScreenGeometry& /*screen*/) const {
+  throw std::logic_error("a timing report has no demonstration " + id);
+}
 
 std::optional<TimingReport> run_timing(TimingLab& lab, const Scenes& scenes, const TimingTask& task,
                                        const TellPart& tell) {

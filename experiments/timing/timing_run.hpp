@@ -13,10 +13,37 @@
 #include "experiments/record/photodiode_patch.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/record/sent_input.hpp"
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/timing/timing_report.hpp"
 
 namespace impetus::inline timing {
 
+/// The trial that shows so many bodies.
+PlannedTrial timing_trial(int bodies);
+
+/// The scenes that a timing report shows: shipped ones, at their own step rate.
+///
+///   up to 100 bodies   L-blocks bounce in a cube, detailed about the gaze
+///   more               creatures crowd a cube, by their own schedule and budget
+class TimingScenes final : public Scenes {
+ public:
+  /// Every scene lasts so long. `shapes` must outlive this.
+  TimingScenes(double duration_s, ShapeLibrary& shapes)
+      : duration_s_(duration_s), shapes_(&shapes) {}
+
+  /// The scene of a timing_trial().
+  [[nodiscard]] StagedScene stage(const PlannedTrial& trial,
+                                  const ScreenGeometry& screen) const override;
+  /// There are none: throws std::logic_error.
+  [[nodiscard]] StagedScene stage_demonstration(const std::string& id,
+                                                const ScreenGeometry& screen) const override;
+
+ private:
+  double duration_s_;
+  ShapeLibrary* shapes_;
+};
+
+/// What is measured, as interfaces: a window or a stand-in for one.
 class TimingLab {
  public:
   virtual ~TimingLab() = default;
@@ -38,6 +65,7 @@ class TimingLab {
   virtual std::optional<std::int64_t> read_patch() = 0;
 };
 
+/// What is asked of a run.
 struct TimingTask {
   double seconds{10.0};  ///< of each part
   ScreenCorner corner{ScreenCorner::kBottomLeft};

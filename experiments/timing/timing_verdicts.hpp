@@ -1,4 +1,5 @@
-// What the measured values are good for, a line each, with the rule that says so.
+// What the measured values are good for, a line each, with the rule that says so; what a methods
+// section says of the timing, and what it has to add that nobody measured.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,6 +16,7 @@ enum class TimingGrade { kGood, kWithCare, kNotForTiming, kNotKnown };
 /// "good", "with care", "not for timing studies", "not known".
 const char* words_of(TimingGrade grade);
 
+/// One line of the judgement.
 struct TimingVerdict {
   std::string subject;   ///< "Late frames with 15 bodies"
   std::string measured;  ///< in words and numbers
@@ -36,5 +38,11 @@ std::string pictured(int bodies);
 
 /// "key presses put into the window system".
 std::string described(const InputDelay& input);
+
+/// One paragraph, bad results included. The report has at least the blank run.
+std::string methods_paragraph(const TimingReport& report);
+
+/// A sentence for everything that software cannot know of itself.
+std::vector<std::string> what_is_not_known(const TimingReport& report);
 
 }  // namespace impetus::inline timing

@@ -1,4 +1,5 @@
-// Medians, other quantiles and shares with their 95 % intervals, exact and without resampling.
+// Medians, other quantiles, shares and ratios with their 95 % intervals, exact and without
+// resampling.
 //
 //   quantile p of n     the ordered values l and u between which it lies: of n values the number
 //                       below it is binomial (n, p), whatever their distribution
@@ -31,5 +32,15 @@ Estimate mean_of(const std::vector<double>& values);
 
 /// `k` of `n`, with 0 ≤ k ≤ n; NaN of none.
 Estimate share_of(std::int64_t k, std::int64_t n);
+
+/// One sum over another, of numbers that were measured together, with its interval.
+///
+///   value ± t · s      s² = (n − 1)/n · Σ (r_i − r̄)²,  r_i the ratio without the i-th of n
+///
+/// (the jackknife: Quenouille 1956, Tukey 1958; t of Student with n − 1 degrees of freedom)
+////
+/// Σ over / Σ under, with its 95 % interval when there are at least four. NaN where the lower sum
+/// is zero. Precondition: as many of each.
+Estimate ratio_of_sums(const std::vector<double>& over, const std::vector<double>& under);
 
 }  // namespace impetus::inline trade

@@ -3,11 +3,79 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "experiments/gaze/region_source.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
+#include "experiments/trade/estimate.hpp"
 
 namespace impetus::inline trade {
+namespace {
+
+/// What lies beyond the trial's end is not known.
+double known(double time_s) {
+  return std::isfinite(time_s) ? time_s : std::numeric_limits<double>::quiet_NaN();
+}
+
+Estimate median_of(const std::vector<PartedTrial>& trials, double PartedTrial::*time_s) {
+  std::vector<double> times;
+  times.reserve(trials.size());
+  for (const PartedTrial& trial : trials) {
+    times.push_back(trial.*time_s);
+  }
+  const Estimate median = quantile_of(times, 0.5);
+  return {median.n, known(median.value), known(median.low), known(median.high)};
+}
+
+TradeRow row_of(const PartingSetting& setting, const std::string& subject) {
+  TradeRow row;
+  row.part = "parting";
+  row.subject = subject;
+  row.kind = setting.kind;
+  if (setting.level != kUnlimitedLevel) {
+    row.level = setting.level;
+  }
+  row.scheduler = setting.order.scheduler;
+  row.traversal = setting.order.traversal;
+  row.budget = setting.budget;
+  row.reference = "finest";
+  return row;
+}
+
+}  // namespace
+
+std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
+                                   const std::string& subject) {
+  std::vector<TradeRow> rows;
+  for (const auto& [setting, trials] : partings) {
+    const auto add = [&, &of_setting = setting](const char* measure, const char* unit,
+                                                const char* statistic, const Estimate& estimate) {
+      TradeRow row = row_of(of_setting, subject);
+      row.measure = measure;
+      row.unit = unit;
+      row.statistic = statistic;
+      row.n = estimate.n;
+      row.value = estimate.value;
+      row.low = estimate.low;
+      row.high = estimate.high;
+      rows.push_back(std::move(row));
+    };
+    add("first_parting", "s", "median", median_of(trials, &PartedTrial::first_s));
+    add("half_parted", "s", "median", median_of(trials, &PartedTrial::half_s));
+    const auto together = std::count_if(trials.begin(), trials.end(), [](const PartedTrial& trial) {
+      return !std::isfinite(trial.first_s);
+    });
+    add("not_parted", "1", "share", share_of(together, static_cast<std::int64_t>(trials.size())));
+    std::vector<double> shares;
+    shares.reserve(trials.size());
+    for (const PartedTrial& trial : trials) {
+      shares.push_back(trial.share_together);
+    }
+    add("together", "1", "mean", ratio_of_sums(shares, std::vector<double>(shares.size(), 1.0)));
+  }
+  return rows;
+}
+
 namespace {
 
 using Poses = std::vector<Pose>;
@@ -16,39 +84,31 @@ std::int64_t steps_of(const StagedScene& scene, double longest_s) {
   return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
 }
 
-/// A trial of a scene, step by step.
+/// A trial of a scene under one schedule, whose viewer looks at the screen's centre.
 class Trial {
  public:
   Trial(const StagedScene& scene, Schedule schedule, std::int64_t budget, std::uint64_t seed)
-      : scene_(scene), world_(scene.world), regions_(scene, seed), meter_(budget) {
-    world_.set_schedule(std::move(schedule));
-    world_.set_costs(costs_of_tests(world_.settings().costs));
-    input_.dt_s = 1.0 / scene.step_hz;
-    input_.fixation = ScreenPoint{};
+      : run_(scene, seed), meter_(budget) {
+    run_.world().set_schedule(std::move(schedule));
+    run_.world().set_costs(costs_of_tests(run_.world().settings().costs));
   }
 
   const std::vector<BodyState>& step() {
-    ++step_;
-    input_.viewer = scene_.viewer_at_time(static_cast<double>(step_) / scene_.step_hz);
-    input_.region = regions_.at(step_, input_.fixation);
+    constexpr ScreenPoint kCentre{};
     meter_.start_step();
-    static_cast<void>(world_.step(input_, meter_));
-    return world_.states();
+    static_cast<void>(run_.step(kCentre, run_.next_region(kCentre), meter_));
+    return run_.world().states();
   }
 
-  [[nodiscard]] const Viewer& viewer() const { return input_.viewer; }
+  [[nodiscard]] const Viewer& viewer() const { return run_.input().viewer; }
 
  private:
-  const StagedScene& scene_;
-  World world_;
-  RegionSource regions_;
+  SceneRun run_;
   WorkBeyondFloor meter_;
-  StepInput input_;
-  std::int64_t step_{0};
 };
 
 /// Poses of all bodies after each step, at the finest level.
-std::vector<Poses> reference_of(const StagedScene& scene, double longest_s) {
+std::vector<Poses> reference_course(const StagedScene& scene, double longest_s) {
   Trial trial(scene, {}, kUnlimitedTests, 0);
   std::vector<Poses> course;
   for (std::int64_t step = 1; step <= steps_of(scene, longest_s); ++step) {
@@ -110,7 +170,7 @@ std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& r
       const PartingSetting& setting = all[i].setting;
       if (!scene || setting.kind != all[i - 1].setting.kind) {
         scene.emplace(start(setting.kind, number));
-        reference = reference_of(*scene, request.longest_s);
+        reference = reference_course(*scene, request.longest_s);
       }
       all[i].trials.push_back(
           parted(*scene, reference, tried(*scene, setting, request.seed), request.thresholds));

@@ -22,6 +22,7 @@
 #include "engine/trees/tree_settings.hpp"
 #include "experiments/run/seen_apart.hpp"
 #include "experiments/trade/crowds/tried_order.hpp"
+#include "experiments/trade/trade_row.hpp"
 
 namespace impetus::inline trade {
 
@@ -42,11 +43,13 @@ struct PartedTrial {
   double share_together{1.0};      ///< of the bodies, at the end
 };
 
+/// The trials of one setting.
 struct PartedTrials {
   PartingSetting setting;
   std::vector<PartedTrial> trials;  ///< by start
 };
 
+/// Which settings to try, from how many starts, and when bodies count as parted.
 struct PartingRequest {
   std::vector<PartingSetting> settings;  ///< of one kind one after the other
   std::int64_t starts{5};
@@ -61,5 +64,17 @@ using StartOf = std::function<StagedScene(const std::string& kind, std::int64_t 
 /// The trials of every setting, from the same starts. The viewer looks at the screen's centre.
 std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& request,
                                    const Progress& progress = {});
+
+/// When trials part from their reference, as rows of the table.
+///
+///   first_parting, half_parted   seconds; median over the starts, with its interval; an empty
+///   value
+///                                when it is not reached by the trial's end
+///   not_parted                   share of the starts without any parted body at the end
+///   together                     share of the bodies at the end, mean over the starts
+///
+/// `subject` is the scene's name.
+std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
+                                   const std::string& subject);
 
 }  // namespace impetus::inline trade

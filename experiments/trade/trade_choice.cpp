@@ -3,13 +3,119 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 #include <set>
 #include <utility>
 
 #include "experiments/tables/csv_line.hpp"
-#include "experiments/trade/trade_words.hpp"
+#include "experiments/trade/impacts/scene_pairs.hpp"
 
 namespace impetus::inline trade {
+
+using nlohmann::json;
+
+namespace {
+
+/// A list that went to the finest level goes to `level`, others no deeper.
+void limit(json& list, int depth_before, int level) {
+  const int greatest = list.value("greatest_level", depth_before);
+  list["greatest_level"] = greatest == depth_before ? level : std::min(greatest, level);
+  if (list.contains("least_level")) {
+    list["least_level"] = std::min(list["least_level"].get<int>(), level);
+  }
+}
+
+}  // namespace
+
+json engine_with(const json& scene, const TradeOption& option, int depth) {
+  const int depth_before = scene["engine"].value("tree_depth", 0);
+  json engine = with_trees(scene, option.kind, depth)["engine"];
+  engine["contacts"]["reduction"] = option.reduction;
+  if (!engine.contains("schedule")) {
+    engine["level"] = option.level;
+    return engine;
+  }
+  for (json& list : engine["schedule"]["lists"]) {
+    limit(list, depth_before, option.level);
+  }
+  return engine;
+}
+
+json scene_with(json scene, const TradeOption& option, int depth) {
+  for (const char* key : {"schedule", "budget", "region"}) {
+    scene["engine"].erase(key);
+  }
+  scene["engine"] = engine_with(scene, option, depth);
+  return scene;
+}
+
+namespace {
+
+std::string kind_words(TreeKind kind) {
+  switch (kind) {
+    case TreeKind::kOctree:
+      return "an octree's spheres";
+    case TreeKind::kMedial:
+      return "medial spheres";
+    case TreeKind::kVoxel:
+      return "voxels";
+    case TreeKind::kBox:
+      return "oriented boxes";
+    case TreeKind::kSwept:
+      return "swept spheres";
+    case TreeKind::kHeterogeneous:
+      return "volumes of mixed kinds";
+  }
+  return name_of(kind);
+}
+
+std::string reduction_words(const std::string& reduction) {
+  static const std::map<std::string, std::string> words{
+      {"none", "all contacts"},       {"first", "the first contact"},
+      {"average", "one average"},     {"groups", "grouped averages"},
+      {"density", "density normals"}, {"weighted", "weighted averages"}};
+  const auto known = words.find(reduction);
+  return known == words.end() ? reduction : known->second;
+}
+
+}  // namespace
+
+std::string two_digits(double value) {
+  if (value == 0.0 || !std::isfinite(value)) {
+    return value == 0.0 ? "0" : "?";
+  }
+  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const double unit = std::pow(10.0, before_point - 2);
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.*f", std::max(0, 2 - before_point),
+                std::round(value / unit) * unit);
+  std::string text = digits;
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
+  return text;
+}
+
+std::string two_digits_from(double least, double value) {
+  return value < least ? "< " + two_digits(least) : two_digits(value);
+}
+
+std::string words_for(const TradeOption& option) {
+  return kind_words(option.kind) + " to level " + std::to_string(option.level) + " with " +
+         reduction_words(option.reduction);
+}
+
+std::string error_words(const TradeOption& option) {
+  const double normal_deg = option.normal_deg.value;
+  return "median normal error " +
+         (normal_deg < kLeastNormal_deg ? "below " + two_digits(kLeastNormal_deg)
+                                        : two_digits(normal_deg)) +
+         "°, 95 % of gaps below " +
+         two_digits(std::max(kLeastGap_arcmin, option.gap_arcmin.value)) + " minutes of arc";
+}
+
 namespace {
 
 TradeChoice choice_of(const TradeOption& option, double budget_ms, double pairs,

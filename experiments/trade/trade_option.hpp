@@ -21,6 +21,7 @@ namespace impetus::inline trade {
 inline constexpr double kLeastNormal_deg = 0.1;
 inline constexpr double kLeastGap_arcmin = 0.1;
 
+/// One thing to choose: a kind of tree to a level with a reduction, its cost and its errors.
 struct TradeOption {
   TreeKind kind{TreeKind::kOctree};
   int level{0};

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_file.hpp"
 

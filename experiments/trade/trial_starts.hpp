@@ -18,6 +18,7 @@
 
 namespace impetus::inline trade {
 
+/// Stages a scene from one start after another.
 class TrialStarts {
  public:
   /// `scene` as for build_scene(); `library` must outlive this.

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/collision_strip.hpp"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
-#include "experiments/drawing/overlay_marks.hpp"
-#include "experiments/drawing/palette.hpp"
-#include "experiments/drawing/picture_map.hpp"
 #include "experiments/drawing/scene_painter.hpp"
+#include "experiments/viewers/picture_overlays.hpp"
 #include "experiments/viewers/volume_levels.hpp"
 #include "experiments/window/gl_window.hpp"
-#include "experiments/window/gui.hpp"
+#include "experiments/window/pages/widgets.hpp"
 
 namespace impetus::inline viewers {
 namespace {
@@ -23,6 +19,7 @@ constexpr std::array<float, 3> kShellColour{0.10F, 0.36F, 0.20F};
 constexpr double kStripRoom = 1.08;
 constexpr ImU32 kGoingInk = IM_COL32(24, 60, 120, 255);
 
+/// The pictures of one collision.
 class StripDrawing {
  public:
   StripDrawing(const CollisionByLevel& collision, const StagedScene& scene, const PictureSize& size)
@@ -124,27 +121,26 @@ class StripDrawing {
   }
 
   void draw_marks(const LevelCollision& row, CollisionMomentName name, const PictureMap& map) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
     const CollisionMoment& moment = row.moments[name];
     if (name == kAtContact) {
-      draw_contacts(row, map, draw);
+      draw_contacts(row, map);
     } else {
       for (std::size_t body = 0; body < moment.poses.size(); ++body) {
         const Vector3 from = moved(moment.poses[body]).position;
         const double scale = fastest_m_s_ > 0.0 ? arrow_m_ / fastest_m_s_ : 0.0;
-        mark_arrow(draw, map, from, from + scale * moment.velocities[body], kGoingInk);
+        mark_arrow(map, from, from + scale * moment.velocities[body], kGoingInk);
       }
     }
-    write(words(row, name), draw);
+    write_below(words(row, name));
   }
 
-  void draw_contacts(const LevelCollision& row, const PictureMap& map, ImDrawList& draw) const {
+  void draw_contacts(const LevelCollision& row, const PictureMap& map) const {
     for (const Vector3& place : row.node_contacts) {
-      mark_node_contact(draw, map, place - centre_, 1.0);
+      mark_node_contact(map, place - centre_, 1.0);
     }
     for (const TouchPoint& contact : row.contacts) {
       const Vector3 place = contact.point - centre_;
-      mark_contact(draw, map, place, place + 0.7 * arrow_m_ * contact.normal, 1.0);
+      mark_contact(map, place, place + 0.7 * arrow_m_ * contact.normal, 1.0);
     }
   }
 
@@ -176,7 +172,8 @@ class StripDrawing {
   }
 
   /// On a band below the picture, as wide as it is.
-  void write(const std::string& text, ImDrawList& draw) {
+  void write_below(const std::string& text) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImFont* font = gui_.fonts().small;
     const float inset = 0.4F * font->FontSize;
     const auto width = static_cast<float>(size_.width_px);
@@ -184,7 +181,7 @@ class StripDrawing {
     const float top = height - words_height_px();
     draw.AddRectFilled(ImVec2(0, top), ImVec2(width, height), palette::kSurface);
     draw.AddRect(ImVec2(0, 0), ImVec2(width, height), palette::kLine);
-    draw.AddText(font, font->FontSize, ImVec2(inset, top + inset), palette::kText, text.c_str());
+    write_at(ImVec2(inset, top + inset), text, font, palette::kText);
   }
 
   const CollisionByLevel& collision_;

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "experiments/run/level_collision.hpp"
-#include "experiments/window/readable_target.hpp"
+#include "experiments/window/pixels.hpp"
 
 namespace impetus::inline viewers {
 

@@ -5,7 +5,6 @@
 //                                   ◯     the gaze and, for schedules by region, the region
 //
 // Contacts fade for a quarter of a second. (Dingliana 2002, figure 6.3)
-//
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -30,10 +29,6 @@ struct PreviewOverlays {
 
 /// What is shown at first: of a crowd no lines and contacts, which would hide it.
 [[nodiscard]] PreviewOverlays overlays_for(const StagedScene& scene);
-
-/// The bodies as they are drawn, in the colours that are chosen.
-[[nodiscard]] std::vector<PosedBody> shown_bodies(const PreviewRun& run,
-                                                  const PreviewOverlays& overlays);
 
 /// Draws into the current ImGui window, within the picture.
 void draw_overlays(const PreviewRun& run, const PreviewOverlays& overlays, const PictureMap& map,

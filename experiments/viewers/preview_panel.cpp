@@ -8,26 +8,23 @@
 #include <string>
 
 #include "experiments/drawing/palette.hpp"
-#include "experiments/viewers/panel_controls.hpp"
-#include "experiments/viewers/response_controls.hpp"
-#include "experiments/viewers/scheduler_controls.hpp"
+#include "experiments/viewers/panel.hpp"
+#include "experiments/viewers/preview_controls.hpp"
 
 namespace impetus::inline viewers {
 namespace {
 
-struct Speed {
-  double factor;
-  const char* name;
-};
-constexpr std::array<Speed, 4> kSpeeds{{{1.0, "1"}, {0.5, "½"}, {0.25, "¼"}, {0.1, "1/10"}}};
+constexpr std::array<NamedValue<double>, 4> kSpeeds{
+    {{1.0, "1"}, {0.5, "½"}, {0.25, "¼"}, {0.1, "1/10"}}};
 
 constexpr std::array<NamedValue<BodyColours>, 3> kBodyColours{{{BodyColours::kOwn, "their own"},
                                                                {BodyColours::kPriority, "priority"},
                                                                {BodyColours::kLevel, "level"}}};
 
-class Panel {
+/// The panel of one frame.
+class PreviewPanel {
  public:
-  Panel(PreviewRun& run, PreviewOverlays& overlays, const PanelFrame& frame)
+  PreviewPanel(PreviewRun& run, PreviewOverlays& overlays, const PanelFrame& frame)
       : run_(run), overlays_(overlays), frame_(frame), settings_(run.settings()) {}
 
   void draw() {
@@ -41,8 +38,7 @@ class Panel {
 
  private:
   void draw_sections() {
-    const bool opened = panel_section("Scheduler", true);
-    if (opened) {
+    if (panel_section("Scheduler", true)) {
       changed_ |= draw_scheduler_controls(settings_, run_.scene().step_hz);
     }
     draw_problem();
@@ -71,7 +67,8 @@ class Panel {
   }
 
   void draw_time() {
-    const float width = (ImGui::GetContentRegionAvail().x - 2.0F * spacing()) / 3.0F;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - 2.0F * spacing) / 3.0F;
     if (ImGui::Button(run_.playing() ? "Pause###play" : "Play###play", ImVec2(width, 0))) {
       run_.toggle();
     }
@@ -88,48 +85,46 @@ class Panel {
     panel_tooltip("The scene from its onset, with the settings as they are. Key: R");
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Speed");
-    for (const Speed& speed : kSpeeds) {
+    for (const NamedValue<double>& speed : kSpeeds) {
       ImGui::SameLine();
-      if (ImGui::RadioButton(speed.name, run_.speed() == speed.factor)) {
-        run_.set_speed(speed.factor);
+      if (ImGui::RadioButton(speed.name, run_.speed() == speed.value)) {
+        run_.set_speed(speed.value);
       }
       panel_tooltip(std::string(speed.name) + " of real time");
     }
   }
 
   void draw_numbers() {
-    const double time_s = static_cast<double>(run_.step_number()) / run_.scene().step_hz;
-    if (ImGui::BeginTable("numbers", 4)) {
-      number("step", "%.0f", static_cast<double>(run_.step_number()));
-      number("time", "%.2f s", time_s);
-      number("bodies", "%.0f", static_cast<double>(run_.scene().looks.size()));
-      number("pairs", "%.0f", static_cast<double>(run_.pairs().size()));
-      number("collisions", "%.0f", static_cast<double>(run_.collision_count()));
-      number("energy", "%.1f %%", 100.0 * run_.energy_share());
-      panel_tooltip("Kinetic energy, as a share of that at the onset");
-      number("step takes", "%.3f ms", run_.step_ms());
-      number("pops", "%.0f", static_cast<double>(run_.pop_count()));
-      panel_tooltip("Pairs that fell to a coarser level while they touched");
-      number("stopped", "%.0f", static_cast<double>(run_.stopped_count()));
-      panel_tooltip("Pairs stopped at entry, for they would have passed through each other");
-      number("pace", "%.0f %%", 100.0 * run_.pace());
-      panel_tooltip(
-          "Scene time gone by, as a share of what the speed asks for. Below 100 %, this "
-          "machine is too slow for the scene: the run falls behind, and no step is "
-          "skipped.");
-      number("frames", "%.1f /s", frame_.frames_per_s);
-      panel_tooltip("Pictures shown in a second, over the last half second or so.");
-      ImGui::EndTable();
+    if (!ImGui::BeginTable("numbers", 4)) {
+      return;
     }
-  }
-
-  static void number(const char* name, const char* format, double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, format, value);
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", name);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(text);
+    const auto number = [](const char* name, const char* format, double value) {
+      char text[40];
+      std::snprintf(text, sizeof text, format, value);
+      panel_row(name, text);
+    };
+    const auto count = [&](const char* name, auto value) {
+      number(name, "%.0f", static_cast<double>(value));
+    };
+    count("step", run_.step_number());
+    number("time", "%.2f s", static_cast<double>(run_.step_number()) / run_.scene().step_hz);
+    count("bodies", run_.scene().looks.size());
+    count("pairs", run_.pairs().size());
+    count("collisions", run_.collision_count());
+    number("energy", "%.1f %%", 100.0 * run_.energy_share());
+    panel_tooltip("Kinetic energy, as a share of that at the onset");
+    number("step takes", "%.3f ms", run_.step_ms());
+    count("pops", run_.pop_count());
+    panel_tooltip("Pairs that fell to a coarser level while they touched");
+    count("stopped", run_.stopped_count());
+    panel_tooltip("Pairs stopped at entry, for they would have passed through each other");
+    number("pace", "%.0f %%", 100.0 * run_.pace());
+    panel_tooltip(
+        "Scene time gone by, as a share of what the speed asks for. Below 100 %, this machine is "
+        "too slow for the scene: the run falls behind, and no step is skipped.");
+    number("frames", "%.1f /s", frame_.frames_per_s);
+    panel_tooltip("Pictures shown in a second, over the last half second or so.");
+    ImGui::EndTable();
   }
 
   void draw_problem() {
@@ -157,31 +152,26 @@ class Panel {
     ImGui::SameLine(column);
     draw_volume_level();
     ImGui::EndDisabled();
-    chosen_of("colours", overlays_.colours, kBodyColours,
-              "Of bodies, whatever marks are shown; paler where they are apart from others. "
-              "Priority: that of their most urgent pair. Level: what their collisions reached "
-              "lately. Key: C");
+    chosen_value("colours", overlays_.colours, kBodyColours,
+                 "Of bodies, whatever marks are shown; paler where they are apart from others. "
+                 "Priority: that of their most urgent pair. Level: what their collisions reached "
+                 "lately. Key: C");
   }
 
   void draw_volume_level() {
-    const auto name = [](int level) {
-      return level < 0 ? std::string("in use") : "level " + std::to_string(level);
-    };
+    std::vector<std::string> names{"in use"};
+    for (int level = 0; level <= settings_.finest_level; ++level) {
+      names.push_back("level " + std::to_string(level));
+    }
     ImGui::BeginDisabled(!overlays_.volumes);
     ImGui::SetNextItemWidth(-1.0F);
-    if (ImGui::BeginCombo("##level", name(overlays_.volume_level).c_str())) {
-      for (int level = -1; level <= settings_.finest_level; ++level) {
-        if (ImGui::Selectable(name(level).c_str(), level == overlays_.volume_level)) {
-          overlays_.volume_level = level;
-        }
-      }
-      ImGui::EndCombo();
+    const auto shown = static_cast<std::size_t>(overlays_.volume_level + 1);
+    if (const auto clicked = clicked_name("##level", names[shown], names)) {
+      overlays_.volume_level = static_cast<int>(*clicked) - 1;
     }
     ImGui::EndDisabled();
     panel_tooltip("The level that the body's collisions reached lately, or one for all bodies.");
   }
-
-  static float spacing() { return ImGui::GetStyle().ItemSpacing.x; }
 
   PreviewRun& run_;
   PreviewOverlays& overlays_;
@@ -196,12 +186,8 @@ float panel_width(const Gui& gui) { return std::round(23.0F * gui.fonts().small-
 
 void draw_preview_panel(const Gui& gui, PreviewRun& run, PreviewOverlays& overlays,
                         const PanelFrame& frame) {
-  const PanelStyle style(gui.fonts().small);
-  ImGui::SetCursorScreenPos(ImVec2(frame.left_px, 0));
-  ImGui::BeginChild("panel", ImVec2(gui.width() - frame.left_px, gui.height()), false,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding);
-  Panel(run, overlays, frame).draw();
-  ImGui::EndChild();
+  const Panel panel(gui, frame.left_px);
+  PreviewPanel(run, overlays, frame).draw();
 }
 
 }  // namespace impetus::inline viewers

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "experiments/run/preview_run.hpp"
 #include "experiments/viewers/preview_overlays.hpp"
 #include "experiments/window/gui.hpp"
 
 namespace impetus::inline viewers {
 
+/// Where the panel stands, and what it tells of the pictures beside it.
 struct PanelFrame {
   float left_px{0.0F};        ///< from here to the window's right edge
   double picture_share{1.0};  ///< size of the picture as a share of life size

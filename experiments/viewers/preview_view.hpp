@@ -10,6 +10,7 @@
 
 namespace impetus::inline viewers {
 
+/// How many frames were shown, and how long they took.
 struct PreviewFrames {
   std::int64_t shown{0};
   double taken_s{0.0};

@@ -1,27 +1,133 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/viewers/screen_setup.hpp"
 
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
-#include "experiments/drawing/palette.hpp"
-#include "experiments/viewers/screen_measures.hpp"
-#include "experiments/viewers/size_check.hpp"
-#include "experiments/window/canvas.hpp"
-#include "experiments/window/display_loss.hpp"
-#include "experiments/window/key_names.hpp"
+#include "experiments/viewers/viewer_screen.hpp"
+#include "experiments/window/display.hpp"
 #include "experiments/window/pages/form_field.hpp"
 #include "experiments/window/pages/page_layout.hpp"
 #include "experiments/window/pages/widgets.hpp"
-#include "experiments/window/typed_number.hpp"
+#include "experiments/window/typed_input.hpp"
 
 namespace impetus::inline viewers {
 namespace {
+
+/// Width, height, viewing distance.
+constexpr std::size_t kMeasures = 3;
+
+/// One of them: what it is called, and what is plausible.
+struct PlausibleMeasure {
+  const char* name;
+  const char* label;
+  double least_cm;
+  double most_cm;
+};
+constexpr std::array<PlausibleMeasure, kMeasures> kPlausible{
+    {{"width", "Width of the picture (cm)", 10.0, 300.0},
+     {"height", "Height of the picture (cm)", 10.0, 200.0},
+     {"viewing distance", "Viewing distance (cm)", 20.0, 300.0}}};
+
+/// In centimetres; nothing where no number stands.
+using EnteredMeasures = std::array<std::optional<double>, kMeasures>;
+
+bool is_plausible(const std::optional<double>& entered_cm, const PlausibleMeasure& measure) {
+  return entered_cm && *entered_cm >= measure.least_cm && *entered_cm <= measure.most_cm;
+}
+
+/// "37.6" for 0.376 m; empty for 0.
+std::string centimetres(double length_m) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", 100.0 * length_m);
+  return length_m > 0.0 ? text : "";
+}
+
+/// One sentence naming what was expected and what was there; empty when all are plausible.
+std::string objection_to(const EnteredMeasures& entered) {
+  for (std::size_t i = 0; i < kMeasures; ++i) {
+    const PlausibleMeasure& measure = kPlausible[i];
+    if (is_plausible(entered[i], measure)) {
+      continue;
+    }
+    char there[40] = "nothing";
+    if (entered[i]) {
+      std::snprintf(there, sizeof there, "%g", *entered[i]);
+    }
+    char text[160];
+    std::snprintf(text, sizeof text, "The %s: expected %g to %g cm, got %s.", measure.name,
+                  measure.least_cm, measure.most_cm, there);
+    return text;
+  }
+  return "";
+}
+
+/// Width and height must be plausible.
+ScreenGeometry geometry_of(const EnteredMeasures& entered, int width_px, int height_px) {
+  return {*entered[0] / 100.0, *entered[1] / 100.0, width_px, height_px,
+          entered[2].value_or(0.0) / 100.0};
+}
+
+/// One sentence when the pixels come out non-square by more than 1 %; otherwise empty.
+std::string warning_about(const ScreenGeometry& screen) {
+  return has_square_pixels(screen)
+             ? ""
+             : "Of " + std::to_string(screen.width_px) + " × " + std::to_string(screen.height_px) +
+                   " pixels each would be " + pixel_words(screen) +
+                   ": not square within 1 %. Please check width and height.";
+}
+
+// ISO/IEC 7810 ID-1
+constexpr double kCardWidthM = 0.08560;
+constexpr double kCardHeightM = 0.05398;
+constexpr double kCardCornerM = 0.00318;
+constexpr int kRulerCm = 10;
+
+void draw_ruler(const Gui& gui, ImVec2 from, double pixels_per_cm) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  ImFont* font = gui.fonts().small;
+  const auto x = [&](double cm) { return from.x + static_cast<float>(cm * pixels_per_cm); };
+  draw.AddLine(from, ImVec2(x(kRulerCm), from.y), palette::kText, 1.5F);
+  for (int half_cm = 0; half_cm <= 2 * kRulerCm; ++half_cm) {
+    const bool whole = half_cm % 2 == 0;
+    const float at = x(0.5 * half_cm);
+    draw.AddLine(ImVec2(at, from.y), ImVec2(at, from.y + (whole ? 0.8F : 0.45F) * font->FontSize),
+                 palette::kText, 1.5F);
+    if (whole) {
+      const std::string number = std::to_string(half_cm / 2);
+      const float width = width_of(number, *font);
+      write_at(ImVec2(at - width / 2.0F, from.y + font->FontSize), number, font,
+               palette::kQuietText);
+    }
+  }
+  write_at(ImVec2(x(kRulerCm) + font->FontSize, from.y + font->FontSize), "cm", font,
+           palette::kQuietText);
+}
+
+/// Both at life size between the corners, to be held against real ones; what does not fit is cut
+/// off at the corners.
+void draw_card_and_ruler(const Gui& gui, ImVec2 from, ImVec2 to, const ScreenGeometry& screen) {
+  const double px_per_m_across = screen.width_px / screen.width_m;
+  const double px_per_m_down = screen.height_px / screen.height_m;
+  ImFont* font = gui.fonts().small;
+  const float em = font->FontSize;
+  const float bleed = 0.6F * em;  // for the ruler's first number
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRect(from - ImVec2(bleed, bleed), to, true);
+  draw_ruler(gui, from, px_per_m_across / 100.0);
+  const ImVec2 card = from + ImVec2(0.0F, 3.0F * em);
+  const ImVec2 card_end = card + ImVec2(static_cast<float>(kCardWidthM * px_per_m_across),
+                                        static_cast<float>(kCardHeightM * px_per_m_down));
+  const auto corner_px = static_cast<float>(kCardCornerM * px_per_m_across);
+  draw.AddRectFilled(card, card_end, palette::kSurface, corner_px);
+  draw.AddRect(card, card_end, palette::kText, corner_px, 0, 1.5F);
+  write_at(card + ImVec2(em, em), "bank card, 85.6 × 54.0 mm", font, palette::kQuietText);
+  draw.PopClipRect();
+}
 
 constexpr std::size_t kReadingSize = 1;  // the drawings need the room
 
@@ -35,10 +141,11 @@ Page instructions() {
   return page;
 }
 
-class SetupScreen {
+/// The page with its three fields, its buttons, and the drawings that check them.
+class SetupScreen final : public ViewerScreen {
  public:
   SetupScreen(Canvas& canvas, const LabScreen& initial)
-      : canvas_(canvas), not_square_(!initial.square_pixels) {
+      : ViewerScreen(canvas), not_square_(!initial.square_pixels) {
     const ScreenGeometry& size = initial.geometry;
     const std::array<double, kMeasures> start{size.width_m, size.height_m, size.viewing_distance_m};
     for (std::size_t i = 0; i < kMeasures; ++i) {
@@ -48,22 +155,8 @@ class SetupScreen {
     }
   }
 
-  std::optional<LabScreen> run() {
-    canvas_.window.show_cursor(true);
-    canvas_.gui.forget_input();
-    canvas_.pacer.restart();
-    draw_and_flip();
-    canvas_.events.discard();
-    while (!canvas_.events.closed() && !cancelled_) {
-      take_events();
-      draw_and_flip();
-      if (saved_) {
-        return saved_;
-      }
-    }
-    static_cast<void>(canvas_.events.take_pause_request());
-    return std::nullopt;
-  }
+  /// None: cancelled.
+  [[nodiscard]] const std::optional<LabScreen>& saved() const { return saved_; }
 
  private:
   static constexpr std::size_t kSaveStop = kMeasures;
@@ -71,12 +164,9 @@ class SetupScreen {
   static constexpr std::size_t kShapeStop = kMeasures + 2;  ///< only where it is asked for
   static constexpr std::size_t kStops = kMeasures + 3;
 
-  void take_events() {
-    for (const StampedEvent& event : canvas_.events.take()) {
-      canvas_.gui.feed(event.event);
-      if (event.event.type == SDL_KEYDOWN && event.event.key.repeat == 0) {
-        press(event.event.key.keysym);
-      }
+  void take(const SDL_Event& event) override {
+    if (event.type == SDL_KEYDOWN && event.key.repeat == 0) {
+      press(event.key.keysym);
     }
   }
 
@@ -84,7 +174,7 @@ class SetupScreen {
     const bool enter = is_key(key, "enter");
     message_.clear();
     if (key.sym == SDLK_ESCAPE || (enter && focus_ == kCancelStop)) {
-      cancelled_ = true;
+      leave();
     } else if (enter && focus_ == kShapeStop) {
       not_square_ = !not_square_;
     } else if (enter) {
@@ -98,20 +188,30 @@ class SetupScreen {
   }
 
   void save() {
-    const EnteredMeasures entered = read();
-    message_ = objection_to(entered);
+    message_ = objection_to(read());
     if (message_.empty() && !not_square_) {
       message_ = warning();
     }
     if (message_.empty()) {
-      saved_ = {geometry_of(entered, canvas_.window.width_px(), canvas_.window.height_px()),
-                warning().empty()};
+      saved_ = {*geometry(), warning().empty()};
+      leave();
     }
   }
 
   /// Of pixels that are not square.
   [[nodiscard]] std::string warning() const {
-    return warning_about(read(), canvas_.window.width_px(), canvas_.window.height_px());
+    const auto entered = geometry();
+    return entered ? warning_about(*entered) : "";
+  }
+
+  /// None while width or height is implausible.
+  [[nodiscard]] std::optional<ScreenGeometry> geometry() const {
+    const EnteredMeasures entered = read();
+    const bool plausible =
+        is_plausible(entered[0], kPlausible[0]) && is_plausible(entered[1], kPlausible[1]);
+    return plausible ? std::optional(geometry_of(entered, canvas_.window.width_px(),
+                                                 canvas_.window.height_px()))
+                     : std::nullopt;
   }
 
   [[nodiscard]] EnteredMeasures read() const {
@@ -122,15 +222,7 @@ class SetupScreen {
     return entered;
   }
 
-  void draw_and_flip() {
-    canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
-    canvas_.gui.begin();
-    draw();
-    canvas_.gui.end();
-    static_cast<void>(canvas_.pacer.flip());
-  }
-
-  void draw() {
+  void draw() override {
     const Gui& gui = canvas_.gui;
     const Column column = reading_column(gui);
     ImGui::PushFont(gui.fonts().body[kReadingSize]);
@@ -182,7 +274,7 @@ class SetupScreen {
     ImGui::SetCursorScreenPos(ImVec2(column.left + save_px.x + part_gap(), top));
     const ImVec2 cancel_px = button_size("Cancel", "  (Esc)");
     if (draw_button(11, {"Cancel", "  (Esc)", cancel_px, focus_ == kCancelStop, false})) {
-      cancelled_ = true;
+      leave();
     }
     if (!warning().empty()) {
       ImGui::SetCursorScreenPos(
@@ -198,30 +290,30 @@ class SetupScreen {
   }
 
   void draw_check(const Column& column) {
-    const auto pixels =
-        pixels_per_metre(read(), canvas_.window.width_px(), canvas_.window.height_px());
-    if (pixels) {
+    if (const auto screen = geometry()) {
       draw_card_and_ruler(canvas_.gui, ImVec2(column.left, ImGui::GetCursorScreenPos().y),
                           ImVec2(column.left + column.width, 0.97F * canvas_.gui.height()),
-                          *pixels);
+                          *screen);
     }
   }
 
-  Canvas& canvas_;
   std::vector<FormField> fields_;
   std::size_t focus_{0};
   bool focus_moved_{true};
   std::string message_;
   bool not_square_;  ///< somebody said so
   std::optional<LabScreen> saved_;
-  bool cancelled_{false};
 };
 
 }  // namespace
 
 std::optional<LabScreen> ask_screen(Window& window, const LabScreen& initial) {
   std::optional<LabScreen> entered;
-  while_display_lasts([&] { entered = SetupScreen(window.canvas(), initial).run(); });
+  while_display_lasts([&] {
+    SetupScreen screen(window.canvas(), initial);
+    screen.run();
+    entered = screen.saved();
+  });
   return entered;
 }
 

@@ -6,16 +6,15 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/drawing/palette.hpp"
-#include "experiments/drawing/tree_painter.hpp"
-#include "experiments/viewers/panel_style.hpp"
-#include "experiments/window/canvas.hpp"
-#include "experiments/window/display_loss.hpp"
+#include "experiments/viewers/panel.hpp"
+#include "experiments/viewers/viewer_screen.hpp"
+#include "experiments/window/display.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
 namespace impetus::inline viewers {
 namespace {
 
+/// What colours may tell, and how it is chosen.
 struct ColourChoice {
   TreeColour colour;
   const char* name;
@@ -34,41 +33,25 @@ constexpr const char* kKeys =
     "← → level  ·  L O G colour  ·  M mesh  ·  V volumes  ·  drag to turn  ·  wheel to zoom  ·  R "
     "as at first  ·  Esc close";
 
-class TreeScreen {
+/// A tree that is turned about, with its panel.
+class TreeScreen final : public ViewerScreen {
  public:
   TreeScreen(Canvas& canvas, const ShownTree& shown, const TreeLook& look)
-      : canvas_(canvas), shown_(shown), painter_(shown), look_(look) {}
-
-  void run() {
-    canvas_.window.show_cursor(true);
-    canvas_.gui.forget_input();
-    canvas_.pacer.restart();
-    draw_and_flip();
-    canvas_.events.discard();
-    while (!canvas_.events.closed() && !left_) {
-      take_events();
-      draw_and_flip();
-    }
-    static_cast<void>(canvas_.events.take_pause_request());
-  }
+      : ViewerScreen(canvas), shown_(shown), painter_(shown), look_(look) {}
 
  private:
-  void take_events() {
-    for (const StampedEvent& stamped : canvas_.events.take()) {
-      const SDL_Event& event = stamped.event;
-      canvas_.gui.feed(event);
-      if (event.type == SDL_KEYDOWN) {
-        press(event.key.keysym.sym);
-      } else if (event.type == SDL_MOUSEBUTTONDOWN) {
-        dragging_ = event.button.x < picture_width();
-      } else if (event.type == SDL_MOUSEBUTTONUP) {
-        dragging_ = false;
-      } else if (event.type == SDL_MOUSEMOTION && dragging_) {
-        const double height_px = canvas_.window.height_px();
-        orbit_.drag(event.motion.xrel / height_px, -event.motion.yrel / height_px);
-      } else if (event.type == SDL_MOUSEWHEEL) {
-        orbit_.notch(event.wheel.y);
-      }
+  void take(const SDL_Event& event) override {
+    if (event.type == SDL_KEYDOWN) {
+      press(event.key.keysym.sym);
+    } else if (event.type == SDL_MOUSEBUTTONDOWN) {
+      dragging_ = event.button.x < picture_width();
+    } else if (event.type == SDL_MOUSEBUTTONUP) {
+      dragging_ = false;
+    } else if (event.type == SDL_MOUSEMOTION && dragging_) {
+      const double height_px = canvas_.window.height_px();
+      orbit_.drag(event.motion.xrel / height_px, -event.motion.yrel / height_px);
+    } else if (event.type == SDL_MOUSEWHEEL) {
+      orbit_.notch(event.wheel.y);
     }
   }
 
@@ -78,7 +61,7 @@ class TreeScreen {
     }
     switch (key) {
       case SDLK_ESCAPE:
-        left_ = true;
+        leave();
         break;
       case SDLK_LEFT:
       case SDLK_DOWN:
@@ -106,26 +89,24 @@ class TreeScreen {
     look_.level = std::clamp(look_.level + levels, 0, shown_.tree.level_count() - 1);
   }
 
-  void draw_and_flip() {
-    canvas_.painter.fill(canvas_.whole(), palette::kPageGrey);
+  void paint() override {
     const int keys_px = static_cast<int>(keys_height());
     painter_.paint(look_, orbit_,
                    {0, keys_px, picture_width(), canvas_.window.height_px() - keys_px},
                    palette::kPageGrey);
-    canvas_.gui.begin();
+  }
+
+  void draw() override {
     draw_panel();
-    draw_keys(static_cast<float>(picture_width()));
-    canvas_.gui.end();
-    canvas_.pacer.flip();
+    ImFont* font = canvas_.gui.fonts().small;
+    const float margin = font->FontSize;
+    ImGui::SetCursorScreenPos(ImVec2(margin, canvas_.gui.height() - keys_height() + 0.5F * margin));
+    draw_text(kKeys, font, palette::kQuietText, static_cast<float>(picture_width()) - 2.0F * margin,
+              Align::kLeft);
   }
 
   void draw_panel() {
-    const Gui& gui = canvas_.gui;
-    const PanelStyle style(gui.fonts().small);
-    const float left = gui.width() - panel_width();
-    ImGui::SetCursorScreenPos(ImVec2(left, 0));
-    ImGui::BeginChild("panel", ImVec2(panel_width(), gui.height()), false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    const Panel panel(canvas_.gui, canvas_.gui.width() - panel_width());
     ImGui::TextWrapped("%s", shown_.title.c_str());
     panel_heading("Level");
     draw_levels();
@@ -138,15 +119,12 @@ class TreeScreen {
       panel_tooltip(choice.tooltip);
     }
     panel_heading("Show");
-    ImGui::Checkbox("mesh, through the volumes", &look_.mesh);
-    panel_tooltip("Without it the volumes are solid. Key: M");
-    ImGui::Checkbox("volumes", &look_.volumes);
-    panel_tooltip("Key: V");
+    panel_box("mesh, through the volumes", look_.mesh, "Without it the volumes are solid. Key: M");
+    panel_box("volumes", look_.volumes, "Key: V");
     if (ImGui::Button("View as at first")) {
       orbit_ = Orbit();
     }
     panel_tooltip("Key: R");
-    ImGui::EndChild();
   }
 
   void draw_levels() {
@@ -166,20 +144,9 @@ class TreeScreen {
       return;
     }
     for (const LegendLine& line : legend_of(shown_, look_.level)) {
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", line.name.c_str());
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(line.value.c_str());
+      panel_row(line.name, line.value);
     }
     ImGui::EndTable();
-  }
-
-  void draw_keys(float width_px) {
-    const Gui& gui = canvas_.gui;
-    ImFont* font = gui.fonts().small;
-    const float margin = font->FontSize;
-    ImGui::SetCursorScreenPos(ImVec2(margin, gui.height() - keys_height() + 0.5F * margin));
-    draw_text(kKeys, font, palette::kQuietText, width_px - 2.0F * margin, Align::kLeft);
   }
 
   [[nodiscard]] int picture_width() const {
@@ -195,19 +162,34 @@ class TreeScreen {
     return std::round(19.0F * canvas_.gui.fonts().small->FontSize);
   }
 
-  Canvas& canvas_;
   const ShownTree& shown_;
   TreePainter painter_;
   TreeLook look_;
   Orbit orbit_;
   bool dragging_{false};
-  bool left_{false};
 };
 
 }  // namespace
 
 void view_tree(Window& window, const ShownTree& shown, const TreeLook& look) {
   while_display_lasts([&] { TreeScreen(window.canvas(), shown, look).run(); });
+}
+
+std::vector<Pixels> pictures_of(const ShownTree& shown, const std::vector<TreeLook>& looks,
+                                const PictureSize& size) {
+  constexpr float kWhite = 1.0F;
+  const GlWindow window(unseen_window({64, 64}));
+  TreePainter painter(shown);
+  MultisampledTarget drawn;
+  const ReadableTarget averaged(size);
+  std::vector<Pixels> pictures;
+  for (const TreeLook& look : looks) {
+    drawn.begin(size.width_px, size.height_px);
+    painter.paint_here(look, Orbit(), size.width_px, size.height_px, kWhite);
+    drawn.end_onto({0, 0, size.width_px, size.height_px}, averaged.framebuffer());
+    pictures.push_back(averaged.read());
+  }
+  return pictures;
 }
 
 }  // namespace impetus::inline viewers

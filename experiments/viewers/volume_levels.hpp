@@ -16,6 +16,7 @@ namespace impetus::inline viewers {
 /// and nodes without children of the levels before.
 [[nodiscard]] std::vector<RoundedBox> volumes_at_level(const VolumeTree& tree, int level);
 
+/// The volumes of each level that was asked for, made once.
 class VolumeLevels {
  public:
   /// The volumes to draw of every body; none where `overlays` asks for none.

@@ -10,6 +10,7 @@
 
 namespace impetus::inline viewing {
 
+/// How far round and how close the look is.
 class OrbitCamera {
  public:
   /// To the right and upwards; the eye never goes over a pole.

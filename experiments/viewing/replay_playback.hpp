@@ -1,14 +1,18 @@
-// Where a replay stands: its time, its speed, and how keys and flips move it.
+// Where a replay stands: its time, its speed, how keys and flips move it, and from one mark of its
+// timeline to the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/viewing/replay_view.hpp"
 
 namespace impetus::inline viewing {
 
+/// The time and the speed of one replay.
 class ReplayPlayback {
  public:
   /// `replay` must outlive it and have at least one state. Starts playing at the onset.
@@ -45,5 +49,19 @@ class ReplayPlayback {
   bool playing_{true};
   int speed_{0};  ///< a power of two
 };
+
+/// What can be jumped to. Collisions are those of any level.
+enum class JumpTarget { kCollision, kClick, kLateFrame, kResponse };
+
+/// "collision", "click", "late frame", "answer".
+[[nodiscard]] const char* word_of(JumpTarget target);
+
+[[nodiscard]] bool has_target(const std::vector<TimelineMark>& marks, JumpTarget target);
+
+/// When the next (direction 1) or the last (−1) of them begins, more than half a step of `step_hz`
+/// from `time_s`: marks of one moment are one jump. None: there is none that way.
+[[nodiscard]] std::optional<double> jump_from(const std::vector<TimelineMark>& marks,
+                                              JumpTarget target, double time_s, int direction,
+                                              double step_hz);
 
 }  // namespace impetus::inline viewing

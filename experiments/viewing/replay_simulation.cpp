@@ -49,13 +49,8 @@ void mark_collisions(double time_s, const StepReport& report, std::vector<Timeli
 std::vector<StepContact> contacts_of(const StepReport& report) {
   std::vector<StepContact> contacts;
   for (const CollisionReport& collision : report.collisions) {
-    const auto first = static_cast<std::size_t>(collision.first_contact);
-    const auto count = static_cast<std::size_t>(collision.contact_count);
-    for (std::size_t i = first; i < first + count && i < report.contacts.size(); ++i) {
-      contacts.push_back({collision.bodies, report.contacts[i].touch});
-    }
-    if (report.contacts.empty()) {
-      contacts.push_back({collision.bodies, collision.contact.touch});
+    for (const TouchPoint& touch : touch_points(report, collision)) {
+      contacts.push_back({collision.bodies, touch});
     }
   }
   return contacts;
@@ -118,5 +113,27 @@ ReplayView view_of(StagedScene scene, const std::vector<StepRecord>& recorded) {
   }
   return simulation.take();
 }
+
+bool FinestBeside::go_on() {
+  constexpr std::int64_t kPartOfFrame_ns = 10'000'000;
+  if (view_) {
+    return false;
+  }
+  if (!running_) {
+    running_ = std::make_unique<ReplaySimulation>(scene_, steps_, SimulatedDetail::kFinest);
+  }
+  const std::int64_t began_ns = clock_.now_ns();
+  while (!running_->done() && clock_.now_ns() - began_ns < kPartOfFrame_ns) {
+    running_->advance();
+  }
+  if (!running_->done()) {
+    return false;
+  }
+  view_ = running_->take();
+  running_.reset();
+  return true;
+}
+
+double FinestBeside::share() const { return view_ ? 1.0 : running_ ? running_->share() : 0.0; }
 
 }  // namespace impetus::inline viewing

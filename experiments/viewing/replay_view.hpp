@@ -21,6 +21,7 @@ inline constexpr double kStepRounding = 1e-6;
 
 /// A moment (end_s == begin_s) or a stretch on the timeline, seconds from onset.
 struct TimelineMark {
+  /// What happened then.
   enum class Kind {
     kContact,          ///< when two bodies are to meet
     kHold,             ///< the imposed freeze after it
@@ -44,6 +45,7 @@ struct StepContact {
   TouchPoint touch;
 };
 
+/// What is shown of a trial, and when.
 struct ReplayView {
   std::string title;               ///< "P01 · trial 37 of 87 · main"
   std::vector<std::string> facts;  ///< "delay_ms 100", "rated 2", ...

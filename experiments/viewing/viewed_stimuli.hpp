@@ -1,18 +1,33 @@
-// What a viewer of replays asks for: the recorded stimuli of a study, one by one.
+// What a viewer of replays asks for: the recorded stimuli of a study, one by one, and what a
+// picture of one is called as a file.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "engine/trees/tree_settings.hpp"
 #include "experiments/gaze/gaze_trail.hpp"
-#include "experiments/viewing/picture_name.hpp"
 #include "experiments/viewing/replay_view.hpp"
 
 namespace impetus::inline viewing {
+
+/// What a picture is of.
+struct PictureOf {
+  std::string study;  ///< the file's name without its folder and ending
+  std::int64_t trial{0};
+  std::int64_t attempt{1};
+  std::int64_t interval{1};
+  std::int64_t step{0};
+};
+
+/// "study-trial37-step412.png", with the attempt and the interval where they are not the first, and
+/// with "-2", "-3", ... for as long as `taken` says that there is one.
+std::string picture_name(const PictureOf& picture,
+                         const std::function<bool(const std::string&)>& taken);
 
 /// One stimulus of one attempt, ready to be simulated again.
 struct ViewedStimulus {
@@ -31,6 +46,7 @@ struct StimulusLine {
   std::string words;
 };
 
+/// Where they come from.
 class ViewedStimuli {
  public:
   virtual ~ViewedStimuli() = default;

@@ -1,30 +1,47 @@
-// What the window is made of, for the screens of this room alone.
+// What the window is made of, for the screens of this room and of the viewers alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/drawing/patch_painter.hpp"
+#include <optional>
+
+#include "experiments/drawing/palette.hpp"
 #include "experiments/drawing/scene_painter.hpp"
-#include "experiments/window/event_pump.hpp"
-#include "experiments/window/flip_pacer.hpp"
+#include "experiments/record/photodiode_patch.hpp"
+#include "experiments/window/frame_deadlines.hpp"
 #include "experiments/window/gl_window.hpp"
 #include "experiments/window/gui.hpp"
-#include "experiments/window/mouse_input.hpp"
+#include "experiments/window/stamped_input.hpp"
 
 namespace impetus::inline window {
 
+/// The window with all that draws into it and listens to it.
 struct Canvas {
   Canvas(const WindowOptions& options, const Clock& clock)
-      : window(options), events(clock), pacer(window, events, clock), gui(window), mouse(clock) {}
+      : window(options),
+        events(clock),
+        deadlines(window, events, clock),
+        gui(window),
+        mouse(clock) {}
 
   [[nodiscard]] PixelArea whole() const { return {0, 0, window.width_px(), window.height_px()}; }
 
+  /// The ground of every page.
+  void fill_page() { painter.fill(whole(), palette::kPageGrey); }
+
+  /// Draws the photodiode patch's code over all else; nothing where there is no patch.
+  void paint_patch(std::int64_t code) {
+    if (patch) {
+      painter.fill(*patch, patch_grey(code));
+    }
+  }
+
   GlWindow window;
   EventPump events;
-  FlipPacer pacer;
+  FrameDeadlines deadlines;
   Gui gui;
   ScenePainter painter;
   MouseInput mouse;
-  PatchPainter patch;
+  std::optional<PixelArea> patch;  ///< where it lies
 };
 
 }  // namespace impetus::inline window

@@ -5,8 +5,7 @@
 
 #include <cstdio>
 
-#include "experiments/window/display_loss.hpp"
-#include "experiments/window/video_driver.hpp"
+#include "experiments/window/display.hpp"
 
 namespace impetus::inline window {
 namespace {

@@ -10,6 +10,7 @@
 
 namespace impetus::inline window {
 
+/// The window and its context.
 class GlWindow {
  public:
   /// Throws std::runtime_error with one sentence when no display or no OpenGL 3.3 can be had.

@@ -3,7 +3,6 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <backends/imgui_impl_sdl.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cfloat>

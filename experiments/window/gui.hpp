@@ -7,6 +7,7 @@
 
 #include <SDL.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // the arithmetic of ImVec2, see window.cmake
 
 #include <array>
 #include <deque>
@@ -18,12 +19,14 @@ namespace impetus::inline window {
 /// Text sizes: reading is tried at full size first, then closer, when a page is long.
 inline constexpr int kReadingSizes = 3;
 
+/// The letters of every size.
 struct Fonts {
   std::array<ImFont*, kReadingSizes> body{};
   std::array<ImFont*, kReadingSizes> title{};
   ImFont* small{nullptr};
 };
 
+/// ImGui in this window.
 class Gui {
  public:
   /// One per process at a time. `window` must outlive it.

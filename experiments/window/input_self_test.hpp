@@ -1,4 +1,10 @@
 // The window sends input to itself while it shows pictures, and notes when each arrives.
+//
+//   into the queue           as if SDL had just taken it from the system
+//   into the window system   by X11's test extension, as a device's driver does
+//
+// A key or a movement is sent from a thread of its own, at instants that wander through the frame.
+// One is on its way at a time: the next is sent when it has arrived, or is given up.
 // SPDX-License-Identifier: MIT
 #pragma once
 

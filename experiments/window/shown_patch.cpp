@@ -1,23 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/window/shown_patch.hpp"
 
-#include "experiments/window/canvas.hpp"
-#include "experiments/window/display_loss.hpp"
-
 #ifdef IMPETUS_HAS_X11
 #include <SDL_syswm.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
-
-#include <bit>
-#include <memory>
 #endif
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include "experiments/window/canvas.hpp"
+#include "experiments/window/display.hpp"
+
 namespace impetus::inline window {
+
+PixelArea patch_area(ScreenCorner corner, const ScreenGeometry& screen, int width_px,
+                     int height_px) {
+  const auto pixels = [](double side_m, int all_px) {
+    return std::clamp(static_cast<int>(std::lround(kPatchSide_m / side_m * all_px)), 1, all_px);
+  };
+  PixelArea area{0, 0, pixels(screen.width_m, width_px), pixels(screen.height_m, height_px)};
+  if (corner == ScreenCorner::kTopRight || corner == ScreenCorner::kBottomRight) {
+    area.left = width_px - area.width;
+  }
+  if (corner == ScreenCorner::kTopLeft || corner == ScreenCorner::kTopRight) {
+    area.bottom = height_px - area.height;
+  }
+  return area;
+}
+
+std::optional<std::int64_t> code_of_pixel(int red, int green, int blue) {
+  constexpr int kTolerance = 8;  // dithering and colour depths of 5 or 6 bits change a grey by less
+  for (std::int64_t code = 0; code < kPatchCodes; ++code) {
+    const int grey = static_cast<int>(std::lround(255.0F * patch_grey(code)));
+    if (std::max({std::abs(red - grey), std::abs(green - grey), std::abs(blue - grey)}) <=
+        kTolerance) {
+      return code;
+    }
+  }
+  return std::nullopt;
+}
 
 #ifdef IMPETUS_HAS_X11
 namespace {
 
+/// The window in X11's names.
 struct XWindow {
   ::Display* connection{nullptr};
   ::Window id{0};
@@ -34,32 +65,18 @@ std::optional<XWindow> x_window(Window& window) {
   return XWindow{system.info.x11.display, system.info.x11.window};
 }
 
-/// While it lives, a refused request is none of our business: the window may lie off the screen.
-class RefusalsForgiven {
- public:
-  RefusalsForgiven()
-      : before_(
-            XSetErrorHandler([](::Display* /*connection*/, XErrorEvent* /*error*/) { return 0; })) {
-  }
-  ~RefusalsForgiven() { XSetErrorHandler(before_); }
-  RefusalsForgiven(const RefusalsForgiven&) = delete;
-  RefusalsForgiven& operator=(const RefusalsForgiven&) = delete;
+using Image = std::unique_ptr<XImage, decltype([](XImage* image) { XDestroyImage(image); })>;
 
- private:
-  XErrorHandler before_;
-};
-
-struct DestroyImage {
-  void operator()(XImage* image) const { XDestroyImage(image); }
-};
-using Image = std::unique_ptr<XImage, DestroyImage>;
-
-/// The row of pixels through the middle of the area; null when it was refused.
+/// The row of pixels through the middle of the area; null when it was refused, which is none of our
+/// business here: the window may lie off the screen.
 Image middle_row(const XWindow& window, const PixelArea& area, int height_px) {
-  const RefusalsForgiven forgiven;
+  const auto handler_before =
+      XSetErrorHandler([](::Display* /*connection*/, XErrorEvent* /*error*/) { return 0; });
   const int from_top = height_px - 1 - (area.bottom + area.height / 2);
-  return Image(XGetImage(window.connection, window.id, area.left, from_top,
-                         static_cast<unsigned>(area.width), 1, AllPlanes, ZPixmap));
+  Image row(XGetImage(window.connection, window.id, area.left, from_top,
+                      static_cast<unsigned>(area.width), 1, AllPlanes, ZPixmap));
+  XSetErrorHandler(handler_before);
+  return row;
 }
 
 /// One colour of a pixel, 0–255.
@@ -83,7 +100,7 @@ std::optional<std::int64_t> shown_patch(Window& window) {
   std::optional<std::int64_t> code;
   while_display_lasts([&] {
     const auto at = x_window(window);
-    const PixelArea area = window.canvas().patch.area().value();
+    const PixelArea area = window.canvas().patch.value();
     const Image row = at ? middle_row(*at, area, window.height_px()) : nullptr;
     if (row) {
       code = code_at(*row, area.width / 4);

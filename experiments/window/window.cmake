@@ -12,6 +12,7 @@ impetus_room(viewers USES impetus_window impetus_viewing)
 
 # Private: no other room sees the window's libraries.
 foreach(room drawing window viewers)
+  target_compile_definitions(impetus_${room} PRIVATE IMGUI_DEFINE_MATH_OPERATORS)
   target_link_libraries(impetus_${room}
     PRIVATE PkgConfig::SDL2 PkgConfig::EPOXY PkgConfig::IMGUI PkgConfig::PNG ${CMAKE_DL_LIBS})
 endforeach()

@@ -1,18 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/window/window.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
-#include "experiments/drawing/palette.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/window/canvas.hpp"
-#include "experiments/window/display_loss.hpp"
-#include "experiments/window/fixation_target.hpp"
-#include "experiments/window/pages/page_turn.hpp"
-#include "experiments/window/pages/progress_bar.hpp"
+#include "experiments/window/display.hpp"
+#include "experiments/window/pages/asked_page.hpp"
+#include "experiments/window/pages/page_layout.hpp"
+#include "experiments/window/shown_patch.hpp"
 
 namespace impetus::inline window {
 namespace {
+
+/// A point that is easy to look at: a dark disc, a light cross through it, a dark dot in its
+/// middle. Of seven shapes this one let the eye rest most. (Thaler et al. 2013)
+void draw_fixation_target(const Gui& gui, const ScreenGeometry& screen, const ScreenPoint& at) {
+  constexpr double kDisc_deg = 0.6;  // across
+  constexpr double kDot_deg = 0.2;   // as is the cross's thickness
+  constexpr ImU32 kDark = IM_COL32(24, 24, 26, 255);
+  constexpr ImU32 kLight = IM_COL32(128, 128, 128, 255);  // the picture's own grey
+  const double px_per_deg =
+      gui.width() / screen.width_m * metres_per_degree(screen.viewing_distance_m);
+  const auto radius = std::max(7.0F, static_cast<float>(px_per_deg * kDisc_deg / 2.0));
+  const auto dot = std::max(2.5F, static_cast<float>(px_per_deg * kDot_deg / 2.0));
+  const ImVec2 centre(static_cast<float>((at.x_m / screen.width_m + 0.5) * gui.width()),
+                      static_cast<float>((0.5 - at.y_m / screen.height_m) * gui.height()));
+  const ImVec2 across(radius + 1.0F, dot);
+  const ImVec2 down(dot, radius + 1.0F);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircleFilled(centre, radius, kDark);
+  draw.AddRectFilled(centre - across, centre + across, kLight);
+  draw.AddRectFilled(centre - down, centre + down, kLight);
+  draw.AddCircleFilled(centre, dot, kDark);
+}
 
 std::shared_ptr<const TriangleMesh> tiny_triangle() {
   TriangleMesh mesh;
@@ -40,11 +64,11 @@ double Window::refresh_hz() const { return canvas_->window.refresh_hz(); }
 const ScreenGeometry& Window::geometry() const { return geometry_; }
 int Window::width_px() const { return canvas_->window.width_px(); }
 int Window::height_px() const { return canvas_->window.height_px(); }
-void Window::restart_grid() { canvas_->pacer.restart(); }
-bool Window::has_patch() const { return canvas_->patch.area().has_value(); }
+void Window::restart_grid() { canvas_->deadlines.restart(); }
+bool Window::has_patch() const { return canvas_->patch.has_value(); }
 
 void Window::show_patch(ScreenCorner corner) {
-  canvas_->patch.lie_in(patch_area(corner, geometry_, width_px(), height_px()));
+  canvas_->patch = patch_area(corner, geometry_, width_px(), height_px());
 }
 
 void Window::set_geometry(const ScreenGeometry& geometry) {
@@ -79,12 +103,12 @@ void Window::warm_up() {
     canvas_->painter.paint(with_mesh, canvas_->whole());
     canvas_->painter.paint(crowd, canvas_->whole());
     canvas_->painter.paint(picture, canvas_->whole());
-    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
+    canvas_->fill_page();
     canvas_->gui.begin();
     draw_progress(canvas_->gui, picture.progress, Ground::kPage);
     canvas_->gui.end();
-    canvas_->painter.fill(canvas_->whole(), palette::kPageGrey);
-    static_cast<void>(canvas_->pacer.flip());
+    canvas_->fill_page();
+    static_cast<void>(canvas_->deadlines.flip());
   }
   canvas_->events.discard();
 }
@@ -100,8 +124,8 @@ Flip Window::show(const Picture& picture) {
     }
     draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
     canvas_->gui.end();
-    canvas_->patch.paint(canvas_->painter, picture.patch_code);
-    flip = canvas_->pacer.flip();
+    canvas_->paint_patch(picture.patch_code);
+    flip = canvas_->deadlines.flip();
     canvas_->mouse.take(canvas_->events.take());
   });
   return flip;
@@ -113,13 +137,13 @@ Gaze& Window::mouse_gaze() { return canvas_->mouse; }
 Answer Window::ask(const Page& page) {
   Answer answer;
   answer.interruption = Interruption::kDisplayClosed;
-  while_display_lasts([&] { answer = PageTurn(*canvas_, page).ask(); });
+  while_display_lasts([&] { answer = ask_page(*canvas_, page); });
   return answer;
 }
 
 void Window::show_page_for(const Page& page, double seconds,
                            std::optional<std::size_t> highlighted_choice) {
-  while_display_lasts([&] { PageTurn(*canvas_, page).show_for(seconds, highlighted_choice); });
+  while_display_lasts([&] { impetus::show_page_for(*canvas_, page, seconds, highlighted_choice); });
 }
 
 Interruption Window::interruption() {
@@ -133,14 +157,14 @@ SyncTest Window::sync_test() {
   SyncTest test;
   while_display_lasts([&] {
     canvas_->window.show_cursor(false);
-    test = canvas_->pacer.sync_test(
+    test = canvas_->deadlines.sync_test(
         [this] { canvas_->painter.fill(canvas_->whole(), palette::kPictureGrey); });
   });
   return test;
 }
 
 std::string Window::description() const {
-  return canvas_->window.description() + "; flip stamp: " + canvas_->pacer.anchor();
+  return canvas_->window.description() + "; flip stamp: " + canvas_->deadlines.anchor();
 }
 
 }  // namespace impetus::inline window

@@ -21,6 +21,7 @@ namespace impetus::inline window {
 
 struct Canvas;
 
+/// How the window is opened.
 struct WindowOptions {
   bool fullscreen{true};
   int width_px{1280};  ///< of a window that is not fullscreen

@@ -165,19 +165,16 @@ coverage_bootstrap_row <- function(seed) {
   data.frame(seed = seed, ratio_10 = side(10), ratio_20 = side(20))
 }
 
-# Which random part converged, in a word.
-random_part <- function(method) if (grepl("slope", method)) "intercept and slope" else "intercept"
-
 # One row: limits of the odds ratio of each delay against 0; NA where no model converged.
 coverage_odds_row <- function(seed, lapse = 0) {
   trials <- coverage_trials(seed, lapse = lapse)
   trials$rating <- factor(trials$rating, ordered = TRUE)
-  models <- fit_family_or_fall_back(trials, "delay_ms", "delay_ms", tested = character())
+  models <- fit_models(trials, "delay_ms", "delay_ms", tested = character())
   none <- data.frame(seed = seed, random = "none", low_100 = NA, high_100 = NA, low_300 = NA,
     high_300 = NA)
   if (!is.null(models$failure)) return(none)
-  rows <- odds_ratios(models$full, trials, "delay_ms", "", kOddsFamily)
-  data.frame(seed = seed, random = random_part(models$random),
+  rows <- ratio_rows("delay_ms", models, trials)
+  data.frame(seed = seed, random = random_part(models$attempt[["random"]]),
     low_100 = rows$interval_low[1], high_100 = rows$interval_high[1],
     low_300 = rows$interval_low[2], high_300 = rows$interval_high[2])
 }
@@ -192,7 +189,7 @@ coverage_ratios_row <- function(seed) {
       paste0(name, c("", "_low", "_high")))
   }
   odds <- part("odds", contrast_model_tests(trials)$rows, kContrastFamily)
-  rates <- part("rates", click_contrast_tests(trials)$rows, kClickContrastFamily)
+  rates <- part("rates", contrast_model_tests(trials, response = "clicks")$rows, kClickContrastFamily)
   odds$odds <- random_part(odds$odds)
   rates$rates <- paste(sub(" .*", "", rates$rates), random_part(rates$rates), sep = ", ")
   cbind(seed = seed, odds, rates)

@@ -38,11 +38,11 @@ null_mixed_row <- function(seed) {
   trials <- null_trials(seed)
   trials$rating <- factor(trials$rating, ordered = TRUE)
   factors <- c("delay_ms", "speed_deg_s", "viewpoint_deg")
-  models <- fit_family_or_fall_back(trials, factors, "delay_ms", tested = "delay_ms")
+  models <- fit_models(trials, factors, "delay_ms", tested = "delay_ms")
   if (!is.null(models$failure)) return(data.frame(seed = seed, mixed_p = NA, random = "none"))
-  tests <- mixed_model_outcome(models, trials, "delay_ms")$rows
+  tests <- model_tests(models, trials, "delay_ms")$rows
   data.frame(seed = seed, mixed_p = tests$p[tests$family == kEffectsFamily],
-    random = if (grepl("slope", models$random)) "intercept and slope" else "intercept")
+    random = random_part(models$attempt[["random"]]))
 }
 
 # The rate of p < .05 with its exact 95 % interval (Clopper and Pearson 1934); NA is left out.

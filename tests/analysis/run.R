@@ -8,6 +8,7 @@ run_slow <- "--slow" %in% words
 schema_paths <- file.path(root, "experiments/store", c("schema.sql", "views.sql"))
 
 invisible(Sys.setlocale("LC_ALL", "C.UTF-8"))
+options(impetus.analysis = file.path(root, "analysis"))  # where studies are described
 for (file in list.files(file.path(root, "analysis/R"), "[.]R$", full.names = TRUE)) source(file)
 source(file.path(root, "tests/analysis/synthetic_study.R"))
 source(file.path(root, "tests/analysis/synthetic_gaze_study.R"))

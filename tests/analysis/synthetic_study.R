@@ -78,7 +78,7 @@ planted_gaps <- function(trials) {
 one_model_tests <- function(trials, factors) {
   trials$rating <- factor(trials$rating, ordered = TRUE)
   trials[factors] <- lapply(trials[factors], droplevels)
-  mixed_model_outcome(fit_family_or_fall_back(trials, factors, character()), trials, factors)
+  model_tests(fit_models(trials, factors, character()), trials, factors)
 }
 
 # Writes rated trials to a new study file at `path` and returns the path.

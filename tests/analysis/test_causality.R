@@ -71,7 +71,9 @@ test_that("ratings that are all equal make no test and say so", {
 })
 
 test_that("a large p is never called no difference", {
-  row <- function(family, effect, ...) test_row(family, "m, logit, (1 | participant)", effect, ...)
+  row <- function(family, effect, ...) {
+    test_row(family, "cumulative-link mixed model, logit, (1 | participant)", effect, ...)
+  }
   tests <- combine_outcomes(outcome(rbind(
     row(kEffectsFamily, "delay_ms", "chi-squared", 1.6, 2, p = 0.449),
     row(kEffectsFamily, "speed_deg_s", "chi-squared", 1.2, 2, p = 0.55),
@@ -79,11 +81,11 @@ test_that("a large p is never called no difference", {
       interval = c(-0.1, 0.5))
   )))
   expect_equal(model_words(tests, "delay_ms"), paste(
-    "In the cumulative-link mixed model (random intercept for each participant), an effect of",
+    "In the cumulative-link mixed model for delay (random intercept for each participant), an effect of",
     "delay was not detected, which is not evidence of its absence: χ²(2) = 1.6, p = .449,",
     "Holm-corrected p = .898."))
   expect_equal(other_factor_words(tests, "speed_deg_s")[1], paste(
-    "In the model for speed (random intercept for each participant), an effect of speed was not",
+    "In the cumulative-link mixed model for speed (random intercept for each participant), an effect of speed was not",
     "detected, which is not evidence of its absence: χ²(2) = 1.2, p = .550, Holm-corrected p = .898."))
   expect_equal(other_factor_words(tests, "speed_deg_s")[2], paste(
     "For speed (°/s), equivalence within ±0.15 points was not shown between 10 and 5",

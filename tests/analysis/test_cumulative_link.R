@@ -42,7 +42,7 @@ test_that("the gradient is that of differences, for every link and with slopes o
 test_that("fits are those of ordinal::clmm: estimates, errors, spread and likelihood", {
   trials <- sloped_trials(12)
   for (link in c("logit", if (run_slow) "cloglog")) {  # each of the package's takes seconds
-    own <- fit_rating_model(trials, "delay_ms", "(1 + slope | participant)", link = link)$model
+    own <- fit_rating_model(trials, "delay_ms", "(1 + slope | participant)", link = link)
     package <- ordinal::clmm(rating ~ delay_ms + (1 + slope | participant), trials, link = link)
     # Its own tolerance, 1e-4 in each participant's effects, is in its likelihood and derivatives.
     expect_equal(own$log_likelihood, package$logLik, tolerance = 1e-6, info = link)
@@ -83,7 +83,7 @@ wine_objective <- function(place, wine = ordinal::wine) {
 
 test_that("errors of the wine data are those of an own likelihood, to more digits than published", {
   model <- fit_rating_model(data.frame(participant = ordinal::wine$judge, ordinal::wine[c("rating",
-    "temp", "contact")]), c("temp", "contact"), "(1 | participant)")$model
+    "temp", "contact")]), c("temp", "contact"), "(1 | participant)")
   place <- c(model$alpha, model$beta, log(model$deviations))
   expect_equal(model$log_likelihood, -wine_objective(place), tolerance = 1e-9)
   gradient <- vapply(1:7, function(i) {
@@ -99,11 +99,11 @@ test_that("errors of the wine data are those of an own likelihood, to more digit
 test_that("a fit does not hang on where it starts, nor on the participants' order", {
   trials <- sloped_trials(13)
   random <- "(1 + slope | participant)"
-  own <- fit_rating_model(trials, c("delay_ms", "speed_deg_s"), random)$model
+  own <- fit_rating_model(trials, c("delay_ms", "speed_deg_s"), random)
   far <- fit_rating_model(trials, c("delay_ms", "speed_deg_s"), random,
-    like = list(spread = c(3, 1, 0.1)))$model
+    like = list(spread = c(3, 1, 0.1)))
   turned <- fit_rating_model(trials[rev(seq_len(nrow(trials))), ], c("delay_ms", "speed_deg_s"),
-    random)$model
+    random)
   for (other in list(far, turned)) {
     expect_equal(other$log_likelihood, own$log_likelihood, tolerance = 1e-7)
     expect_equal(other$beta, own$beta, tolerance = 1e-3)
@@ -114,8 +114,8 @@ test_that("where participants' slopes follow their intercepts wholly, errors are
   edges <- 0
   for (seed in 23:27) {
     trials <- sloped_trials(seed, slope_sd = 0)
-    own <- fit_rating_model(trials, "delay_ms", "(1 + slope | participant)")$model
-    alone <- fit_rating_model(trials, "delay_ms", "(1 | participant)")$model
+    own <- fit_rating_model(trials, "delay_ms", "(1 + slope | participant)")
+    alone <- fit_rating_model(trials, "delay_ms", "(1 | participant)")
     expect_gte(own$log_likelihood, alone$log_likelihood - 1e-6)
     at_edge <- abs(own$spread[3]) < kNoSpread
     edges <- edges + at_edge

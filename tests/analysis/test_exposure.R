@@ -23,7 +23,7 @@ exposure_study <- function(merge_within_ms = 100) {
     # P2 tracked: nothing. P2 random: good only, and not known where the gaze was.
     row(4, 5, 4)
   ))
-  study <- open_gaze_study(c(path, "--out", tempdir()), "usage")
+  study <- open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
   with_events(study)
 }
 
@@ -96,7 +96,7 @@ test_that("a planted difference of exposure is said, apart from what tracking is
   trials <- gaze_trials(131, participants = 6, repetitions = 1)
   path <- add_collisions(write_gaze_study(tempfile(fileext = ".sqlite"), trials),
     random_collisions(trials))
-  study <- with_events(open_gaze_study(c(path, "--out", tempdir()), "usage"))
+  study <- with_events(open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir())))
   tests <- combine_outcomes(exposure_tests(exposure_by_participant(study)))
   words <- exposure_words(tests)
   expect_match(words[1], paste("^Tracking kept bad collisions away from the gaze \\(tracked −",

@@ -6,7 +6,9 @@ gaze_file <- function(trials, ...) {
   write_gaze_study(tempfile(fileext = ".sqlite"), trials, ...)
 }
 
-read_gaze_study <- function(path) open_gaze_study(c(path, "--out", tempdir()), "usage")
+read_gaze_study <- function(path) {
+  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
+}
 
 refused <- function(path, expression) {
   condition <- tryCatch(expression, refusal = identity)
@@ -36,7 +38,7 @@ test_that("trials of two files are never mixed up", {
   files <- vapply(c("P01", "P02"), function(who) gaze_file(trials[trials$participant == who, ]), "")
   add_collisions(files[2], data.frame(trial = 1:12, step = 1, level = 0, time_s = 1,
     gap_arcmin = NA, hidden_share = NA))
-  study <- open_gaze_study(c(files, "--out", tempdir()), "usage")
+  study <- open_gaze_study(study_description("gaze-contingent"), c(files, "--out", tempdir()))
   expect_equal(unique(study$collisions$participant), "P02")
   expect_equal(tapply(study$trials$clicks, study$trials$participant, sum)[["P02"]],
     sum(trials$clicks[trials$participant == "P02"]))
@@ -148,7 +150,7 @@ test_that("trials marked late are in the primary contrast, and out of its sensit
 
 test_that("the rating axis is the whole scale, both its ends in the participants' words", {
   study <- read_gaze_study(gaze_file(gaze_trials(160, participants = 3, repetitions = 1)))
-  panel <- kinds_panel(study$trials, "rating", TRUE) + rating_axes(study$scale)$means
+  panel <- kinds_panel(study$trials, "rating") + rating_axes(study$scale)$means
   y <- ggplot2::ggplot_build(panel)$layout$panel_params[[1]]$y
   expect_equal(y$get_labels(), c("not believable  1", "2", "3", "4", "very believable  5"))
   shown <- ggplot2::ggplot_build(panel)$data[[3]]
@@ -160,7 +162,7 @@ test_that("an interval below 0 clicks ends at 0 and is not dropped", {
   study <- read_gaze_study(gaze_file(gaze_trials(161, participants = 3, repetitions = 1)))
   cells <- means_with_intervals(study$trials, c("bodies", "scheduling"), "clicks")
   expect_true(any(cells$low < 0))
-  panel <- kinds_panel(study$trials, "clicks", TRUE) + click_axes()$means
+  panel <- kinds_panel(study$trials, "clicks") + click_axes()$means
   bars <- ggplot2::ggplot_build(panel)$data[[2]]
   expect_equal(bars$ymin, pmax(cells$low, 0))
 })

@@ -9,7 +9,7 @@ yoked_file <- function(trials) {
 }
 
 read_yoked <- function(path) {
-  open_gaze_study(c(path, "--out", tempdir()), "usage", "gaze-contingent-yoked")
+  open_gaze_study(study_description("gaze-contingent-yoked"), c(path, "--out", tempdir()))
 }
 
 # Models of an intercept alone, which is what was planted.
@@ -19,8 +19,12 @@ yoked_tests <- function(study) {
     gaze_study_tests(study, exposure_by_participant(study)))))
 }
 
-test_that("every study of the table compares kinds that it has", {
-  for (study in kSchedulingStudies) {
+test_that("every study that is described has its script, and compares kinds that it has", {
+  names <- sub("[.]dcf$", "", list.files(file.path(root, "analysis/studies")))
+  expect_length(names, 11)
+  expect_true(all(file.exists(file.path(root, "analysis", paste0(names, ".R")))))
+  studies <- lapply(names, study_description)
+  for (study in Filter(function(study) study$kind == "scheduling", studies)) {
     for (pair in study$pairs) expect_true(all(c(pair$of, pair$against) %in% study$kinds))
     expect_true(planned_pair(study)$planned)
     expect_true(all(study$kinds %in% names(kKindColours)))
@@ -31,7 +35,7 @@ test_that("families are named by their pair, those of a pair beside it apart fro
   families <- c(kContrastFamily, kContrastMeansFamily, kEquivalenceFamily, kClickContrastFamily,
     kClickEquivalenceFamily, kClickBootstrapFamily, kExposureFamily, kTrackedGainFamily)
   expect_equal(vapply(families, family_of, "", kTrackedRandom, USE.NAMES = FALSE), families)
-  pairs <- kSchedulingStudies[["gaze-contingent-yoked"]]$pairs
+  pairs <- study_description("gaze-contingent-yoked")$pairs
   expect_equal(family_of(kContrastFamily, pairs[[1]]),
     "planned contrast tracked − recorded, mixed model")
   expect_equal(family_of(kContrastFamily, pairs[[2]]), "contrast random − recorded, mixed model")

@@ -18,7 +18,7 @@ quality_study <- function() {
       loss = replace(loss, 9, "off screen")),
     data.frame(trial = 3, sample = 1:3, taken_ns = 1e9 + (1:3) * 2e6, loss = NA)
   ))
-  open_gaze_study(c(path, "--out", tempdir()), "usage")
+  open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
 }
 
 test_that("rate, losses and latency of a participant are those counted by hand", {
@@ -42,7 +42,7 @@ test_that("rate, losses and latency of a participant are those counted by hand",
 
 test_that("mouse gaze, missing gaze and late trials are said in words", {
   study <- quality_study()
-  expect_equal(gaze_sentences(study, gaze_quality(study)), c(
+  expect_equal(gaze_sentences(study$trials), c(
     paste("GAZE FROM THE MOUSE in 2 trials of 1 participant: the pointer stood in for the eye, and",
       "mouse data cannot support claims about gaze."),
     "Gaze from a simulated eye in 1 trial of 1 participant: it describes a model of the eye.",
@@ -58,9 +58,9 @@ test_that("a study whose gaze was never sampled has dashes, and no latency", {
   trials <- gaze_trials(141, participants = 1, repetitions = 1)
   trials$gaze_latency_p95_ms <- NA
   path <- write_gaze_study(tempfile(fileext = ".sqlite"), trials)
-  study <- open_gaze_study(c(path, "--out", tempdir()), "usage")
+  study <- open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
   table <- gaze_quality(study)
   expect_equal(table$samples, 0)
   expect_match(gaze_quality_lines(table)[3], "\\| – \\| – \\| – \\| – \\| 0 \\| – \\| – \\| 0 \\| 0 \\|$")
-  expect_equal(gaze_sentences(study, table)[-1], "No latency from sample to flip is known.")
+  expect_equal(gaze_sentences(study$trials)[-1], "No latency from sample to flip is known.")
 })

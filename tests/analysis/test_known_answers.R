@@ -10,7 +10,7 @@ test_that("ratings of wine come out as published (Randall 1989; Christensen 2018
   wine <- ordinal::wine
   trials <- data.frame(participant = wine$judge, rating = wine$rating, temp = wine$temp,
     contact = wine$contact)
-  models <- fit_family(trials, c("temp", "contact"), "(1 | participant)")
+  models <- fit_models(trials, c("temp", "contact"), character())
   model <- models$full
   expect_printed(model$log_likelihood, -81.57, 2)
   expect_printed(unname(model$beta), c(3.0630, 1.8349), 4)
@@ -20,7 +20,7 @@ test_that("ratings of wine come out as published (Randall 1989; Christensen 2018
   # of test_cumulative_link.R.
   expect_lt(max(abs(errors - c(0.5954, 0.5125))), 1e-4)
   expect_printed(model$deviations[["intercept"]]^2, 1.279, 3)
-  rows <- mixed_model_outcome(models, trials, c("temp", "contact"))$rows
+  rows <- model_tests(models, trials, c("temp", "contact"))$rows
   odds <- rows[rows$family == kOddsFamily, ]
   expect_printed(odds$statistic, c(5.145, 3.580), 3)
   expect_printed(log(odds$effect_size), c(3.0630, 1.8349), 4)

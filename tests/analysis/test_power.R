@@ -95,7 +95,7 @@ test_that("the mixed model's p is that of the report", {
   part <- rating_part(study, "causality")
   question <- list(response = "rating", model = "mixed", factors = "delay_ms", compared = character())
   mine <- suppressMessages(power_tests(part, question))
-  report <- suppressMessages(rating_factor_tests(part$trials, unname(part$factors)))$rows
+  report <- suppressMessages(factor_tests(part$trials, unname(part$factors)))$rows
   expect_equal(nrow(mine), 1)
   expect_equal(mine$p, report$p[report$family == kEffectsFamily & report$effect == "delay_ms"])
   expect_match(mine$method, "cumulative-link mixed model")

@@ -56,16 +56,17 @@ test_that("words stay words, whatever they hold", {
   expect_equal(html_text("<b a=\"1\" c='2'>&amp;\n"),
     "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;amp; ")
   hostile <- "<script>|`x`*[y](z)\\&lt;"
-  shown <- html_of_line(as_typed(hostile))
-  expect_false(grepl("<", shown))
-  # What a browser makes of it is what was typed.
-  back <- gsub("&lt;", "<", gsub("&gt;", ">", shown))
-  for (code in unlist(regmatches(back, gregexpr("&#[0-9]+;", back)))) {
-    back <- sub(code, intToUtf8(as.integer(gsub("\\D", "", code))), back, fixed = TRUE)
+  shown <- html_paragraphs(as_typed(hostile))
+  expect_false(grepl("<", gsub("^<p>|</p>$", "", shown)))
+  # What a browser makes of it is what was typed, in a sentence and in a cell.
+  back <- function(html) {
+    gsub("&amp;", "&", gsub("&lt;", "<", gsub("&gt;", ">", gsub("</?(p|td)>", "", html))), fixed = TRUE)
   }
-  expect_equal(gsub("&amp;", "&", back, fixed = TRUE), hostile)
-  expect_equal(html_of_line("p < .001 and `impetus run` & more"),
-    "p &lt; .001 and <code>impetus run</code> &amp; more")
+  expect_equal(back(shown), hostile)
+  cells <- html_of_lines(markdown_table(c("a", "b"), paste(as_typed(hostile), "| 1")))
+  expect_true(hostile %in% back(cells))
+  expect_equal(html_paragraphs("p < .001 and `impetus run` & more"),
+    "<p>p &lt; .001 and <code>impetus run</code> &amp; more</p>")
 })
 
 test_that("the report's tables hold what the views hold, and give it back", {
@@ -174,9 +175,9 @@ test_that("each factor's own slope is in the model that tests it", {
   trials <- causality_trials(33, participants = 8, repetitions = 1)
   columns <- c("delay_ms", "speed_deg_s")
   trials[columns] <- lapply(trials[columns], factor)
-  fitted <- suppressMessages(rating_factor_tests(trials, columns))
+  fitted <- suppressMessages(factor_tests(trials, columns))
   rated <- transform(trials, rating = factor(rating, ordered = TRUE))
-  alone <- mixed_model_outcome(fit_family_or_fall_back(rated, columns, "delay_ms"), rated, columns)
+  alone <- model_tests(fit_models(rated, columns, "delay_ms"), rated, columns)
   of_delay <- function(result) result$rows[result$rows$effect == "delay_ms", c("statistic", "df1", "p")]
   expect_equal(of_delay(fitted), of_delay(alone), tolerance = 1e-3)
   # Fitted shares are those of ordinal's own fitted values.
@@ -226,7 +227,7 @@ test_that("a study of which everything is excluded says so", {
 test_that("clicks are counted, and nobody clicking is a clear sentence", {
   trials <- few_gaze_trials(39, participants = 4)
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
-  expect_says(report, "Clicks per second by scheduling", "Rate ratios", "Gaze came from: ")
+  expect_says(report, "Clicks per second by scheduling", "Rate ratios", "Gaze from a simulated eye")
   trials$clicks <- 0
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
   expect_says(report, "Nobody clicked, so there is nothing to test.")
@@ -237,8 +238,8 @@ test_that("gaze that is missing in some trials, or in all, is told", {
   trials$gaze_source <- ifelse(trials$participant == "P01", NA, "simulated eye")
   trials$gaze_latency_p95_ms <- NA
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
-  expect_says(report, "Gaze came from: simulated eye. 6 trials without it.",
-    "no latency was measured")
+  expect_says(report, "Gaze from a simulated eye in 6 trials of 1 participant",
+    "Gaze was not followed in 6 trials of 1 participant.", "No latency from sample to flip is known.")
   trials$gaze_source <- NA
   report <- made_report(write_gaze_study(tempfile(fileext = ".sqlite"), trials))
   expect_says(report, "The gaze was not followed.")

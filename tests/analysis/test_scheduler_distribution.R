@@ -97,7 +97,7 @@ test_that("collisions with a face of the view are out and counted, for no list i
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, "UPDATE collision SET body_b = 'wall right' WHERE step % 4 = 0")
   DBI::dbDisconnect(study)
-  opened <- open_distribution_study(c(path, "--out", tempdir()), "usage")
+  opened <- open_distribution_study(study_description("scheduler-distribution"), c(path, "--out", tempdir()))
   expect_equal(opened$walls, nrow(planted) / 4)
   expect_equal(nrow(opened$collisions), nrow(planted) * 3 / 4)
   expect_true(paste("Left out: 300 collisions with a face of the view, which no list is made for.")
@@ -108,7 +108,7 @@ test_that("schedulers stand in the order of the thesis, the projected gap under 
   planted <- planted_collisions(606, n = 50)
   planted$scheduler <- factor(planted$scheduler, c("projected-centres", "collision-speed", "gap",
     "eccentricity", "size", "velocity"))
-  opened <- open_distribution_study(c(distribution_file(planted), "--out", tempdir()), "usage")
+  opened <- open_distribution_study(study_description("scheduler-distribution"), c(distribution_file(planted), "--out", tempdir()))
   expect_equal(levels(opened$collisions$scheduler), c("size", "velocity", "eccentricity", "gap",
     "projected-centres", "collision-speed"))
 })

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/collision/sweep_and_prune.hpp"
+#include "engine/collision/broad_phase.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {

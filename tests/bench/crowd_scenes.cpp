@@ -140,8 +140,8 @@ void print_thousand(const CrowdShape& shape, const BenchOptions& options) {
       start);
   CrowdPlan plan{/*fine=*/true, /*restitution=*/0.5, /*budget_ms=*/4.0};
   plan.steps = options.steps_of(120);
-  plan.schedule.rule = ListRule::kPairShares;
-  plan.schedule.pair_shares = {0.1};
+  plan.schedule.rule = make_list_rule("pair_shares");
+  plan.schedule.limits = {0.1};
   plan.schedule.lists = {{.share = 1.0}, {.share = 0.0}};
   plan.most_response_passes = kFewPasses;
   for (const int least_level : {0, 1, 2}) {

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/extremes/crowd_scene.hpp"
+#include "experiments/extremes/building_blocks.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 #include "tests/bench/bounded_child.hpp"
 #include "tests/bench/peers/peer_scene.hpp"

@@ -2,6 +2,7 @@
 #include "tests/bench/pair_poses.hpp"
 
 #include "engine/shapes/mesh_distance.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus {
 namespace {

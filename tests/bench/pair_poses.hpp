@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/bench/crowd_starts.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus {
 

@@ -7,6 +7,7 @@
 #include "tests/bench/descent_limit.hpp"
 #include "tests/bench/pair_poses.hpp"
 #include "tests/bench/thread_time.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/response_cost.hpp"
 
-#include "engine/dynamics/simultaneous_response.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

@@ -23,10 +23,11 @@
 
 #include "experiments/observers/simulated_eye.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/questions/response_kinds.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/store/study_writer.hpp"
-#include "experiments/timing/flip_statistics.hpp"
-#include "experiments/timing/timing_scenes.hpp"
+#include "experiments/timing/timing_report.hpp"
+#include "experiments/timing/timing_run.hpp"
 #include "experiments/window/window.hpp"
 #include "tests/bench/memory_watch.hpp"
 
@@ -178,7 +179,7 @@ Script bench_script() {
   Script script;
   script.timing = {500.0, 700.0};
   script.gaze.emplace();
-  script.clicks.emplace();
+  script.asked = read_questions({{"clicks", {{"merge_within_ms", 100}}}});
   return script;
 }
 

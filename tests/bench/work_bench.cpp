@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 namespace {

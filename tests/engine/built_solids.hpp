@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
-#include "engine/trees/built_tree.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
+#include "engine/trees/node_description.hpp"
 
 namespace impetus {
 

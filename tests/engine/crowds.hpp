@@ -108,18 +108,17 @@ inline Schedule random_schedule(RandomStream& random) {
   }
   const std::size_t cuts = schedule.lists.size() - 1;
   if (random.below(2) == 0) {
-    schedule.rule = ListRule::kPairShares;
-    schedule.pair_shares.assign(cuts, 0.3);
+    schedule.rule = make_list_rule("pair_shares");
+    schedule.limits.assign(cuts, 0.3);
   } else if (cuts == 1 && random.below(2) == 0) {
-    schedule.rule = ListRule::kRegion;
+    schedule.rule = make_list_rule("region");
   } else {
     for (std::size_t i = 0; i < cuts; ++i) {
-      schedule.thresholds.push_back(0.5 + static_cast<double>(i));
+      schedule.limits.push_back(0.5 + static_cast<double>(i));
     }
   }
-  constexpr std::array kTraversals{Traversal::kDepthFirst, Traversal::kBreadthFirst,
-                                   Traversal::kBestFirst, Traversal::kVisibleFirst};
-  schedule.traversal = kTraversals[random.below(kTraversals.size())];
+  const std::vector<std::string_view> traversals = traversal_names();
+  schedule.traversal = make_traversal(traversals[random.below(traversals.size())]);
   schedule.persistence_steps = static_cast<std::int64_t>(random.below(6));
   return schedule;
 }

@@ -21,17 +21,16 @@
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
-#include "engine/dynamics/net_contact.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
-#include "engine/shapes/first_touch.hpp"
+#include "engine/dynamics/impulse.hpp"
 #include "engine/shapes/mesh_distance.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

@@ -8,6 +8,8 @@
 #include <map>
 
 #include "tests/engine/built_solids.hpp"
+#include "tests/engine/mesh_oracles.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::exact_impacts_test {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
 #include "engine/collision/pair_refinement.hpp"
 
@@ -19,12 +19,6 @@ inline constexpr double kRestShare = 0.25;
 /// Of that depth: how much deeper bodies may overlap that did at the start.
 inline constexpr double kDeeperShare = 0.25;
 inline constexpr double kForever = std::numeric_limits<double>::infinity();
-
-/// What stands for a node one level deeper: its children, or itself.
-inline NodeLinks one_level_deeper(const VolumeTree& tree, std::int32_t node) {
-  const NodeLinks& links = tree.links(node);
-  return links.child_count > 0 ? links : NodeLinks{node, 1};
-}
 
 class EntrySearch {
  public:
@@ -47,10 +41,10 @@ class EntrySearch {
     if (stretches_.empty()) {
       return std::nullopt;
     }
-    place(stretches_.front().begin);
+    place(stretches_[0].begin);
     measure_depth({0, 0}, 0);
     if (capped()) {
-      return unless_nearly_there(stretches_.front().begin, slow_m_);
+      return unless_nearly_there(stretches_[0].begin, slow_m_);
     }
     if (overlapped_at_start_) {
       hair_m_ *= kDeeperShare;

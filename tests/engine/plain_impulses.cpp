@@ -1,5 +1,6 @@
 // Impulses in turn as the method reads, every contact in every pass.
 // SPDX-License-Identifier: MIT
+#include "tests/engine/once.hpp"
 #include "tests/engine/plain_response.hpp"
 
 #include <algorithm>

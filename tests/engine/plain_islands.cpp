@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "engine/dynamics/body_sets.hpp"
+#include "engine/numerics/disjoint_sets.hpp"
 
 namespace impetus::plain {
 std::vector<std::vector<std::size_t>> islands_of(const std::vector<Contact>& contacts,
@@ -12,7 +12,7 @@ std::vector<std::vector<std::size_t>> islands_of(const std::vector<Contact>& con
   const auto can_move = [&](std::int32_t body) {
     return !is_wall(body) && models[static_cast<std::size_t>(body)].inverse_mass > 0.0;
   };
-  BodySets sets(models.size());
+  DisjointSets sets(models.size());
   for (const Contact& contact : contacts) {
     const auto& [a, b] = contact.bodies;
     if (can_move(a) && can_move(b)) {

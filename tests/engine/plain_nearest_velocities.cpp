@@ -1,5 +1,6 @@
 // The method of engine/dynamics/nearest_velocities as it reads, which that must equal to the bit.
 // SPDX-License-Identifier: MIT
+#include "tests/engine/once.hpp"
 #include "tests/engine/plain_response.hpp"
 
 #include <algorithm>

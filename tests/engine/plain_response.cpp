@@ -1,6 +1,7 @@
 // Impulses found together as the method reads, island by island.
 // SPDX-License-Identifier: MIT
 #include "tests/engine/plain_response.hpp"
+#include "tests/engine/once.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/dynamics/nearest_velocities.hpp"
-#include "engine/dynamics/simultaneous_response.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::plain {
 

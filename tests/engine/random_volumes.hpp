@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/volume.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus {

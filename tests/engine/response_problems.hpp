@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/dynamics/simultaneous_response.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus {
 

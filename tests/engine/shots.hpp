@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/collision/entry/body_path.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
@@ -19,7 +19,7 @@ inline json dense_crowd(int count = 40) {
 }
 
 inline CrowdTrade tried(const StagedScene& scene, const std::vector<std::string>& schedulers,
-                        const std::vector<Traversal>& traversals, std::uint64_t seed = 1) {
+                        const std::vector<std::string>& traversals, std::uint64_t seed = 1) {
   CrowdRequest request;
   request.orders = tried_orders(scene, schedulers, traversals);
   request.sampled_every_s = 0.2;
@@ -40,7 +40,7 @@ double sum_of(const OrderedCrowd& ordered, const Value& value) {
 /// The budgets of one order, rising.
 inline std::vector<const OrderedCrowd*> budgets_of(const CrowdTrade& trade,
                                                    const std::string& scheduler,
-                                                   Traversal traversal) {
+                                                   const std::string& traversal) {
   std::vector<const OrderedCrowd*> budgets;
   for (const OrderedCrowd& ordered : trade.orders) {
     if (ordered.order.scheduler == scheduler && ordered.order.traversal == traversal) {

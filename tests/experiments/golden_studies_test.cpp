@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "engine/dynamics/far_turn.hpp"
+#include "engine/dynamics/motion.hpp"
 #include "tests/experiments/golden_study.hpp"
 
 namespace impetus::golden_studies_test {

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "experiments/window/png_file.hpp"
+#include "experiments/window/pixels.hpp"
 
 namespace impetus {
 

@@ -84,7 +84,7 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
     const Schedule schedule = built(scene).world.settings().schedule;
     EXPECT_EQ(schedule.lists[0].share, 3.0);
     EXPECT_EQ(schedule.lists[1].greatest_level, 1);
-    EXPECT_EQ(schedule.thresholds, std::vector<double>{0.5});
+    EXPECT_EQ(schedule.limits, std::vector<double>{0.5});
     EXPECT_EQ(built(scene).depends_on_gaze, name == "eccentricity" || name == "visible-frequency");
   }
   std::sort(names.begin(), names.end());

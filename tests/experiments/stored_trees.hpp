@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/sentence_of.hpp"
 

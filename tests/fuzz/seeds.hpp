@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/models/little_endian.hpp"
+#include "experiments/models/mesh_bytes.hpp"
 #include "tests/experiments/stored_trees.hpp"
 #include "tests/fuzz/small_studies.hpp"
 #include "tests/fuzz/targets.hpp"

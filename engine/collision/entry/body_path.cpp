@@ -2,7 +2,6 @@
 #include "engine/collision/entry/body_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace impetus::inline collision {

@@ -11,10 +11,12 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/numerics/few.hpp"
 #include "engine/numerics/vector.hpp"
 
 namespace impetus::inline collision {
 
+/// Where a body begins and ends its way, and between which shares of the step it moves.
 struct BodyPath {
   Pose start;
   Pose end;
@@ -44,20 +46,8 @@ struct RelativeStretch {
   }
 };
 
-/// The stretches of two bodies in order of time: ways with two ends each have three at most.
-class Stretches {
- public:
-  void add(const RelativeStretch& stretch) { stretches_[count_++] = stretch; }
-
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  [[nodiscard]] const RelativeStretch& front() const { return stretches_[0]; }
-  [[nodiscard]] const RelativeStretch* begin() const { return stretches_.data(); }
-  [[nodiscard]] const RelativeStretch* end() const { return begin() + count_; }
-
- private:
-  std::array<RelativeStretch, 3> stretches_{};
-  std::size_t count_{0};
-};
+/// In order of time: ways with two ends each have three at most.
+using Stretches = Few<RelativeStretch, 3>;
 
 /// The stretches in which one body or both move.
 Stretches stretches_of(const BodyPath& a, const BodyPath& b);

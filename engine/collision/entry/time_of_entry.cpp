@@ -5,8 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "engine/collision/entry/near_spheres.hpp"
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/sphere_block.hpp"
 
 namespace impetus::inline collision {
@@ -28,6 +27,7 @@ double safe_depth_m(const VolumeTree& tree, int level) {
   return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
 }
 
+/// The search for the first entry of one pair.
 class EntrySearch {
  public:
   explicit EntrySearch(const PairOnTheWay& pair)
@@ -49,10 +49,10 @@ class EntrySearch {
     if (stretches_.empty()) {
       return std::nullopt;
     }
-    place(stretches_.front().begin);
+    place(stretches_[0].begin);
     measure_depth_of_all();
     if (capped()) {
-      return unless_nearly_there(stretches_.front().begin, slow_m_);
+      return unless_nearly_there(stretches_[0].begin, slow_m_);
     }
     if (overlapped_at_start_) {
       hair_m_ *= kDeeperShare;
@@ -382,5 +382,15 @@ bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
 }
 
 Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
+
+int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level) {
+  const int finest = std::max(a.level_count(), b.level_count()) - 1;
+  for (int level = 1; level <= std::min(finest, greatest_level); ++level) {
+    if (way_m > std::min(a.least_half_thickness_m(level), b.least_half_thickness_m(level))) {
+      return level - 1;
+    }
+  }
+  return greatest_level;
+}
 
 }  // namespace impetus::inline collision

@@ -12,7 +12,7 @@
 // trees is found by branch and bound over their node pairs.
 //
 // Trees of spheres are searched a block of siblings at a time: those that could touch in time are
-// looked at closely, in their order (near_spheres.hpp). Tests that are skipped are counted, so a
+// looked at closely, in their order (near_nodes.hpp). Tests that are skipped are counted, so a
 // search costs what it is worth, in whatever way it is done.
 //
 // Bodies that already overlap at the start may go on as long as they do not overlap by more; those
@@ -26,6 +26,8 @@
 
 #include "engine/collision/entry/body_path.hpp"
 #include "engine/collision/placed_tree.hpp"
+#include "engine/scheduling/priority.hpp"
+#include "engine/trees/volume_tree.hpp"
 
 namespace impetus::inline collision {
 
@@ -53,6 +55,7 @@ double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
 /// slow pair may.
 bool is_fast(const PairOnTheWay& pair, double share_of_slow_way = 1.0);
 
+/// What a search found, and what it took.
 struct Entry {
   std::optional<double> time;  ///< share of the step after which both must stop, if they must
   std::int64_t tests{0};       ///< of node pairs
@@ -61,5 +64,25 @@ struct Entry {
 /// When the bodies overlap, by at most an eighth of slow_way_m, so early that what is left of their
 /// way would carry them further by a quarter of it.
 Entry time_of_entry(const PairOnTheWay& pair);
+
+/// What is done about bodies that move further in a step than they are thick. (Dingliana 2002, sec.
+/// 5.3.2)
+enum class Tunnelling {
+  kIgnored,      ///< bodies are tested where the step ends
+  kCapped,       ///< fast pairs stay at levels whose nodes are thicker than the way: Alg. 5.3.1
+  kStopAtEntry,  ///< fast pairs are tested along their way, and stopped where they first touch
+};
+
+/// A pair that would have passed into or through each other unseen, and was stopped.
+struct StoppedAtEntry {
+  BodyPair bodies;
+  double fraction{0.0};  ///< of the step that both were moved
+};
+
+/// The deepest level, no deeper than `greatest_level`, to which a pair is refined whose points move
+/// by up to `way_m` against each other in the step: at every level from 1 to it, no node is thinner
+/// than twice that way. The coarsest is never refused. (Dingliana 2002, alg. 5.3.1, corrected: by
+/// the relative way, and once for the pair)
+int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level);
 
 }  // namespace impetus::inline collision

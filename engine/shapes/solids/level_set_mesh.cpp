@@ -22,6 +22,7 @@ constexpr std::array<std::array<int, 3>, 6> kPaths{
 constexpr std::array<std::array<std::size_t, 4>, 6> kPairs{
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
+/// The surface in the making, tetrahedron by tetrahedron.
 class Surface {
  public:
   Surface(const std::function<double(const Vector3&)>& value, const SampleGrid& grid)

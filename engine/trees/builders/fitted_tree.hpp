@@ -12,7 +12,7 @@
 #pragma once
 
 #include "engine/shapes/triangle_mesh.hpp"
-#include "engine/trees/built_tree.hpp"
+#include "engine/trees/node_description.hpp"
 #include "engine/trees/tree_settings.hpp"
 
 namespace impetus::inline trees {

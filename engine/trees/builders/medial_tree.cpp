@@ -3,16 +3,131 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
 #include <utility>
+#include <vector>
 
-#include "engine/trees/builders/balanced_cover.hpp"
-#include "engine/trees/builders/power_cells.hpp"
-#include "engine/trees/builders/surface_samples.hpp"
-#include "engine/trees/node_description.hpp"
-#include "engine/trees/solid_requirement.hpp"
+#include "engine/trees/builders/medial_balls.hpp"
+#include "engine/trees/builders/sphere_cover.hpp"
+#include "engine/trees/surface_part.hpp"
+#include "engine/volumes/sphere.hpp"
 
 namespace impetus::inline trees {
 namespace {
+
+// Few spheres over a part, chosen so that the next level can follow each of them equally well.
+//
+// Where the surface under one sphere is more intricate than under the others, its children fit
+// worse, and the worst decides the level. Such a sphere is pressed to give some of its surface to
+// its neighbours, until that helps no more or makes this level too loose.
+
+/// The spheres of a part, and how well they and their children fit.
+struct BalancedCover {
+  std::vector<Sphere> spheres;   ///< their power cells are the parts of the children
+  double stand_off_m{0.0};       ///< with which one sphere each can cover the cells
+  double next_stand_off_m{0.0};  ///< with which as many spheres each can
+  double outside_m3{0.0};        ///< volumes of the spheres outside the solid, summed
+
+  /// Which of two covers is better: the product of what should be small. Stand-offs up to `limit_m`
+  /// are as good as any; the next level's is a length and so counts more than a volume.
+  [[nodiscard]] double cost(double limit_m) const;
+};
+
+constexpr int kPresses = 10;
+constexpr int kInVain = 3;  ///< presses without success before starting softer from the best
+constexpr double kSofter = 0.4;
+constexpr double kFirstPress = 0.15;  ///< share of the stand-off
+
+/// What of a part is nearest to one sphere.
+struct Cell {
+  std::vector<Vector3> points;
+  std::vector<InnerPoint> candidates;
+};
+
+std::vector<Cell> cells_of(const std::vector<Sphere>& spheres, const std::vector<Vector3>& points,
+                           const std::vector<InnerPoint>& candidates) {
+  std::vector<Cell> cells(spheres.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    Cell& cell = cells[least_power(spheres, points[p])];
+    cell.points.push_back(points[p]);
+    cell.candidates.push_back(candidates[p]);
+  }
+  return cells;
+}
+
+/// A cover, and where it is worst.
+struct Judgement {
+  BalancedCover cover;
+  std::size_t worst{0};  ///< the sphere whose children fit worst
+};
+
+Judgement judge(const SurfaceDistance& surface, const OutsidePoints& outside,
+                const std::vector<Sphere>& spheres, const std::vector<Cell>& cells,
+                std::size_t most) {
+  Judgement judgement{{spheres}, 0};
+  BalancedCover& cover = judgement.cover;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].points.empty()) {
+      continue;
+    }
+    const InnerPoint centre =
+        best_centre(surface, cells[i].points, inner_point(surface, spheres[i].centre));
+    const double needed_m = stand_off_m(centre, cells[i].points);
+    cover.stand_off_m = std::max(cover.stand_off_m, needed_m);
+    cover.outside_m3 += outside.volume_m3(centre.point, centre.depth_m + needed_m);
+    const double next_m =
+        cover_points_quickly(surface, cells[i].points, cells[i].candidates, most).stand_off_m;
+    if (next_m > cover.next_stand_off_m) {
+      cover.next_stand_off_m = next_m;
+      judgement.worst = i;
+    }
+  }
+  return judgement;
+}
+
+double BalancedCover::cost(double limit_m) const {
+  const double over = std::max(1.0, stand_off_m / limit_m);
+  return over * over * next_stand_off_m * std::sqrt(outside_m3);
+}
+
+/// `most` spheres or fewer over `points`; candidate i is the medial ball at point i. Above
+/// `limit_m`, the stand-off of these spheres counts against a partition.
+BalancedCover balanced_cover(const SurfaceDistance& surface, const OutsidePoints& outside,
+                             const std::vector<Vector3>& points,
+                             const std::vector<InnerPoint>& candidates, std::size_t most,
+                             double limit_m) {
+  const SphereCover cover = cover_points(surface, outside, points, candidates, most);
+  std::vector<Sphere> spheres = spheres_of(cover);
+  limit_m = std::max(limit_m, cover.stand_off_m);
+  BalancedCover best;
+  double least = std::numeric_limits<double>::infinity();
+  double press_m = kFirstPress * cover.stand_off_m;
+  int in_vain = 0;
+  std::size_t worst_of_best = 0;
+  for (int turn = 0; turn <= kPresses; ++turn) {
+    const Judgement judgement =
+        judge(surface, outside, spheres, cells_of(spheres, points, candidates), most);
+    const double cost = judgement.cover.cost(limit_m);
+    if (cost < least) {
+      best = judgement.cover;
+      least = cost;
+      worst_of_best = judgement.worst;
+      in_vain = 0;
+      spheres[judgement.worst].radius_m -= press_m;
+    } else if (++in_vain < kInVain) {
+      spheres[judgement.worst].radius_m -= press_m;
+    } else {
+      in_vain = 0;
+      press_m *= kSofter;
+      spheres = best.spheres;
+      spheres[worst_of_best].radius_m -= press_m;
+    }
+  }
+  return best;
+}
 
 /// How many samples of a part to fit to, where its children will be split and where they will not,
 /// and how many points to estimate volumes by. More of them cost time and gain little.
@@ -25,6 +140,7 @@ constexpr double kSlackOfTheRoot = 1.04;
 constexpr double kSphereMargin = 1e-11;
 constexpr double kNegligibleError = 1e-9;
 
+/// A node in the making.
 struct SpherePart {
   Sphere sphere;
   SurfacePart part;
@@ -56,12 +172,12 @@ struct Material {
   OutsidePoints outside;
 };
 
+/// Builds one tree, level by level.
 class MedialBuilder {
  public:
   MedialBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)
       : settings_(settings), progress_(progress), description_(solid) {
-    const auto [least, most] = bounds_of(solid);
-    size_m_ = (most - least).norm();
+    size_m_ = bounds_of(solid).sides().norm();
     parts_.push_back(whole_surface(solid));
     add_node(bound(parts_.front()), 0.0);
   }

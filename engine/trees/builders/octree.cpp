@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/point_in_solid.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/node_description.hpp"
 
 namespace impetus::inline trees {
@@ -23,7 +23,7 @@ constexpr double kCubeMargin = 1e-11;
 
 /// A node in the making: its cell and the surface in it. Without facets it is solid throughout.
 struct Part {
-  OctreeCell cell;
+  Bounds cell;
   SurfacePart facets;
 };
 
@@ -61,6 +61,7 @@ class Solid {
   double near_m_{0.0};
 };
 
+/// The plane between two cells.
 struct Wall {
   int axis;
   double at;
@@ -123,15 +124,13 @@ std::array<Part, 2> halves(const Part& part, int axis, double snap_m) {
   return result;
 }
 
-Vector3 centre_of(const OctreeCell& cell) { return 0.5 * (cell.least + cell.most); }
-
 /// The eighths of a part that hold anything of the solid, in a fixed order.
 std::vector<Part> children_of(const Part& part, const Solid& solid, double snap_m) {
   std::vector<Part> children;
   for (const Part& x : halves(part, 0, snap_m)) {
     for (const Part& y : halves(x, 1, snap_m)) {
       for (Part& z : halves(y, 2, snap_m)) {
-        if (!z.facets.empty() || part.facets.empty() || solid.contains(centre_of(z.cell))) {
+        if (!z.facets.empty() || part.facets.empty() || solid.contains(z.cell.middle())) {
           children.push_back(std::move(z));
         }
       }
@@ -167,29 +166,21 @@ Sphere sphere_about(const Vector3& centre, const std::vector<Vector3>& points, d
 }
 
 Sphere sphere_round(const std::vector<Vector3>& points, double margin_m) {
-  Vector3 least = points.front();
-  Vector3 most = points.front();
-  for (const Vector3& point : points) {
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
-  }
-  return sphere_about(0.5 * (least + most), points, margin_m);
+  return sphere_about(bounds_of(points).middle(), points, margin_m);
 }
 
 /// A cube about the solid, a margin wider, that holds it whole.
 Part whole(const TriangleMesh& solid) {
   Part root;
-  Vector3 least = solid.vertices.front();
-  Vector3 most = least;
+  Bounds bounds{solid.vertices.front(), solid.vertices.front()};
   root.facets = whole_surface(solid);
   for (const Facet& facet : root.facets) {
     for (const Vector3& corner : facet.corners) {
-      least = least.cwiseMin(corner);
-      most = most.cwiseMax(corner);
+      bounds.include(corner);
     }
   }
-  const double half_edge = (0.5 + kCubeMargin) * (most - least).maxCoeff();
-  const Vector3 centre = 0.5 * (least + most);
+  const double half_edge = (0.5 + kCubeMargin) * bounds.sides().maxCoeff();
+  const Vector3 centre = bounds.middle();
   root.cell = {centre - Vector3::Constant(half_edge), centre + Vector3::Constant(half_edge)};
   return root;
 }
@@ -213,7 +204,7 @@ class OctreeBuilder {
 
   Octree build(int depth) {
     level_.push_back(whole(solid_.mesh()));
-    const double size_m = (level_.front().cell.most - level_.front().cell.least).norm();
+    const double size_m = level_.front().cell.sides().norm();
     margin_m_ = kCubeMargin * size_m;
     snap_m_ = kSnap * size_m;
     add_level({sphere_about(Vector3::Zero(), solid_.mesh().vertices, margin_m_)});
@@ -267,7 +258,7 @@ class OctreeBuilder {
   std::vector<double> protrusions_m_;
   std::vector<VolumeNode> nodes_;
   std::vector<std::int32_t> starts_;
-  std::vector<OctreeCell> cells_;
+  std::vector<Bounds> cells_;
 };
 
 }  // namespace

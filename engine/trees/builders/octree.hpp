@@ -21,15 +21,10 @@
 
 namespace impetus::inline trees {
 
-/// A cell's two opposite corners (metres, body frame).
-struct OctreeCell {
-  Vector3 least{Vector3::Zero()};
-  Vector3 most{Vector3::Zero()};
-};
-
+/// The tree, and the cells that its nodes were made of.
 struct Octree {
   VolumeTree tree;
-  std::vector<OctreeCell> cells;  ///< one per node, in the tree's order
+  std::vector<Bounds> cells;  ///< one per node, in the tree's order (body frame)
 };
 
 /// The greatest depth that build_octree() takes.

@@ -15,7 +15,6 @@
 
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/builders/medial_balls.hpp"
-#include "engine/trees/outside_points.hpp"
 #include "engine/volumes/sphere.hpp"
 
 namespace impetus::inline trees {

@@ -3,10 +3,10 @@
 
 #include <variant>
 
-#include "engine/numerics/rounding.hpp"
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/swept_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/trees/builders/volume_fits.hpp"
+#include "engine/trees/volume_tree.hpp"
 
 namespace impetus::inline trees {
 namespace {

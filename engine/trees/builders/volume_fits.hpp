@@ -2,12 +2,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/trees/builders/fitted_frames.hpp"
+#include <array>
+#include <cstddef>
+
 #include "engine/trees/builders/part_shape.hpp"
-#include "engine/trees/builders/rough_distance.hpp"
+#include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/volumes/volume.hpp"
 
 namespace impetus::inline trees {
+
+/// A search for better parameters that asks for nothing but scores: a step along each parameter
+/// either way, kept when it helps; half the step when none does. (Hooke and Jeeves 1961) Parameters
+/// about zero with no greater a score than zero's own, after `rounds` of at most 2 N scores each.
+/// `score(parameters, enough)` may return anything above `enough` once it is known to exceed it.
+template <std::size_t N, typename Score>
+std::array<double, N> compass_search(std::array<double, N> steps, int rounds, const Score& score) {
+  std::array<double, N> best{};
+  double least = score(best, 1e300);
+  for (int round = 0; round < rounds; ++round) {
+    bool helped = false;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (const double sign : {1.0, -1.0}) {
+        std::array<double, N> tried = best;
+        tried[i] += sign * steps[i];
+        const double got = score(tried, least);
+        if (got < least) {
+          least = got;
+          best = tried;
+          helped = true;
+          break;
+        }
+      }
+    }
+    if (!helped) {
+      for (double& step : steps) {
+        step *= 0.5;
+      }
+    }
+  }
+  return best;
+}
 
 /// A volume that holds the points of the part's shape but for rounding.
 struct Fit {
@@ -24,14 +58,6 @@ struct FitTask {
   Effort effort;
 };
 
-/// Distances to ask for when fits are compared.
-inline int questions_of(Effort effort) { return effort == Effort::kQuick ? 20 : 60; }
-
-/// Of two volumes that reach as far, the smaller: a reach is worth this share of the extent.
-inline constexpr double kExtentShare = 0.01;
-/// The first turn that a search of frames tries (of small_turn()).
-inline constexpr double kFirstTurn = 0.1;
-
 Fit fit_sphere(const FitTask& task);
 Fit fit_line(const FitTask& task);
 Fit fit_rectangle(const FitTask& task);
@@ -40,11 +66,5 @@ Fit fit_box(const FitTask& task);
 /// The same core or orientation, with the radius or the extents that hold `corners`, and as much
 /// more as rounding asks for: `margin_m` or a power of two of it. holds() is true of every corner.
 Volume grown_to_hold(const Volume& volume, const std::vector<Vector3>& corners, double margin_m);
-
-/// The rotation by the unit quaternion of (1, x, y, z).
-Matrix3 small_turn(double x, double y, double z);
-
-/// The greatest extent of points (metres).
-double extent_m(const std::vector<Vector3>& points);
 
 }  // namespace impetus::inline trees

@@ -4,10 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "engine/trees/builders/part_halving.hpp"
-#include "engine/trees/node_description.hpp"
-#include "engine/trees/solid_requirement.hpp"
-
 namespace impetus::inline trees {
 namespace {
 
@@ -23,9 +19,9 @@ struct VoxelCell {
 };
 
 VoxelGrid grid_round(const TriangleMesh& solid, int divisions) {
-  const auto [least, most] = bounds_of(solid);
-  const double half_m = (0.5 + kGridMargin) * (most - least).maxCoeff();
-  return {0.5 * (least + most) - Vector3::Constant(half_m), 2.0 * half_m, divisions};
+  const Bounds bounds = bounds_of(solid);
+  const double half_m = (0.5 + kGridMargin) * bounds.sides().maxCoeff();
+  return {bounds.middle() - Vector3::Constant(half_m), 2.0 * half_m, divisions};
 }
 
 int cube_root_of(int branching) {
@@ -36,6 +32,7 @@ int cube_root_of(int branching) {
   return root;
 }
 
+/// Builds one tree, level by level.
 class VoxelBuilder {
  public:
   VoxelBuilder(const TriangleMesh& solid, const TreeSettings& settings, const Progress& progress)

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "experiments/questions/response_kinds.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 
 namespace impetus::inline commands {

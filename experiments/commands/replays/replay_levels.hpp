@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/commands/replays/replayed_trial.hpp"
-#include "experiments/design/adaptive_replay.hpp"
+#include "experiments/design/adaptive_levels.hpp"
 
 namespace impetus::inline commands {
 

@@ -9,13 +9,14 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"
 #include "experiments/viewing/viewed_stimuli.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
+/// An answer as the viewer shows it, and when it was given.
 struct ViewedAnswer {
   std::string words;
   std::int64_t at_ns{0};
@@ -126,6 +127,7 @@ std::vector<ShownStimulus> shown_stimuli(StudyFile& study, ReplayLibrary& librar
   return shown;
 }
 
+/// The stimuli of a study, from which the viewer opens one after the other.
 class StudyStimuli final : public ViewedStimuli {
  public:
   StudyStimuli(StudyFile& study, ReplayLibrary& library, std::vector<ShownStimulus> shown,

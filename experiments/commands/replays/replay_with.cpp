@@ -2,18 +2,302 @@
 #include "experiments/commands/replays/replay_with.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
-#include "experiments/commands/replays/what_if_files.hpp"
-#include "experiments/commands/replays/what_if_words.hpp"
+#include "experiments/commands/replays/what_if_sums.hpp"
 #include "experiments/models/atomic_file.hpp"
+#include "experiments/tables/csv_line.hpp"
 
 namespace impetus::inline commands {
 namespace {
+
+using nlohmann::json;
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[300];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/// "-" of what is not a number.
+std::string decimals(double value, int digits) {
+  return !std::isnan(value) ? formatted("%.*f", digits, value) : "-";
+}
+
+std::string both_whole(std::int64_t then, std::int64_t now) {
+  return std::to_string(then) + " -> " + std::to_string(now);
+}
+
+std::string both_decimals(double then, double now, int digits = 2) {
+  return decimals(then, digits) + " -> " + decimals(now, digits);
+}
+
+using Cells = std::vector<std::string>;
+
+Cells cells_of(const ComparedStimulus& each) {
+  const WhatIf& outcome = each.outcome;
+  const CourseSums then = sums_of(outcome.then);
+  const CourseSums now = sums_of(outcome.now);
+  const MatchCounts matches = counts_of(outcome);
+  std::string trial = std::to_string(each.attempt->trial_id);
+  trial += each.attempt->number > 1 ? " attempt " + std::to_string(each.attempt->number) : "";
+  trial += each.interval > 1 ? " interval " + std::to_string(each.interval) : "";
+  return {trial,
+          each.attempt->participant,
+          decimals(seconds_of(outcome.parts_at, each.step_hz), 3),
+          decimals(seconds_of(outcome.seen_apart_at, each.step_hz), 3),
+          both_whole(then.collisions, now.collisions),
+          std::to_string(matches.both),
+          std::to_string(matches.only_then),
+          std::to_string(matches.only_now),
+          both_decimals(then.mean(then.levels), now.mean(now.levels)),
+          both_decimals(then.mean(then.visible_arcmin), now.mean(now.visible_arcmin)),
+          both_decimals(then.mean(then.at_gaze_arcmin), now.mean(now.at_gaze_arcmin)),
+          both_whole(then.work_spent, now.work_spent)};
+}
+
+/// Columns as wide as they need, numbers to the right.
+std::string aligned(const std::vector<Cells>& rows) {
+  constexpr std::size_t kWords = 2;  // columns to the left that are words
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string space(widths[i] - row[i].size(), ' ');
+      text += (i == 0 ? "" : "  ") + (i < kWords ? row[i] + space : space + row[i]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string level_words(const CourseSums& then, const CourseSums& now) {
+  std::map<int, std::pair<std::int64_t, std::int64_t>> counts;
+  for (const auto& [level, count] : then.by_level) {
+    counts[level].first = count;
+  }
+  for (const auto& [level, count] : now.by_level) {
+    counts[level].second = count;
+  }
+  std::string text;
+  for (const auto& [level, count] : counts) {
+    text += formatted("  at level %d: %s\n", level, both_whole(count.first, count.second).c_str());
+  }
+  return text;
+}
+
+std::string total_words(const WhatIfTotals& totals, std::size_t stimuli) {
+  const CourseSums& then = totals.then;
+  const CourseSums& now = totals.now;
+  std::string text;
+  text +=
+      formatted("%zu stimuli; the states of %lld part, and in %lld the eye could tell\n", stimuli,
+                static_cast<long long>(totals.parted), static_cast<long long>(totals.seen_apart));
+  text += formatted(
+      "collisions %s: %lld of the same pair within %.0f ms, %lld only then, %lld only now\n",
+      both_whole(then.collisions, now.collisions).c_str(),
+      static_cast<long long>(totals.matches.both), 1e3 * kMatchWithin_s,
+      static_cast<long long>(totals.matches.only_then),
+      static_cast<long long>(totals.matches.only_now));
+  text += level_words(then, now);
+  text += "mean level " + both_decimals(then.mean(then.levels), now.mean(now.levels)) + "\n";
+  text += "visible gap, mean of the collisions (minutes of arc) " +
+          both_decimals(then.mean(then.visible_arcmin), now.mean(now.visible_arcmin)) +
+          ", as hard to see where one looks " +
+          both_decimals(then.mean(then.at_gaze_arcmin), now.mean(now.at_gaze_arcmin)) + "\n";
+  text += "units of work " + both_whole(then.work_spent, now.work_spent) + "; steps over budget " +
+          both_whole(then.steps_over_budget, now.steps_over_budget) +
+          "; falls to a coarser level " + both_whole(then.pops, now.pops) + "; stopped at entry " +
+          both_whole(then.stopped_short, now.stopped_short) + "\n";
+  text += "imposed: holds " + both_whole(then.imposed_holds, now.imposed_holds) + ", spins " +
+          both_whole(then.imposed_spins, now.imposed_spins) + "\n";
+  return text;
+}
+
+/// A line for each, and what they come to together.
+std::string what_if_words(const std::vector<ComparedStimulus>& compared) {
+  if (compared.empty()) {
+    return "no stimulus was shown\n";
+  }
+  std::vector<Cells> rows{{"trial", "participant", "parts s", "seen s", "collisions", "both",
+                           "only then", "only now", "level", "gap arcmin", "at gaze", "work"}};
+  for (const ComparedStimulus& each : compared) {
+    rows.push_back(cells_of(each));
+  }
+  const WhatIfTotals totals = totals_of(compared);
+  const bool no_gaze = std::none_of(compared.begin(), compared.end(),
+                                    [](const ComparedStimulus& each) { return each.has_gaze; });
+  return aligned(rows) + "\n" + total_words(totals, compared.size()) +
+         (no_gaze ? "no gaze was recorded: the screen's centre stands in for it\n" : "") +
+         (totals.differs ? "" : "nothing differs\n");
+}
+
+json number_or_null(double value) { return !std::isnan(value) ? json(value) : json(); }
+
+json json_of(const CourseSums& sums) {
+  json levels = json::object();
+  for (const auto& [level, count] : sums.by_level) {
+    levels[std::to_string(level)] = count;
+  }
+  return json::object({{"collisions", sums.collisions},
+                       {"collisions_by_level", levels},
+                       {"mean_level", number_or_null(sums.mean(sums.levels))},
+                       {"mean_visible_gap_arcmin", number_or_null(sums.mean(sums.visible_arcmin))},
+                       {"mean_gap_at_gaze_arcmin", number_or_null(sums.mean(sums.at_gaze_arcmin))},
+                       {"work_spent", sums.work_spent},
+                       {"steps_over_budget", sums.steps_over_budget},
+                       {"pops", sums.pops},
+                       {"stopped_short", sums.stopped_short},
+                       {"imposed_holds", sums.imposed_holds},
+                       {"imposed_spins", sums.imposed_spins}});
+}
+
+json json_of(const MatchCounts& matches) {
+  return json::object(
+      {{"both", matches.both}, {"only_then", matches.only_then}, {"only_now", matches.only_now}});
+}
+
+const char* word_of(StopReason stop) {
+  return stop == StopReason::kBudgetSpent     ? "budget"
+         : stop == StopReason::kGreatestLevel ? "greatest level"
+         : stop == StopReason::kCapped        ? "capped"
+                                              : "finest";
+}
+
+json json_of(const SeenCollision& collision) {
+  return json::object({{"step", collision.step},
+                       {"level", collision.level},
+                       {"stopped", word_of(collision.stop)},
+                       {"gap_arcmin", collision.gap_arcmin},
+                       {"visible_gap_arcmin", collision.visible_arcmin},
+                       {"gap_at_gaze_arcmin", collision.at_gaze_arcmin}});
+}
+
+json collision_or_null(const WhatIfCourse& course, const std::optional<std::size_t>& place) {
+  return place ? json_of(course.collisions[*place]) : json();
+}
+
+json collisions_of(const ComparedStimulus& each) {
+  const WhatIfCourse& then = each.outcome.then;
+  const WhatIfCourse& now = each.outcome.now;
+  const auto name = [&each](std::int32_t body) {
+    return is_wall(body) ? wall_name(body, each.walls)
+                         : each.bodies[static_cast<std::size_t>(body)];
+  };
+  json collisions = json::array();
+  for (const CollisionMatch& match : each.outcome.matches) {
+    const SeenCollision& either =
+        match.then ? then.collisions[*match.then] : now.collisions[match.now.value()];
+    collisions.push_back(json::object({{"body_a", name(either.bodies.a)},
+                                       {"body_b", name(either.bodies.b)},
+                                       {"then", collision_or_null(then, match.then)},
+                                       {"now", collision_or_null(now, match.now)}}));
+  }
+  return collisions;
+}
+
+json step_or_null(const std::optional<std::int64_t>& step) { return step ? json(*step) : json(); }
+
+json json_of(const ComparedStimulus& each) {
+  return json::object({{"participant", each.attempt->participant},
+                       {"trial", each.attempt->trial_id},
+                       {"slot", each.attempt->trial.slot},
+                       {"attempt", each.attempt->number},
+                       {"interval", each.interval},
+                       {"condition", json::parse(each.attempt->trial.condition)},
+                       {"gaze_recorded", each.has_gaze},
+                       {"step_hz", each.step_hz},
+                       {"steps", each.outcome.steps},
+                       {"parts_at_step", step_or_null(each.outcome.parts_at)},
+                       {"seen_apart_at_step", step_or_null(each.outcome.seen_apart_at)},
+                       {"then", json_of(sums_of(each.outcome.then))},
+                       {"now", json_of(sums_of(each.outcome.now))},
+                       {"matched", json_of(counts_of(each.outcome))},
+                       {"collisions", collisions_of(each)}});
+}
+
+Cells csv_cells(const ComparedStimulus& each) {
+  const WhatIf& outcome = each.outcome;
+  const MatchCounts matches = counts_of(outcome);
+  Cells cells{each.attempt->participant,
+              std::to_string(each.attempt->trial_id),
+              std::to_string(each.attempt->trial.slot),
+              std::to_string(each.attempt->number),
+              std::to_string(each.interval),
+              each.attempt->trial.condition,
+              each.has_gaze ? "1" : "0",
+              csv_number(seconds_of(outcome.parts_at, each.step_hz)),
+              csv_number(seconds_of(outcome.seen_apart_at, each.step_hz)),
+              std::to_string(matches.both),
+              std::to_string(matches.only_then),
+              std::to_string(matches.only_now)};
+  for (const WhatIfCourse* course : {&outcome.then, &outcome.now}) {
+    const CourseSums sums = sums_of(*course);
+    for (const std::string& cell :
+         {std::to_string(sums.collisions), csv_number(sums.mean(sums.levels)),
+          csv_number(sums.mean(sums.visible_arcmin)), csv_number(sums.mean(sums.at_gaze_arcmin)),
+          std::to_string(sums.work_spent), std::to_string(sums.steps_over_budget),
+          std::to_string(sums.pops), std::to_string(sums.stopped_short),
+          std::to_string(sums.imposed_holds), std::to_string(sums.imposed_spins)}) {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+Cells csv_names() {
+  Cells names{"participant",   "trial",   "slot",         "attempt", "interval",  "condition",
+              "gaze_recorded", "parts_s", "seen_apart_s", "matched", "only_then", "only_now"};
+  for (const char* when : {"then", "now"}) {
+    for (const char* what : {"collisions", "mean_level", "mean_visible_gap_arcmin",
+                             "mean_gap_at_gaze_arcmin", "work_spent", "steps_over_budget", "pops",
+                             "stopped_short", "imposed_holds", "imposed_spins"}) {
+      names.push_back(std::string(what) + "_" + when);
+    }
+  }
+  return names;
+}
+
+/// CSV: a row for each, after a line of names. Times in seconds, empty where nothing parted.
+std::string what_if_csv(const std::vector<ComparedStimulus>& compared) {
+  std::string text = csv_line(csv_names());
+  for (const ComparedStimulus& each : compared) {
+    text += csv_line(csv_cells(each));
+  }
+  return text;
+}
+
+/// The same, with every collision, and the totals.
+json what_if_json(const std::vector<ComparedStimulus>& compared) {
+  const WhatIfTotals totals = totals_of(compared);
+  json stimuli = json::array();
+  for (const ComparedStimulus& each : compared) {
+    stimuli.push_back(json_of(each));
+  }
+  return json::object({{"stimuli", stimuli},
+                       {"then", json_of(totals.then)},
+                       {"now", json_of(totals.now)},
+                       {"matched", json_of(totals.matches)},
+                       {"match_within_s", kMatchWithin_s},
+                       {"parted", totals.parted},
+                       {"seen_apart", totals.seen_apart},
+                       {"differs", totals.differs}});
+}
 
 bool follows_gaze(const std::vector<StepRecord>& steps) {
   return std::any_of(steps.begin(), steps.end(),

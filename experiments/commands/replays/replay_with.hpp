@@ -9,6 +9,7 @@
 
 namespace impetus::inline commands {
 
+/// What `impetus replay --with` was asked for.
 struct ReplayWithOptions {
   std::vector<std::string> with;  ///< "KEY=VALUE", in the order given
   std::string csv_file;           ///< a row a trial; "": none

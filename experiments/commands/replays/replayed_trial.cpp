@@ -7,9 +7,9 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
-#include "experiments/scenes/scene_file.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
-#include "experiments/session/intervals.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus::inline commands {
@@ -86,7 +86,7 @@ std::string why_divergent(const StoredAttempt& attempt) {
 }
 
 std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
-  return protocol(attempt.protocol_id).script.two_interval ? 2 : 1;
+  return find_two_interval(protocol(attempt.protocol_id).script) == nullptr ? 1 : 2;
 }
 
 bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t interval) {

@@ -19,6 +19,7 @@ namespace impetus::inline commands {
 /// What to add to the word that the attempt diverges: nothing, unless it is of an older format.
 std::string why_divergent(const StoredAttempt& attempt);
 
+/// Makes what a replay needs of a recorded attempt: its scene at the start, and its steps.
 class ReplayLibrary {
  public:
   /// `study` must outlive this. `changes` are for stage_changed().

@@ -46,6 +46,7 @@ struct CourseSums {
 
 CourseSums sums_of(const WhatIfCourse& course);
 
+/// How many collisions both simulations have, and how many only one.
 struct MatchCounts {
   std::int64_t both{0};
   std::int64_t only_then{0};
@@ -54,6 +55,7 @@ struct MatchCounts {
 
 MatchCounts counts_of(const WhatIf& outcome);
 
+/// The sums over all stimuli that were compared.
 struct WhatIfTotals {
   CourseSums then;
   CourseSums now;

@@ -9,7 +9,7 @@
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/running/shown_observer.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/record/steady_clock.hpp"
+#include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
 #include "experiments/window/window.hpp"
 #endif
@@ -40,12 +40,13 @@ constexpr const char* kNoWindow =
     "this build has no window; run with --observer NAME, without --show";
 #endif
 
+/// A simulated participant in virtual time, without a window.
 class HeadlessLaboratory final : public Laboratory {
  public:
   explicit HeadlessLaboratory(const LaboratoryOptions& options)
       : display_(clock_, kHeadlessHz, assumed_screen()),
-        observer_(
-            make_observer(*options.observer, options.seed, options.participant, clock_, clock_)) {}
+        observer_(make_observer(*options.observer,
+                                {options.seed, options.participant, clock_, clock_})) {}
 
   Display& display() override { return display_; }
   Input& input() override { return *observer_; }
@@ -67,6 +68,7 @@ class HeadlessLaboratory final : public Laboratory {
 
 #ifdef IMPETUS_WINDOW
 
+/// A window, with a person or a simulated participant before it.
 class WindowLaboratory final : public Laboratory {
  public:
   explicit WindowLaboratory(const LaboratoryOptions& options)

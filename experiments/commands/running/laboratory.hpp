@@ -14,6 +14,7 @@
 
 namespace impetus::inline commands {
 
+/// Who takes part, and what the window is to be like.
 struct LaboratoryOptions {
   std::optional<ObserverFile> observer;
   bool show{false};  ///< a simulated participant in a real window
@@ -24,6 +25,7 @@ struct LaboratoryOptions {
   std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
 };
 
+/// The display, input, gaze and clock that a session runs with.
 class Laboratory {
  public:
   virtual ~Laboratory() = default;

@@ -11,11 +11,10 @@
 #include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/session_warnings.hpp"
-#include "experiments/commands/running/yoking.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/record/lab_screen.hpp"
-#include "experiments/record/steady_clock.hpp"
-#include "experiments/store/screen_rows.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/store/session_rows.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/design/plan.hpp"
-#include "experiments/record/gaze_path.hpp"
+#include "experiments/record/gaze.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_writer.hpp"
@@ -20,6 +20,7 @@ namespace impetus::inline commands {
 std::string sitting_words(const std::string& participant,
                           const std::vector<std::int64_t>& sessions);
 
+/// One participant's session of one protocol, from enrolling to the last word.
 class ParticipantRun {
  public:
   /// Finds the participant of `options` to resume or, once the laboratory is open, stores the plan.

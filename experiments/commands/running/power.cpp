@@ -14,18 +14,18 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/power_studies.hpp"
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/exports/r_scripts.hpp"
 #include "experiments/power/process_mark.hpp"
-#include "experiments/protocol/checks/observer_checks.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
-#include "experiments/protocol/null_observer.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -36,6 +36,7 @@ using nlohmann::json;
 constexpr const char* kLedgerName = "power.sqlite";
 constexpr const char* kScratch = "simulating-";  ///< and the process's mark
 
+/// What `impetus power` was asked for.
 struct PowerOptions {
   std::string protocol;
   std::string observer;
@@ -56,16 +57,13 @@ struct PowerOptions {
 
 /// The response that is tested: the one asked for, or the first that the protocol has.
 std::string response_of(const Protocol& protocol, const std::string& wanted) {
-  const Script& script = protocol.script;
   std::vector<std::string> has;
-  if (script.scale) {
-    has.emplace_back("rating");
-  }
-  if (script.yes_no || script.two_interval) {
-    has.emplace_back("answer");
-  }
-  if (script.clicks) {
-    has.emplace_back("clicks");
+  for (const ResponseKind& kind : listed_kinds()) {
+    const std::string& tested = kind.tested_as;
+    if (protocol.document.value.contains(kind.protocol_key) && !tested.empty() &&
+        std::find(has.begin(), has.end(), tested) == has.end()) {
+      has.push_back(tested);
+    }
   }
   if (has.empty()) {
     refuse(protocol.document, "", "expected ratings, answers or clicks to test, got none");

@@ -16,7 +16,6 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/commands/duration_words.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/participant_run.hpp"
@@ -34,6 +33,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Threads that take studies from the ledger, simulate and test them, until none is missing.
 class PowerStudies {
  public:
   PowerStudies(const PowerWork& work, PowerLedger& ledger)

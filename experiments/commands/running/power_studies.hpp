@@ -10,11 +10,12 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_ledger.hpp"
 
 namespace impetus::inline commands {
 
+/// All that simulating the studies of a power analysis needs.
 struct PowerWork {
   RunPart planted;  ///< with the observer
   RunPart without;  ///< with the observer without the effect

@@ -1,27 +1,87 @@
 // `impetus run`: one participant's session of a protocol or a series, or many simulated ones.
 // SPDX-License-Identifier: MIT
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "experiments/commands/build_name.hpp"
-#include "experiments/commands/building_line.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/machine_name.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/commands/running/run_part.hpp"
+#include "experiments/commands/running/session_warnings.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
-#include "experiments/commands/running/unattended_run.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/session/unattended.hpp"
+#include "experiments/store/study_file.hpp"
+#include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline commands {
 namespace {
+
+// `impetus run` of a protocol in which nobody takes part: its trials are simulated and stored.
+
+/// Of a sitting without display and participant, before an assumed screen.
+SessionFacts facts_without_laboratory() {
+  constexpr double kNominalHz = 60.0;  // of frames that there are none of
+  SessionFacts facts;
+  facts.build = build_name();
+  facts.machine = machine_name();
+  facts.display = "none: simulated, and shown to nobody";
+  facts.simulated = true;
+  facts.screen = assumed_screen();
+  facts.refresh_hz = kNominalHz;
+  facts.sync.passed = true;
+  return facts;
+}
+
+/// The options with nobody, a simulated participant, as who takes part. Throws InputError when they
+/// name somebody.
+RunOptions as_nobody(RunOptions options) {
+  const std::pair<const char*, bool> given[] = {{"--participant", !options.participant.empty()},
+                                                {"--participants", options.participants > 0},
+                                                {"--observer", options.simulated()},
+                                                {"--show", options.show}};
+  for (const auto& [name, is_given] : given) {
+    if (is_given) {
+      throw InputError(std::string(name) + ": expected none, for nobody takes part in " +
+                       options.protocol);
+    }
+  }
+  options.participant = "nobody";
+  options.observers = {"nobody"};
+  return options;
+}
+
+/// Runs the trials that are left, with a line of progress, before an assumed screen. `options` are
+/// as_nobody()'s. Returns the session that was saved. Throws what the recorder throws.
+std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options, StudyFile& study) {
+  const std::optional<Enrolment> resumed = find_to_resume(study, part, options);
+  const Enrolment enrolment =
+      resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
+  StudyWriter writer(study, enrolment, facts_without_laboratory());
+  const ProtocolScenes scenes(part.protocol, 0.0, part.shapes);
+  ProgressLine line("simulating");
+  run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
+                 assumed_screen(), writer, [&line](double share) { line.tell(share); });
+  writer.end("finished");
+  tell_not_finite(writer);
+  return writer.session_id();
+}
 
 /// Of 63 bits: what an SQLite integer holds without a sign, so a negative one is noticed.
 constexpr std::uint64_t kLargestSeed = std::numeric_limits<std::int64_t>::max();

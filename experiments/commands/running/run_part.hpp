@@ -2,12 +2,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/laboratory.hpp"
+#include "experiments/protocol/protocol_file.hpp"
+#include "experiments/protocol/solved_values.hpp"
+#include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline commands {
+
+/// What `impetus run` was asked for.
+struct RunOptions {
+  std::string protocol;  ///< or a series of them
+  std::string database{"study.sqlite"};
+  std::string participant;
+  std::vector<std::string> observers;  ///< one for all parts, or one for each
+  std::int64_t participants{0};
+  std::int64_t jobs{0};  ///< simulated participants at a time; 0: as many as there are cores
+  std::optional<std::uint64_t> seed;
+  bool show{false};
+  bool allow_rounding{false};
+  bool override_sync_test{false};
+  bool changed_screen{false};  ///< a resumed session may have another screen than the one before
+  std::string screen_file;
+  std::string window_size;
+  std::string photodiode;  ///< the corner of a patch for one; "": none
+
+  [[nodiscard]] bool simulated() const { return !observers.empty(); }
+};
+
+/// One protocol of a run; a run of a series has several.
+struct RunPart {
+  Protocol protocol;
+  LaboratoryOptions lab;  ///< without participant and seed
+  std::shared_ptr<ShapeLibrary> shapes;
+  std::vector<SolvedFor> solved{};  ///< for the plan of whoever comes
+  std::string series{};             ///< "": it is alone
+  std::int64_t series_place{1};     ///< from 1
+};
 
 /// Reads and checks the protocol and, unless "", the observer (a name or a file). Throws
 /// InputError.

@@ -5,7 +5,7 @@ namespace impetus::inline commands {
 
 ShownObserver::ShownObserver(const ObserverFile& observer, std::uint64_t seed,
                              const std::string& participant, Window& window, const Clock& clock)
-    : observer_(make_observer(observer, seed, participant, own_time_, clock)),
+    : observer_(make_observer(observer, {seed, participant, own_time_, clock})),
       window_(window),
       clock_(clock) {}
 

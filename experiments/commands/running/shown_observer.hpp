@@ -10,6 +10,7 @@
 
 namespace impetus::inline commands {
 
+/// Gives a simulated participant's answers in a window, once a person could have read the page.
 class ShownObserver final : public Input {
  public:
   /// `window` and `clock` must outlive this.

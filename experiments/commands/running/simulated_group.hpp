@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/running/run_options.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline commands {

@@ -1,8 +1,9 @@
-// Whether a protocol has what its participants need, or nothing that nobody would see.
+// Whether a protocol has what its participants need: something to answer, words that screens can
+// show, scenes for both intervals; or nothing of it where nobody takes part.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/settings/json_document.hpp"
+#include "experiments/protocol/protocol_file.hpp"
 
 namespace impetus::inline protocol {
 
@@ -11,5 +12,21 @@ bool has_participants(const nlohmann::json& protocol);
 
 /// Throws InputError where participants lack timing or session, or nobody is asked something.
 void check_participants(const JsonDocument& protocol);
+
+/// Every letter of pages and questions is one of kShownLetters, a line break or a tab. `protocol`
+/// fulfils its schema. Throws InputError. Asked of files alone: what a study holds was shown.
+void check_texts(const JsonDocument& protocol);
+
+/// There is something to answer, unless the protocol has no participants; what a question names is
+/// a factor of the design. Throws InputError.
+void check_responses(const JsonDocument& protocol);
+
+/// Training has practice conditions and a question with a right answer, and is the only rule.
+/// `protocol` has its script. Throws InputError.
+void check_training(const Protocol& protocol);
+
+/// Of two intervals, the standard can be shown under every condition. `protocol` has its design and
+/// script. Throws InputError.
+void check_standard(const Protocol& protocol);
 
 }  // namespace impetus::inline protocol

@@ -10,6 +10,7 @@
 #include "experiments/protocol/checks/adaptive_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -93,23 +94,6 @@ void check_runs(const JsonDocument& protocol) {
       refuse(protocol, item("/design/longest_runs", i) + "/factor",
              "expected the name of a factor, got " + rules[i]["factor"].dump());
     }
-  }
-}
-
-void check_scale(const JsonDocument& protocol) {
-  if (!protocol.value.contains("rating")) {
-    return;
-  }
-  const json& rating = protocol.value["rating"];
-  if (rating["minimum"] >= rating["maximum"]) {
-    refuse(protocol, "/rating/maximum",
-           "expected more than the minimum " + rating["minimum"].dump() + ", got " +
-               rating["maximum"].dump());
-  }
-  if (rating["best"] != rating["minimum"] && rating["best"] != rating["maximum"]) {
-    refuse(protocol, "/rating/best",
-           "expected one end of the scale, " + rating["minimum"].dump() + " or " +
-               rating["maximum"].dump() + ", got " + rating["best"].dump());
   }
 }
 
@@ -258,7 +242,7 @@ void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
   check_planned_size(protocol);
   check_training_criterion(protocol);
   check_resume(protocol);
-  check_scale(protocol);
+  check_question_blocks(protocol);
   check_questions(protocol);
 }
 

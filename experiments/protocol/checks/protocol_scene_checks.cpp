@@ -7,6 +7,7 @@
 
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
@@ -211,10 +212,10 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
   if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
     refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
   }
-  if (!allow_rounding && protocol.script.two_interval &&
-      !on_grid(protocol.script.two_interval->between_ms * 1e-3, refresh_hz)) {
+  const TwoIntervalQuestion* two = find_two_interval(protocol.script);
+  if (!allow_rounding && two != nullptr && !on_grid(two->between_ms() * 1e-3, refresh_hz)) {
     refuse(protocol.document, "/two_interval/between_ms",
-           off_grid_message(json(protocol.script.two_interval->between_ms), refresh_hz));
+           off_grid_message(json(two->between_ms()), refresh_hz));
   }
 }
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/figures/figure_making.hpp"
 #include "experiments/scenes/scene_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline scenes {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/figure_making.hpp"
 

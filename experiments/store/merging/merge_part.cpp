@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/merging/merge_part.hpp"
 
-#include <SQLiteCpp/Statement.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -13,8 +12,8 @@
 #include <utility>
 
 #include "experiments/settings/input_error.hpp"
+#include "experiments/store/rows.hpp"
 #include "experiments/store/study_integrity.hpp"
-#include "experiments/store/study_schema.hpp"
 
 namespace impetus::inline store {
 namespace {
@@ -62,18 +61,17 @@ void require_not_anonymised(StudyFile& study) {
 
 void load_identity(MergePart& part) {
   SQLite::Database& database = part.study.database();
-  SQLite::Statement protocols(database, "SELECT name, hash FROM protocol");
-  while (protocols.executeStep()) {
-    part.protocols[protocols.getColumn(0).getString()].insert(protocols.getColumn(1).getString());
+  for (const auto& [name, hash] :
+       load_rows<std::string, std::string>(database, "SELECT name, hash FROM protocol")) {
+    part.protocols[name].insert(hash);
   }
-  SQLite::Statement participants(database, "SELECT pseudonym FROM participant");
-  while (participants.executeStep()) {
-    part.pseudonyms.insert(participants.getColumn(0).getString());
+  for (const std::string& pseudonym :
+       load_column<std::string>(database, "SELECT pseudonym FROM participant")) {
+    part.pseudonyms.insert(pseudonym);
   }
-  SQLite::Statement merged(database, "SELECT hash, name, merged_utc FROM merged_file");
-  while (merged.executeStep()) {
-    part.merged[merged.getColumn(0).getString()] = {merged.getColumn(1).getString(),
-                                                    merged.getColumn(2).getString()};
+  for (const auto& [hash, name, merged_utc] : load_rows<std::string, std::string, std::string>(
+           database, "SELECT hash, name, merged_utc FROM merged_file")) {
+    part.merged[hash] = {name, merged_utc};
   }
 }
 

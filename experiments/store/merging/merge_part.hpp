@@ -19,6 +19,7 @@ struct EarlierMerge {
   std::string merged_utc;
 };
 
+/// One study of a merge, locked against sessions for as long as this lives.
 struct MergePart {
   ReadingLock lock;  ///< before the study: it must go after it
   StudyFile study;

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "experiments/trade/crowds/removal_curve.hpp"
-#include "experiments/trade/ratio_of_sums.hpp"
+#include "experiments/trade/estimate.hpp"
 
 namespace impetus::inline trade {
 namespace {
 
+/// One of the two errors, as the table calls it.
 struct NamedError {
   const char* name;
   ErrorOf error;
@@ -19,6 +20,7 @@ struct NamedError {
 constexpr std::array<NamedError, 2> kErrors{
     {{"visible_gap", &VisibleError::gap}, {"visible_bound", &VisibleError::bound}}};
 
+/// What an order is compared with, as the table calls it.
 struct Reference {
   const char* name;
   VisibleError OrderedStep::*removed;
@@ -50,6 +52,7 @@ void add_to(std::vector<double>& sums, const std::vector<double>& more) {
   }
 }
 
+/// Fills in the rows of one scene.
 class Rows {
  public:
   Rows(const CrowdTrade& trade, const std::string& subject) : trade_(trade) {
@@ -78,7 +81,7 @@ class Rows {
  private:
   void name(const TriedOrder& order) {
     row_.scheduler = order.scheduler;
-    row_.traversal = traversal_name(order.traversal);
+    row_.traversal = order.traversal;
   }
 
   void add(const std::string& measure, const char* unit, const char* reference,

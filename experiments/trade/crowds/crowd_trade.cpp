@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/numerics/random_stream.hpp"
-#include "experiments/gaze/region_source.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/trade/crowds/removal_curve.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 
@@ -22,8 +22,9 @@ constexpr int kChanceOrders = 16;
 
 /// A step of the trajectory, from which every order starts.
 struct Moment {
-  const World& before;
-  const StepInput& input;
+  const SceneRun& before;
+  Fixation fixation;
+  std::optional<GazeRegion> region;
   std::uint64_t seed{0};  ///< of what is random in it
 };
 
@@ -130,53 +131,55 @@ class References {
   std::vector<RemovalCurve> breadth_first_;
 };
 
-/// Steps a world of the scene along its trajectory at the finest level; the viewer's look goes with
-/// it.
+/// The scene along its trajectory at the finest level; the viewer's look goes with it.
 class Trajectory {
  public:
   Trajectory(const StagedScene& scene, const CrowdRequest& request)
-      : scene_(scene),
-        world_(scene.world),
-        regions_(scene, request.seed),
+      : run_(scene, request.seed),
+        seed_(request.seed),
         looks_(request.seed, "looks"),
         every_(std::max<std::int64_t>(1, std::llround(request.sampled_every_s * scene.step_hz))) {
-    world_.set_schedule({});
-    input_.dt_s = 1.0 / scene.step_hz;
+    run_.world().set_schedule({});
   }
 
-  [[nodiscard]] static std::int64_t steps_of(const StagedScene& scene, double longest_s) {
+  [[nodiscard]] static std::int64_t count_steps(const StagedScene& scene, double longest_s) {
     return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
   }
 
-  /// What the next step is given. To be called once before each.
-  const StepInput& look() {
-    ++step_;
-    input_.viewer = scene_.viewer_at_time(static_cast<double>(step_) / scene_.step_hz);
-    if (is_sampled()) {
-      const std::vector<BodyState>& states = world_.states();
-      input_.fixation = projected(input_.viewer, states[looks_.below(states.size())].pose.position);
+  /// Decides where the viewer looks in the next step; to be called once before each.
+  void look() {
+    const std::int64_t next = run_.number() + 1;
+    if (next % every_ == 0) {
+      const std::vector<BodyState>& states = run_.world().states();
+      fixation_ =
+          projected(run_.viewer_at(next), states[looks_.below(states.size())].pose.position);
     }
-    input_.region = regions_.at(step_, input_.fixation);
-    return input_;
+    region_ = run_.next_region(fixation_);
   }
 
-  const StepReport& step() { return world_.step(input_, all_); }
+  /// The next step, before it is taken.
+  [[nodiscard]] Moment moment() const {
+    return {run_, fixation_, region_, derived_seed(seed_, std::to_string(run_.number() + 1))};
+  }
 
-  [[nodiscard]] bool is_sampled() const { return step_ % every_ == 0; }
-  [[nodiscard]] std::int64_t number() const { return step_; }
-  [[nodiscard]] const World& world() const { return world_; }
+  const StepReport& step() {
+    FixedWork all(kUnlimitedTests);
+    return run_.step(fixation_, region_, all);
+  }
+
+  /// Whether orders are tried on the next step.
+  [[nodiscard]] bool is_sampled() const { return (run_.number() + 1) % every_ == 0; }
 
  private:
-  const StagedScene& scene_;
-  World world_;
-  RegionSource regions_;
+  SceneRun run_;
+  std::uint64_t seed_;
   RandomStream looks_;
   std::int64_t every_;
-  FixedWork all_{kUnlimitedTests};
-  StepInput input_;
-  std::int64_t step_{0};
+  Fixation fixation_;
+  std::optional<GazeRegion> region_;
 };
 
+/// Takes the scene along its trajectory and tries the orders on sampled steps.
 class Crowd {
  public:
   Crowd(const StagedScene& scene, const CrowdRequest& request, const Clock& clock,
@@ -185,8 +188,7 @@ class Crowd {
         request_(request),
         clock_(clock),
         progress_(progress),
-        steps_(Trajectory::steps_of(scene, request.longest_s)),
-        tried_(scene.world) {
+        steps_(Trajectory::count_steps(scene, request.longest_s)) {
     scene_.world.set_costs(costs_of_tests(scene.world.settings().costs));
   }
 
@@ -199,10 +201,9 @@ class Crowd {
     }
     Trajectory trajectory(scene_, request_);
     for (std::int64_t step = 1; step <= steps_; ++step) {
-      const StepInput& input = trajectory.look();
+      trajectory.look();
       if (trajectory.is_sampled()) {
-        sample({trajectory.world(), input, derived_seed(request_.seed, std::to_string(step))},
-               trade);
+        sample(trajectory.moment(), trade);
         trade.steps.back().step = step;
         tell(step);
       }
@@ -226,9 +227,10 @@ class Crowd {
     std::vector<std::int64_t> work;
     Trajectory pilot(scene_, request_);
     for (std::int64_t step = 1; step <= steps_; ++step) {
-      static_cast<void>(pilot.look());
+      pilot.look();
+      const bool is_sampled = pilot.is_sampled();
       const StepReport& report = pilot.step();
-      if (pilot.is_sampled()) {
+      if (is_sampled) {
         work.push_back(report.work_spent - report.work_floor);
       }
     }
@@ -246,11 +248,11 @@ class Crowd {
 
   /// Gives the step all orders, each from where the trajectory is.
   void sample(const Moment& moment, CrowdTrade& trade) {
-    start_from(moment, {});
+    SceneRun coarsest = tried_run(moment, {});
     FixedWork nothing(0);
-    const std::int64_t roots = tried_.step(moment.input, nothing).work_spent;
+    const std::int64_t roots = coarsest.step(moment.fixation, moment.region, nothing).work_spent;
     const std::vector<PairLevels> pairs =
-        pair_levels(scene_, poses_of(tried_), {moment.input.viewer, moment.input.fixation});
+        pair_levels(scene_, poses_of(coarsest.world()), {coarsest.input().viewer, moment.fixation});
     trade.steps.push_back(described(pairs));
     const References references(pairs, moment.seed);
     for (OrderedCrowd& tried : trade.orders) {
@@ -276,25 +278,26 @@ class Crowd {
     return step;
   }
 
-  /// The world that orders are tried in, as the trajectory has it before the step.
-  void start_from(const Moment& moment, const Schedule& schedule) {
-    tried_ = moment.before;
-    tried_.set_schedule(schedule);
-    tried_.set_tunnelling(Tunnelling::kIgnored);
+  /// The scene as the trajectory has it before the step, for one order to try.
+  static SceneRun tried_run(const Moment& moment, Schedule schedule) {
+    SceneRun tried = moment.before;
+    tried.world().set_schedule(std::move(schedule));
+    tried.world().set_tunnelling(Tunnelling::kIgnored);
+    return tried;
   }
 
   OrderedStep try_order(const OrderedCrowd& tried, const Moment& moment, std::int64_t roots,
                         const std::vector<PairLevels>& pairs) {
-    start_from(moment, schedule_of(tried.order, scene_, moment.seed));
+    SceneRun run = tried_run(moment, schedule_of(tried.order, scene_, moment.seed));
     FixedWork meter(roots + tried.budget);
     const std::int64_t start_ns = clock_.now_ns();
-    const StepReport& report = tried_.step(moment.input, meter);
+    const StepReport& report = run.step(moment.fixation, moment.region, meter);
     OrderedStep done;
     done.ns = clock_.now_ns() - start_ns;
     done.work = report.work_spent - roots;
     done.left = left_after(report, pairs);
     done.contacts = static_cast<std::int64_t>(report.contacts.size());
-    done.energy_change = relative_change(energy_of(moment.before), energy_of(tried_));
+    done.energy_change = relative_change(energy_of(moment.before.world()), energy_of(run.world()));
     return done;
   }
 
@@ -305,7 +308,6 @@ class Crowd {
   const Clock& clock_;
   const Progress& progress_;
   std::int64_t steps_;
-  World tried_;
 };
 
 }  // namespace

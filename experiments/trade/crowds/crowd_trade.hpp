@@ -23,6 +23,7 @@
 
 namespace impetus::inline trade {
 
+/// Which orders to try, within which budgets, how often.
 struct CrowdRequest {
   std::vector<TriedOrder> orders;
   /// Units of work on tests beyond the roots', a step; none: shares of what the finest levels of
@@ -64,6 +65,7 @@ struct OrderedCrowd {
   std::vector<OrderedStep> steps;
 };
 
+/// What all orders did to the sampled steps.
 struct CrowdTrade {
   std::vector<SampledStep> steps;
   std::vector<OrderedCrowd> orders;  ///< by budget, the orders as asked for within each

@@ -9,7 +9,6 @@
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
-#include "engine/scheduling/relative_acuity.hpp"
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline trade {

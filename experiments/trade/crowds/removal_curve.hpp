@@ -23,6 +23,7 @@ namespace impetus::inline trade {
 /// Which of the two errors is meant.
 using ErrorOf = double VisibleError::*;
 
+/// The error removed as a function of the work spent.
 class RemovalCurve {
  public:
   /// The bound that no order can exceed.
@@ -44,6 +45,7 @@ class RemovalCurve {
   [[nodiscard]] double removed() const { return points_.back().removed; }
 
  private:
+  /// So much work has removed so much error; or, of a piece, removes more.
   struct Point {
     std::int64_t work{0};
     double removed{0.0};

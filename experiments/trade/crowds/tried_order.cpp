@@ -2,26 +2,15 @@
 #include "experiments/trade/crowds/tried_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <utility>
+#include <string_view>
 
-#include "engine/numerics/bits.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline trade {
 namespace {
-
-struct NamedTraversal {
-  Traversal traversal;
-  std::string_view name;
-};
-
-constexpr std::array<NamedTraversal, 4> kTraversals{{{Traversal::kDepthFirst, "depth-first"},
-                                                     {Traversal::kBreadthFirst, "breadth-first"},
-                                                     {Traversal::kBestFirst, "best-first"},
-                                                     {Traversal::kVisibleFirst, "visible-first"}}};
 
 /// A number in [0, 1) for each pair, whatever it does.
 class RandomMetric final : public PriorityMetric {
@@ -70,28 +59,17 @@ MetricOptions options_for(const std::string& name, const StagedScene& scene) {
 
 }  // namespace
 
-std::string_view traversal_name(Traversal traversal) {
-  return std::find_if(kTraversals.begin(), kTraversals.end(),
-                      [&](const NamedTraversal& named) { return named.traversal == traversal; })
-      ->name;
-}
-
-const std::vector<Traversal>& all_traversals() {
-  static const std::vector<Traversal> all{Traversal::kDepthFirst, Traversal::kBreadthFirst,
-                                          Traversal::kBestFirst, Traversal::kVisibleFirst};
-  return all;
-}
-
-Traversal traversal_called(std::string_view name) {
-  std::vector<std::string> names;
-  for (const NamedTraversal& named : kTraversals) {
-    if (named.name == name) {
-      return named.traversal;
-    }
-    names.emplace_back(named.name);
+std::vector<std::string> tried_traversals(const std::vector<std::string>& asked) {
+  std::vector<std::string> known;
+  for (const std::string_view name : traversal_names()) {
+    known.emplace_back(name);
   }
-  throw InputError("traversals: expected some of " + listed(names) + ", got \"" +
-                   std::string(name) + "\"");
+  for (const std::string& name : asked) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw InputError("traversals: expected some of " + listed(known) + ", got \"" + name + "\"");
+    }
+  }
+  return asked.empty() ? known : asked;
 }
 
 std::vector<std::string> schedulers_for(const StagedScene& scene) {
@@ -106,15 +84,16 @@ std::vector<std::string> schedulers_for(const StagedScene& scene) {
 
 std::vector<TriedOrder> tried_orders(const StagedScene& scene,
                                      const std::vector<std::string>& schedulers,
-                                     const std::vector<Traversal>& traversals) {
+                                     const std::vector<std::string>& traversals) {
   std::vector<TriedOrder> orders;
   for (const std::string& scheduler : schedulers) {
     require_known(scheduler, scene);
     if (scheduler == kOwnScheduler) {
-      orders.push_back({scheduler, scene.world.settings().schedule.traversal});
+      const Schedule& own = scene.world.settings().schedule;
+      orders.push_back({scheduler, std::string(traversal_name(*own.traversal))});
       continue;
     }
-    for (const Traversal traversal : traversals) {
+    for (const std::string& traversal : traversals) {
       orders.push_back({scheduler, traversal});
     }
   }
@@ -128,7 +107,7 @@ Schedule schedule_of(const TriedOrder& order, const StagedScene& scene, std::uin
     schedule.persistence_steps = 0;
     return schedule;
   }
-  schedule.traversal = order.traversal;
+  schedule.traversal = make_traversal(order.traversal);
   schedule.metric = order.scheduler == kRandomScheduler
                         ? std::make_shared<RandomMetric>(seed)
                         : make_metric(order.scheduler, options_for(order.scheduler, scene));

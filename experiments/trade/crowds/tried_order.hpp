@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiments/record/staged_scene.hpp"
@@ -20,17 +19,15 @@ namespace impetus::inline trade {
 inline constexpr const char* kOwnScheduler = "scene";
 inline constexpr const char* kRandomScheduler = "random";
 
+/// An order of work: what decides a pair's urgency, and how the pairs are gone through.
 struct TriedOrder {
   std::string scheduler;
-  Traversal traversal{Traversal::kDepthFirst};
+  std::string traversal{"depth-first"};
 };
 
-/// As scenes write it, and all of them.
-std::string_view traversal_name(Traversal traversal);
-const std::vector<Traversal>& all_traversals();
-
-/// The traversal called `name`. Throws InputError that lists the names there are.
-Traversal traversal_called(std::string_view name);
+/// The traversals that are asked for, or all when none is. Throws InputError that lists the names
+/// there are when one is unknown.
+std::vector<std::string> tried_traversals(const std::vector<std::string>& asked);
 
 /// What can be tried on a scene: "scene", "random", and the metrics, of which those made of terms
 /// need the scene's own.
@@ -40,7 +37,7 @@ std::vector<std::string> schedulers_for(const StagedScene& scene);
 /// what can be tried when a scheduler cannot.
 std::vector<TriedOrder> tried_orders(const StagedScene& scene,
                                      const std::vector<std::string>& schedulers,
-                                     const std::vector<Traversal>& traversals);
+                                     const std::vector<std::string>& traversals);
 
 /// The schedule of an order. Nothing persists from steps before. What is random follows from
 /// `seed`.

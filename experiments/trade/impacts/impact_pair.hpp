@@ -29,6 +29,7 @@ struct MeetingMotion {
   double spin_b_rad_s{0.0};
 };
 
+/// Two bodies whose impacts are measured, and how a scene makes them meet.
 struct ImpactPair {
   ImpactBody a;
   ImpactBody b;

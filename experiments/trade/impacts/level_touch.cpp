@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/collision/entry/node_gap.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
 #include "engine/collision/sphere_block.hpp"
 
 namespace impetus::inline trade {
@@ -55,6 +55,8 @@ std::optional<double> beginning_of(const Volume& a, const Volume& b, const Vecto
   return std::nullopt;
 }
 
+/// Finds how far body a moves until nodes of a level touch, by branch and bound over pairs of
+/// nodes.
 class BoundsOnTheWay {
  public:
   BoundsOnTheWay(PlacedTree& a, PlacedTree& b, const Vector3& direction, int level)
@@ -71,6 +73,7 @@ class BoundsOnTheWay {
   }
 
  private:
+  /// A pair of children, and from where on it overlaps.
   struct Below {
     NodePair nodes;
     double way_m;

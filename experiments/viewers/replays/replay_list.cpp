@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "experiments/drawing/palette.hpp"
+#include "experiments/window/pages/widgets.hpp"
 
 namespace impetus::inline viewers {
 namespace {
@@ -17,13 +18,9 @@ std::optional<char> digit_of(SDL_Keycode key) {
   if (key >= SDLK_0 && key <= SDLK_9) {
     return static_cast<char>('0' + (key - SDLK_0));
   }
-  if (key == SDLK_KP_0) {
-    return '0';
-  }
-  if (key >= SDLK_KP_1 && key <= SDLK_KP_9) {
-    return static_cast<char>('1' + (key - SDLK_KP_1));
-  }
-  return std::nullopt;
+  const bool on_keypad = key >= SDLK_KP_1 && key <= SDLK_KP_0;  // which runs 1 2 … 9 0
+  return on_keypad ? std::optional(static_cast<char>('0' + (key - SDLK_KP_1 + 1) % 10))
+                   : std::nullopt;
 }
 
 }  // namespace
@@ -103,17 +100,13 @@ std::optional<std::size_t> ReplayList::draw(const Gui& gui) {
   ImFont* font = gui.fonts().small;
   const float inset = font->FontSize;
   const ImVec2 size(std::round(0.8F * gui.width()), std::round(0.75F * gui.height()));
-  const ImVec2 from(std::round(0.5F * (gui.width() - size.x)),
-                    std::round(0.5F * (gui.height() - size.y)));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(from, ImVec2(from.x + size.x, from.y + size.y), palette::kSurface, 6.0F);
-  draw.AddRect(from, ImVec2(from.x + size.x, from.y + size.y), palette::kLine, 6.0F);
+  const ImVec2 from = draw_card(gui, size);
   const std::string head =
       number_.empty() ? "Go to trial: type its number, or ↑ ↓, then Enter; or click.  Esc: back"
                       : "Go to trial " + number_ + (known_ ? "  (Enter)" : ": there is none here");
-  draw.AddText(font, font->FontSize, ImVec2(from.x + inset, from.y + 0.7F * inset),
-               known_ ? palette::kText : palette::kWarning, head.c_str());
-  ImGui::SetCursorScreenPos(ImVec2(from.x + inset, from.y + 2.3F * inset));
+  write_at(from + ImVec2(inset, 0.7F * inset), head, font,
+           known_ ? palette::kText : palette::kWarning);
+  ImGui::SetCursorScreenPos(from + ImVec2(inset, 2.3F * inset));
   ImGui::PushFont(font);
   ImGui::PushStyleColor(ImGuiCol_Header, palette::kAccent);
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette::kSurfaceHovered);
@@ -145,12 +138,10 @@ std::optional<std::size_t> ReplayList::draw(const Gui& gui) {
   ImGui::EndChild();
   ImGui::PopStyleColor(3);
   ImGui::PopFont();
-  const std::optional<std::size_t> chosen = chosen_;
-  chosen_.reset();
-  if (chosen) {
+  if (chosen_) {
     close();
   }
-  return chosen;
+  return std::exchange(chosen_, std::nullopt);
 }
 
 }  // namespace impetus::inline viewers

@@ -18,6 +18,7 @@
 
 namespace impetus::inline viewers {
 
+/// The list, what is typed, and the line that stands out.
 class ReplayList {
  public:
   /// `current` stands out when it opens.

@@ -2,11 +2,10 @@
 #include "experiments/viewers/replays/replay_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "experiments/drawing/overlay_marks.hpp"
-#include "experiments/viewers/colour_legend.hpp"
-#include "experiments/viewers/gaze_overlay.hpp"
-#include "experiments/viewers/picture_badge.hpp"
+#include "experiments/record/lab_screen.hpp"
+#include "experiments/viewers/picture_overlays.hpp"
 #include "experiments/window/pages/widgets.hpp"
 
 namespace impetus::inline viewers {
@@ -16,21 +15,16 @@ Viewer participant_of(const ReplayMoment& moment) {
   return turned_viewer(moment.replay->viewer, moment.replay->turn, moment.time_s);
 }
 
-double arrow_length_m(const ReplayView& replay) {
+void draw_contacts(const ReplayMoment& moment, const PictureMap& map) {
   double largest_m = 0.0;
-  for (const auto& tree : replay.trees) {
+  for (const auto& tree : moment.replay->trees) {
     largest_m = std::max(largest_m, tree->bounding_radius_m());
   }
-  return kArrowShare * largest_m;
-}
-
-void draw_contacts(const ReplayMoment& moment, const PictureMap& map) {
-  const double arrow_m = arrow_length_m(*moment.replay);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (const FadingContact& contact :
        contacts_at(*moment.replay, step_at(*moment.replay, moment.time_s))) {
-    const Vector3& place = contact.touch.point;
-    mark_contact(draw, map, place, place + arrow_m * contact.touch.normal, contact.freshness);
+    const TouchPoint& touch = contact.touch;
+    mark_contact(map, touch.point, touch.point + kArrowShare * largest_m * touch.normal,
+                 contact.freshness);
   }
 }
 
@@ -49,6 +43,30 @@ void draw_gaze_of(const ReplayMoment& moment, const PictureMap& map) {
 }
 
 }  // namespace
+
+float screen_margin(const Gui& gui) { return std::round(0.018F * gui.height()); }
+
+float content_width(const Gui& gui) { return gui.width() - 2.0F * screen_margin(gui); }
+
+std::vector<PixelArea> pane_areas(const Panes& panes, const Gui& gui,
+                                  const ScreenGeometry& screen) {
+  const float margin = screen_margin(gui);
+  const double gap_px = 0.5 * margin;
+  const double wide_px = (content_width(gui) - (panes.count - 1) * gap_px) / panes.count;
+  const double high_px = gui.height() - panes.header_px - panes.footer_px - 0.5F * margin;
+  const PicturePixels largest = largest_picture(screen, wide_px, high_px);
+  PixelArea area;
+  area.width = largest.width;
+  area.height = largest.height;
+  area.bottom = static_cast<int>(panes.footer_px + 0.5F * margin + (high_px - area.height) / 2);
+  const double whole_px = panes.count * area.width + (panes.count - 1) * gap_px;
+  std::vector<PixelArea> areas;
+  for (int pane = 0; pane < panes.count; ++pane) {
+    area.left = static_cast<int>((gui.width() - whole_px) / 2 + pane * (area.width + gap_px));
+    areas.push_back(area);
+  }
+  return areas;
+}
 
 void ReplayPicture::paint(const ReplayMoment& moment, const ReplayLook& look) {
   const ReplayView& replay = *moment.replay;

@@ -8,14 +8,31 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "experiments/viewers/replays/replay_look.hpp"
+#include "experiments/viewers/replays/replay_commands.hpp"
 #include "experiments/viewers/volume_levels.hpp"
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/window/canvas.hpp"
 
 namespace impetus::inline viewers {
 
+/// What is left of the window's width between the margins, and the margin round everything.
+[[nodiscard]] float content_width(const Gui& gui);
+[[nodiscard]] float screen_margin(const Gui& gui);
+
+/// How many pictures lie beside each other, between the words above and the buttons below.
+struct Panes {
+  int count{1};
+  float header_px{0.0F};
+  float footer_px{0.0F};
+};
+
+/// The largest that fit, from left to right, with the shape of the recorded screen.
+[[nodiscard]] std::vector<PixelArea> pane_areas(const Panes& panes, const Gui& gui,
+                                                const ScreenGeometry& screen);
+
+/// What a picture is of, and where it lies.
 struct ReplayMoment {
   const ReplayView* replay{nullptr};
   double time_s{0.0};
@@ -23,6 +40,7 @@ struct ReplayMoment {
   std::string words;
 };
 
+/// The pictures of one pane.
 class ReplayPicture {
  public:
   explicit ReplayPicture(Canvas& canvas) : canvas_(canvas) {}

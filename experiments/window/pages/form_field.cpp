@@ -7,10 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "experiments/drawing/palette.hpp"
-#include "experiments/window/pages/button_rows.hpp"
 #include "experiments/window/pages/widgets.hpp"
-#include "experiments/window/typed_number.hpp"
+#include "experiments/window/typed_input.hpp"
 
 namespace impetus::inline window {
 namespace {
@@ -61,18 +59,8 @@ FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, fl
                             bool focused, bool take_keyboard) {
   ImGui::PushID(id);
   draw_text(field_.label, gui.fonts().body[reading_size], palette::kText, width_px, Align::kLeft);
-  FocusChange change = FocusChange::kNone;
-  switch (field_.kind) {
-    case Field::Kind::kNumber:
-      change = draw_number(width_px, focused, take_keyboard);
-      break;
-    case Field::Kind::kText:
-      change = draw_text_box(width_px, focused, take_keyboard);
-      break;
-    case Field::Kind::kChoice:
-      change = draw_options(width_px, focused);
-      break;
-  }
+  const FocusChange change =
+      takes_text() ? draw_entry(width_px, focused, take_keyboard) : draw_options(width_px, focused);
   if (focused && takes_text()) {
     draw_focus_ring(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
@@ -89,30 +77,28 @@ void FormField::draw_message(ImFont* font) const {
   const ImVec2 to = ImGui::GetItemRectMax();
   const ImVec2 at(std::round(to.x + 0.6F * ImGui::GetFontSize()),
                   std::round((from.y + to.y - font->FontSize) / 2.0F));
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, palette::kWarning,
-                                      message_.c_str());
+  write_at(at, message_, font, palette::kWarning);
 }
 
-FocusChange FormField::draw_number(float width_px, bool focused, bool take_keyboard) {
+FocusChange FormField::draw_entry(float width_px, bool focused, bool take_keyboard) {
   if (take_keyboard) {
     ImGui::SetKeyboardFocusHere();
   }
-  ImGui::SetNextItemWidth(std::min(width_px, kNumberWidth * ImGui::GetFontSize()));
-  ImGui::InputText("##number", &text_, ImGuiInputTextFlags_CallbackCharFilter,
-                   keep_number_characters);
-  return focus_change(ImGui::IsItemActive(), focused, take_keyboard);
-}
-
-FocusChange FormField::draw_text_box(float width_px, bool focused, bool take_keyboard) {
-  if (take_keyboard) {
-    ImGui::SetKeyboardFocusHere();
+  if (field_.kind == Field::Kind::kNumber) {
+    ImGui::SetNextItemWidth(std::min(width_px, kNumberWidth * ImGui::GetFontSize()));
+    ImGui::InputText("##number", &text_, ImGuiInputTextFlags_CallbackCharFilter,
+                     keep_number_characters);
+  } else {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float inside_px = width_px - 2.0F * style.FramePadding.x - style.ScrollbarSize - 2.0F;
+    const float height_px = kTextBoxLines * ImGui::GetFontSize() + 2.0F * style.FramePadding.y;
+    ImGui::InputTextMultiline("##text", &text_, ImVec2(width_px, height_px),
+                              ImGuiInputTextFlags_CallbackEdit, wrap_lines, &inside_px);
   }
-  const ImGuiStyle& style = ImGui::GetStyle();
-  float inside_px = width_px - 2.0F * style.FramePadding.x - style.ScrollbarSize - 2.0F;
-  const float height_px = kTextBoxLines * ImGui::GetFontSize() + 2.0F * style.FramePadding.y;
-  ImGui::InputTextMultiline("##text", &text_, ImVec2(width_px, height_px),
-                            ImGuiInputTextFlags_CallbackEdit, wrap_lines, &inside_px);
-  return focus_change(ImGui::IsItemActive(), focused, take_keyboard);
+  const bool active = ImGui::IsItemActive();
+  const bool left = was_active_ && !active && focused && !take_keyboard;
+  was_active_ = active;
+  return active && !focused ? FocusChange::kGained : left ? FocusChange::kLost : FocusChange::kNone;
 }
 
 FocusChange FormField::draw_options(float width_px, bool focused) {
@@ -130,18 +116,9 @@ FocusChange FormField::draw_options(float width_px, bool focused) {
     }
   }
   rows.end();
-  const ImVec2 below = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(below.x, below.y + ImGui::GetStyle().ItemSpacing.y));
+  ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() +
+                            ImVec2(0.0F, ImGui::GetStyle().ItemSpacing.y));
   return change;
-}
-
-FocusChange FormField::focus_change(bool active, bool focused, bool take_keyboard) {
-  const bool left = was_active_ && !active && focused && !take_keyboard;
-  was_active_ = active;
-  if (active && !focused) {
-    return FocusChange::kGained;
-  }
-  return left ? FocusChange::kLost : FocusChange::kNone;
 }
 
 bool FormField::press(SDL_Keycode key) {
@@ -173,20 +150,16 @@ bool FormField::check() {
   const bool bounded = field_.minimum < field_.maximum;
   const bool inside =
       number && (!bounded || (*number >= field_.minimum && *number <= field_.maximum));
-  if (!inside) {
-    message_ = expectation();
+  if (!inside && bounded) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "Please enter a number between %g and %g, or leave this empty.", field_.minimum,
+                  field_.maximum);
+    message_ = text;
+  } else if (!inside) {
+    message_ = "Please enter a number, or leave this empty.";
   }
   return inside;
-}
-
-std::string FormField::expectation() const {
-  if (field_.minimum >= field_.maximum) {
-    return "Please enter a number, or leave this empty.";
-  }
-  char text[160];
-  std::snprintf(text, sizeof text, "Please enter a number between %g and %g, or leave this empty.",
-                field_.minimum, field_.maximum);
-  return text;
 }
 
 std::string FormField::answer() const {

@@ -15,6 +15,7 @@ namespace impetus::inline window {
 /// How the mouse moved the focus while a field was drawn.
 enum class FocusChange { kNone, kGained, kLost };
 
+/// The field, what is entered in it, and what is wrong with that.
 class FormField {
  public:
   explicit FormField(Field field) : field_(std::move(field)) {}
@@ -37,11 +38,8 @@ class FormField {
 
  private:
   void draw_message(ImFont* font) const;
-  FocusChange draw_number(float width_px, bool focused, bool take_keyboard);
-  FocusChange draw_text_box(float width_px, bool focused, bool take_keyboard);
+  FocusChange draw_entry(float width_px, bool focused, bool take_keyboard);
   FocusChange draw_options(float width_px, bool focused);
-  FocusChange focus_change(bool active, bool focused, bool take_keyboard);
-  [[nodiscard]] std::string expectation() const;
 
   Field field_;
   std::string text_;

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "experiments/drawing/palette.hpp"
-#include "experiments/window/key_names.hpp"
-#include "experiments/window/pages/button_rows.hpp"
-#include "experiments/window/pages/text_lines.hpp"
 #include "experiments/window/pages/widgets.hpp"
+#include "experiments/window/typed_input.hpp"
 
 namespace impetus::inline window {
 namespace {
@@ -28,8 +26,16 @@ ButtonLook look_of(const Page& page, std::size_t choice, ImVec2 size_px, const C
 }
 
 void move_down(float pixels) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::round(pixels)));
+  ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(0.0F, std::round(pixels)));
+}
+
+/// The size that the widest and the highest of the choices ask for, in the present font.
+ImVec2 largest_button(const Page& page, float widest_px = std::numeric_limits<float>::max()) {
+  ImVec2 largest(0.0F, 0.0F);
+  for (const Choice& choice : page.choices) {
+    largest = ImMax(largest, button_size(choice.label, hint_for(choice), widest_px));
+  }
+  return largest;
 }
 
 std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
@@ -54,11 +60,8 @@ std::optional<std::size_t> draw_points(const Page& page, const Column& column,
                                        const ChoiceMarks& marks) {
   std::optional<std::size_t> clicked;
   const auto count = static_cast<float>(page.choices.size());
-  float width_px = kPointEms * ImGui::GetFontSize();
-  for (const Choice& choice : page.choices) {
-    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
-  }
-  width_px = std::round(std::min(width_px, 0.86F * column.width / count));
+  const float wanted_px = std::max(kPointEms * ImGui::GetFontSize(), largest_button(page).x);
+  const float width_px = std::round(std::min(wanted_px, 0.86F * column.width / count));
   const ImVec2 size_px(width_px, std::round(2.1F * ImGui::GetFontSize()));
   const float apart_px = count > 1.0F ? (column.width - width_px) / (count - 1.0F) : 0.0F;
   const float top = ImGui::GetCursorScreenPos().y;
@@ -73,28 +76,12 @@ std::optional<std::size_t> draw_points(const Page& page, const Column& column,
   return clicked;
 }
 
-float widest_label(const Page& page) {
-  float width_px = 0.0F;
-  for (const Choice& choice : page.choices) {
-    width_px = std::max(width_px, button_size(choice.label, hint_for(choice)).x);
-  }
-  return width_px;
-}
-
-float highest_label(const Page& page, float width_px) {
-  float height_px = 0.0F;
-  for (const Choice& choice : page.choices) {
-    height_px = std::max(height_px, button_size(choice.label, hint_for(choice), width_px).y);
-  }
-  return height_px;
-}
-
 /// The largest letters in which every label fits the width; none when not even the smallest do.
 ImFont* font_within(const Gui& gui, const Page& page, float width_px) {
   const Fonts& fonts = gui.fonts();
   for (ImFont* font : {fonts.title[0], fonts.body[0], fonts.body[1]}) {
     ImGui::PushFont(font);
-    const bool fits = widest_label(page) <= width_px;
+    const bool fits = largest_button(page).x <= width_px;
     ImGui::PopFont();
     if (fits) {
       return font;
@@ -116,8 +103,8 @@ std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
   }
   ImGui::PushFont(font != nullptr ? font : gui.fonts().body[kReadingSizes - 1]);
   const float width_px = abreast ? share_px : column.width;
-  const ImVec2 size_px(
-      width_px, std::max(std::round(3.0F * ImGui::GetFontSize()), highest_label(page, width_px)));
+  const ImVec2 size_px(width_px, std::max(std::round(3.0F * ImGui::GetFontSize()),
+                                          largest_button(page, width_px).y));
   std::optional<std::size_t> clicked;
   ImVec2 at(column.left, ImGui::GetCursorScreenPos().y);
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
@@ -155,6 +142,34 @@ void draw_anchors(const Gui& gui, const Page& page, const Column& column) {
   ImGui::SetCursorScreenPos(ImVec2(column.left + column.width - width_px, at.y));
   const float high = draw_text(page.high_anchor, font, palette::kText, width_px, Align::kRight);
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + std::max(low, high)));
+}
+
+constexpr float kBarShareOfHeight = 0.006F;
+
+/// The bar's inks.
+struct Colours {
+  ImU32 track;
+  ImU32 done;
+  ImU32 label;
+};
+
+Colours colours_on(Ground ground) {
+  return ground == Ground::kPicture
+             ? Colours{IM_COL32(118, 118, 118, 255), IM_COL32(92, 92, 92, 255),
+                       IM_COL32(82, 82, 82, 255)}
+             : Colours{IM_COL32(186, 186, 186, 255), IM_COL32(128, 128, 130, 255),
+                       IM_COL32(84, 84, 88, 255)};
+}
+
+/// Quiet, for the experimenter: a ring, and what it means in two words.
+void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 colour) {
+  const float radius = 0.3F * font.FontSize;
+  draw.AddCircle(ImVec2(at.x + radius, at.y + 0.55F * font.FontSize), radius, colour, 0, 1.5F);
+  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour, "gaze lost");
+}
+
+float bar_height(const Gui& gui) {
+  return std::max(4.0F, std::round(gui.height() * kBarShareOfHeight));
 }
 
 }  // namespace
@@ -209,6 +224,70 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
               gui.fonts().small, palette::kQuietText, column.width, Align::kCentre);
   }
   return clicked;
+}
+
+void draw_point_map(const Gui& gui, const PointMap& map) {
+  if (map.points.empty()) {
+    return;
+  }
+  constexpr float kHeightShare = 0.26F;  // of the window's
+  constexpr float kPointRadius = 0.28F;  // of a letter's height
+  constexpr ImU32 kScreenColour = IM_COL32(128, 128, 128, 255);
+  const Column column = reading_column(gui);
+  const float height = std::round(kHeightShare * gui.height());
+  const float width = std::round(height * static_cast<float>(map.aspect));
+  const ImVec2 corner(column.left, ImGui::GetCursorScreenPos().y + std::round(0.4F * part_gap()));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 far_corner = corner + ImVec2(width, height);
+  draw.AddRectFilled(corner, far_corner, kScreenColour);
+  const auto place = [&](double x, double y) {
+    return ImVec2(corner.x + width * static_cast<float>(0.5 + x),
+                  corner.y + height * static_cast<float>(0.5 - y));
+  };
+  const float radius = kPointRadius * ImGui::GetFontSize();
+  draw.PushClipRect(corner, far_corner, true);
+  for (const LookedAtPoint& point : map.points) {
+    const ImVec2 shown = place(point.x, point.y);
+    draw.AddCircle(shown, radius, palette::kText, 0, 1.5F);
+    if (point.seen) {
+      const ImVec2 gaze = place(point.gaze_x, point.gaze_y);
+      draw.AddLine(shown, gaze, palette::kOnAccent, 1.5F);
+      draw.AddCircleFilled(gaze, 0.6F * radius, palette::kOnAccent);
+    }
+  }
+  draw.PopClipRect();
+  ImGui::SetCursorScreenPos(ImVec2(column.left, corner.y + height + std::round(0.3F * part_gap())));
+  draw_text("Circles: the points. Light dots: the gaze.", gui.fonts().small, palette::kQuietText,
+            column.width, Align::kLeft);
+}
+
+float progress_height(const Gui& gui) {
+  return bar_height(gui) + std::round(1.7F * gui.fonts().small->FontSize);
+}
+
+void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground) {
+  if (progress.total <= 0 && progress.label.empty()) {
+    return;
+  }
+  const Colours colours = colours_on(ground);
+  const double share =
+      progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total)
+                         : 0.0;
+  const float top = gui.height() - bar_height(gui);
+  const float done_px = gui.width() * static_cast<float>(std::clamp(share, 0.0, 1.0));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(ImVec2(0, top), ImVec2(gui.width(), gui.height()), colours.track);
+  draw.AddRectFilled(ImVec2(0, top), ImVec2(done_px, gui.height()), colours.done);
+
+  ImFont* font = gui.fonts().small;
+  const ImVec2 label_px = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, progress.label.c_str());
+  const ImVec2 at(std::floor((gui.width() - label_px.x) / 2.0F),
+                  std::floor(top - 1.35F * font->FontSize));
+  draw.AddText(font, font->FontSize, at, colours.label, progress.label.c_str());
+  if (progress.gaze_was_lost) {
+    draw_lost_gaze_mark(draw, ImVec2(at.x + label_px.x + font->FontSize, at.y), *font,
+                        colours.label);
+  }
 }
 
 }  // namespace impetus::inline window

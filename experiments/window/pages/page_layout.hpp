@@ -1,4 +1,5 @@
-// How a page is laid out: one column of comfortable width, its words, and its choices.
+// How a page is laid out: one column of comfortable width, its words, its choices, a small map of
+// the screen, and along the bottom edge of every frame how far the session has come.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -33,5 +34,18 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size);
 /// The choices as buttons in rows, as the points of a scale with its anchors, or large and side by
 /// side. Returns the one that was clicked.
 std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const ChoiceMarks& marks);
+
+/// The points that were looked at and where the gaze was, from the cursor down; nothing without
+/// points.
+void draw_point_map(const Gui& gui, const PointMap& map);
+
+/// What is under the bar: its colours must stay quiet on it.
+enum class Ground { kPage, kPicture };
+
+/// Height at the bottom that the bar and its label take.
+[[nodiscard]] float progress_height(const Gui& gui);
+
+/// Draws within the present frame; nothing when there is neither total nor label.
+void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground);
 
 }  // namespace impetus::inline window

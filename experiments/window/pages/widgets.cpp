@@ -1,26 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/window/pages/widgets.hpp"
 
+#include <algorithm>
 #include <cmath>
-
-#include "experiments/drawing/palette.hpp"
-#include "experiments/window/pages/text_lines.hpp"
 
 namespace impetus::inline window {
 namespace {
 
+constexpr float kLineHeight = 1.35F;  // of the font's size
+
+const char* end_of_line(const char* begin, const char* end, const ImFont& font, float width_px) {
+  const char* line_break = begin;
+  while (line_break < end && *line_break != '\n') {
+    ++line_break;
+  }
+  const char* wrapped = font.CalcWordWrapPositionA(1.0F, begin, line_break, width_px);
+  return wrapped > begin ? wrapped : line_break;
+}
+
+const char* start_of_next_line(const char* at, const char* end) {
+  if (at < end && *at == '\n') {
+    return at + 1;
+  }
+  while (at < end && *at == ' ') {
+    ++at;
+  }
+  return at < end && *at == '\n' ? at + 1 : at;
+}
+
 constexpr float kButtonMargin = 0.8F;  // left and right of the words, of the font's size
 
 float offset_for(Align align, float width_px, float line_px) {
-  switch (align) {
-    case Align::kCentre:
-      return std::floor((width_px - line_px) / 2.0F);
-    case Align::kRight:
-      return std::floor(width_px - line_px);
-    case Align::kLeft:
-      break;
-  }
-  return 0.0F;
+  return align == Align::kCentre  ? std::floor((width_px - line_px) / 2.0F)
+         : align == Align::kRight ? std::floor(width_px - line_px)
+                                  : 0.0F;
 }
 
 /// The words and their key in one line.
@@ -29,10 +42,9 @@ void draw_label(const ButtonLook& look, ImVec2 from) {
   const ImVec2 hint_px = ImGui::CalcTextSize(look.hint.c_str());
   const ImVec2 at(std::floor(from.x + (look.size_px.x - label_px.x - hint_px.x) / 2.0F),
                   std::floor(from.y + (look.size_px.y - label_px.y) / 2.0F));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddText(at, look.chosen ? palette::kOnAccent : palette::kText, look.label.c_str());
-  draw.AddText(ImVec2(at.x + label_px.x, at.y),
-               look.chosen ? palette::kOnAccent : palette::kQuietText, look.hint.c_str());
+  write_at(at, look.label, ImGui::GetFont(), look.chosen ? palette::kOnAccent : palette::kText);
+  write_at(ImVec2(at.x + label_px.x, at.y), look.hint, ImGui::GetFont(),
+           look.chosen ? palette::kOnAccent : palette::kQuietText);
 }
 
 /// Words that are longer than the button is wide, over several lines.
@@ -46,8 +58,7 @@ void draw_long_label(const ButtonLook& look, ImVec2 from) {
       std::floor(from.x + margin_px),
       std::floor(from.y + (look.size_px.y - height_px + line_height(font) - font.FontSize) / 2.0F));
   for (const std::string_view line : lines) {
-    ImGui::GetWindowDrawList()->AddText(at, look.chosen ? palette::kOnAccent : palette::kText,
-                                        line.data(), line.data() + line.size());
+    write_at(at, line, ImGui::GetFont(), look.chosen ? palette::kOnAccent : palette::kText);
     at.y += line_height(font);
   }
 }
@@ -60,17 +71,38 @@ bool is_broken(const ButtonLook& look) {
 
 }  // namespace
 
+float line_height(const ImFont& font) { return std::round(font.FontSize * kLineHeight); }
+
+std::vector<std::string_view> lines_of(const std::string& text, const ImFont& font,
+                                       float width_px) {
+  std::vector<std::string_view> lines;
+  const char* end = text.c_str() + text.size();
+  for (const char* line = text.c_str(); line < end;) {
+    const char* line_end = end_of_line(line, end, font, width_px);
+    lines.emplace_back(line, line_end - line);
+    line = start_of_next_line(line_end, end);
+  }
+  return lines;
+}
+
+float width_of(std::string_view text, const ImFont& font) {
+  return font.CalcTextSizeA(font.FontSize, 1e6F, 0.0F, text.data(), text.data() + text.size()).x;
+}
+
+void write_at(ImVec2 corner, std::string_view text, ImFont* font, ImU32 colour) {
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, corner, colour, text.data(),
+                                      text.data() + text.size());
+}
+
 float draw_text(const std::string& text, ImFont* font, ImU32 colour, float width_px, Align align) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   float height = 0.0F;
   for (const std::string_view line : lines_of(text, *font, width_px)) {
     const float line_px = width_of(line, *font);
-    const ImVec2 at(origin.x + offset_for(align, width_px, line_px), origin.y + height);
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, line.data(),
-                                        line.data() + line.size());
+    write_at(origin + ImVec2(offset_for(align, width_px, line_px), height), line, font, colour);
     height += line_height(*font);
   }
-  ImGui::SetCursorScreenPos(ImVec2(origin.x, origin.y + height));
+  ImGui::SetCursorScreenPos(origin + ImVec2(0.0F, height));
   return height;
 }
 
@@ -89,7 +121,7 @@ ImVec2 button_size(const std::string& label, const std::string& hint, float wide
 bool draw_button(int id, const ButtonLook& look) {
   ImGui::PushID(id);
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  const ImVec2 to(from.x + look.size_px.x, from.y + look.size_px.y);
+  const ImVec2 to = from + look.size_px;
   const bool clicked = ImGui::InvisibleButton("button", look.size_px);
   const bool pressed = look.chosen || ImGui::IsItemActive();
   const ImU32 surface = ImGui::IsItemHovered() ? palette::kSurfaceHovered : palette::kSurface;
@@ -110,17 +142,34 @@ bool draw_button(int id, const ButtonLook& look) {
 void push_clip_rect(const PixelArea& area, float window_height_px) {
   const auto left = static_cast<float>(area.left);
   const float top = window_height_px - static_cast<float>(area.bottom + area.height);
-  ImGui::PushClipRect(
-      ImVec2(left, top),
-      ImVec2(left + static_cast<float>(area.width), top + static_cast<float>(area.height)), true);
+  const ImVec2 size(static_cast<float>(area.width), static_cast<float>(area.height));
+  ImGui::PushClipRect(ImVec2(left, top), ImVec2(left, top) + size, true);
+}
+
+ImVec2 draw_card(const Gui& gui, ImVec2 size_px) {
+  const ImVec2 from(std::round(0.5F * (gui.width() - size_px.x)),
+                    std::round(0.5F * (gui.height() - size_px.y)));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(from, from + size_px, palette::kSurface, 6.0F);
+  draw.AddRect(from, from + size_px, palette::kLine, 6.0F);
+  return from;
 }
 
 void draw_focus_ring(ImVec2 from, ImVec2 to) {
-  constexpr float kGapPx = 2.0F;
+  const ImVec2 gap(2.0F, 2.0F);
   constexpr float kThicknessPx = 2.5F;
-  ImGui::GetWindowDrawList()->AddRect(ImVec2(from.x - kGapPx, from.y - kGapPx),
-                                      ImVec2(to.x + kGapPx, to.y + kGapPx), palette::kAccent,
-                                      ImGui::GetStyle().FrameRounding + kGapPx, 0, kThicknessPx);
+  ImGui::GetWindowDrawList()->AddRect(from - gap, to + gap, palette::kAccent,
+                                      ImGui::GetStyle().FrameRounding + gap.x, 0, kThicknessPx);
+}
+
+void ButtonRows::place(ImVec2 size_px) {
+  if (at_.x > origin_.x && at_.x + size_px.x > origin_.x + width_px_) {
+    at_ = ImVec2(origin_.x, at_.y + row_px_ + gap_px_);
+    row_px_ = 0.0F;
+  }
+  ImGui::SetCursorScreenPos(at_);
+  at_.x += size_px.x + gap_px_;
+  row_px_ = std::max(row_px_, size_px.y);
 }
 
 }  // namespace impetus::inline window

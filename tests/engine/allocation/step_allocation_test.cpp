@@ -28,6 +28,7 @@ int last_round_that_allocates(const WorldSettings& settings) {
   RandomStream random(kSeed, "allocations");
   const std::vector<BodyModel> kinds = bodies_of_every_tree_kind();
   World world = squeezed_crowd(random, kinds, 24, 0.16, settings);
+  world.watch_pairs(true);
   const std::vector<BodyState> start = world.states();
   int last = -1;
   for (int round = 0; round < 6; ++round) {

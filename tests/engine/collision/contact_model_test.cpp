@@ -8,8 +8,9 @@
 #include <cmath>
 
 #include "engine/dynamics/motion.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::contact_model_test {
 

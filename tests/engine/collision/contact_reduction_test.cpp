@@ -13,7 +13,6 @@
 #include <string>
 
 #include "engine/collision/contact_patches.hpp"
-#include "engine/collision/density_contacts.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/deepest_contact.hpp"
 #include "tests/places/places.hpp"

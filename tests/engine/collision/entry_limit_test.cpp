@@ -5,8 +5,9 @@
 
 #include <stdexcept>
 
-#include "engine/collision/sweep_and_prune.hpp"
+#include "engine/collision/broad_phase.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/shots.hpp"
 
 namespace impetus::entry_limit_test {

@@ -7,9 +7,11 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/collision/list_refinement.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
+#include "tests/engine/scheduled_pairs.hpp"
 
 namespace impetus::lists_test {
 
@@ -26,13 +28,13 @@ Schedule lists_by(const char* metric, std::vector<double> thresholds) {
   Schedule schedule;
   schedule.metric = make_metric(metric);
   schedule.lists.resize(thresholds.size() + 1);
-  schedule.thresholds = std::move(thresholds);
+  schedule.limits = std::move(thresholds);
   return schedule;
 }
 
 Schedule by_region(int bad_level = kUnlimitedLevel) {
   Schedule schedule;
-  schedule.rule = ListRule::kRegion;
+  schedule.rule = make_list_rule("region");
   schedule.lists = {{0.5, 0, kUnlimitedLevel}, {0.5, 0, bad_level}};
   return schedule;
 }
@@ -86,7 +88,7 @@ TEST(Lists, ASchedulesProblemIsNamed) {
   const auto with_lists = [](std::vector<PriorityList> lists, std::vector<double> thresholds) {
     Schedule schedule;
     schedule.lists = std::move(lists);
-    schedule.thresholds = std::move(thresholds);
+    schedule.limits = std::move(thresholds);
     return problem_of(schedule);
   };
   EXPECT_EQ(problem_of(Schedule{}), "");

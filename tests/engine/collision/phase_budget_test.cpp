@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "engine/collision/list_refinement.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::phase_budget_test {
 
@@ -118,7 +119,7 @@ TEST(PhaseBudget, APairThatSeparatesReleasesItsReserve) {
   };
   PlacedTree a(left);
   PlacedTree b(right);
-  const RefinementSettings settings{Traversal::kDepthFirst, {1, 1, 10, 100}, {}};
+  const RefinementSettings settings{make_traversal("depth-first"), {1, 1, 10, 100}, {}};
   // Before the block: 1 root + 4 tests + 4 nodes modelled + 1 averaged contact.
   constexpr std::int64_t kNeeded = 1 + 4 + 4 * 10 + 100;
   std::vector<RefinedPair> pairs = pair_of(a, b);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/collision/sweep_and_prune.hpp"
+#include "engine/collision/broad_phase.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::sweep_and_prune_test {

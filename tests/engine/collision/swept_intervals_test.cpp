@@ -1,6 +1,6 @@
 // Intervals compared by the block against intervals one by one.
 // SPDX-License-Identifier: MIT
-#include "engine/collision/swept_intervals.hpp"
+#include "engine/collision/broad_phase.hpp"
 
 #include <gtest/gtest.h>
 

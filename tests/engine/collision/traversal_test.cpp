@@ -6,16 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/collision/entry/node_gap.hpp"
-#include "engine/collision/list_refinement.hpp"
-#include "engine/collision/waiting_pairs.hpp"
+#include "engine/collision/entry/near_nodes.hpp"
+#include "engine/collision/work_sharing.hpp"
 #include "tests/engine/crowds.hpp"
+#include "tests/engine/once.hpp"
 
 namespace impetus::traversal_test {
 
 constexpr std::uint64_t kSeed = 511;
-constexpr std::array kTraversals{Traversal::kDepthFirst, Traversal::kBreadthFirst,
-                                 Traversal::kBestFirst, Traversal::kVisibleFirst};
 
 /// Random pairs of trees of every kind, some of them apart, and of trees and walls.
 struct RandomPairs {
@@ -62,10 +60,11 @@ TEST(Traversal, WithUnlimitedWorkEveryOrderEndsInTheSameContacts) {
       }
       nodes += pair.refinement.overlapping().size();
     }
-    for (const Traversal traversal : kTraversals) {
+    for (const std::string_view traversal : traversal_names()) {
       RandomPairs many(seed);
       FixedWork all(kUnlimitedTests);
-      static_cast<void>(refine_by_lists(many.pairs, kTwoLists, all, {traversal, kAllPhases, {}}));
+      static_cast<void>(
+          refine_by_lists(many.pairs, kTwoLists, all, {make_traversal(traversal), kAllPhases, {}}));
       expect_same_contacts(many, alone);
     }
   }
@@ -75,8 +74,8 @@ TEST(Traversal, WithUnlimitedWorkEveryOrderEndsInTheSameContacts) {
 TEST(Traversal, InterruptedAndResumedEqualsWhole) {
   RandomStream random(kSeed, "slices");
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    for (const Traversal traversal : kTraversals) {
-      const RefinementSettings settings{traversal, kAllPhases, {}};
+    for (const std::string_view traversal : traversal_names()) {
+      const RefinementSettings settings{make_traversal(traversal), kAllPhases, {}};
       RandomPairs whole(seed);
       FixedWork all(kUnlimitedTests);
       static_cast<void>(refine_by_lists(whole.pairs, kTwoLists, all, settings));
@@ -102,8 +101,8 @@ TEST(Traversal, InterruptedAndResumedEqualsWhole) {
 TEST(Traversal, GrantsInSlicesDoTheWorkOfOneGrant) {
   RandomStream random(kSeed, "grants");
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    for (const Traversal traversal : kTraversals) {
-      const RefinementSettings settings{traversal, kAllPhases, {}};
+    for (const std::string_view traversal : traversal_names()) {
+      const RefinementSettings settings{make_traversal(traversal), kAllPhases, {}};
       RandomPairs live(seed);
       RefusingWork slices(random, 1 + random.below(200));
       const WorkDone shown = refine_by_lists(live.pairs, kTwoLists, slices, settings);
@@ -124,7 +123,7 @@ const VolumeTree& l_block_tree() {
 }
 
 /// The level of every pair of a list of equal pairs after `budget` units.
-std::vector<int> levels_after(Traversal traversal, std::int64_t budget) {
+std::vector<int> levels_after(std::string_view traversal, std::int64_t budget) {
   const VolumeTree& tree = l_block_tree();
   PlacedTree a(tree);
   PlacedTree b(tree);
@@ -134,7 +133,7 @@ std::vector<int> levels_after(Traversal traversal, std::int64_t budget) {
     pairs.push_back({{0, 1}, 0, PairRefinement(a, b)});
   }
   FixedWork meter(budget);
-  static_cast<void>(refine_by_lists(pairs, {{}}, meter, {traversal, {}, {}}));
+  static_cast<void>(refine_by_lists(pairs, {{}}, meter, {make_traversal(traversal), {}, {}}));
   std::vector<int> levels;
   for (const RefinedPair& pair : pairs) {
     levels.push_back(pair.refinement.level());
@@ -145,7 +144,7 @@ std::vector<int> levels_after(Traversal traversal, std::int64_t budget) {
 TEST(Traversal, BreadthFirstBringsAllPairsToALevelBeforeAnyGoesOn) {
   int uneven = 0;
   for (std::int64_t budget = 8; budget < 4'000; budget = budget * 5 / 4 + 1) {
-    const std::vector<int> levels = levels_after(Traversal::kBreadthFirst, budget);
+    const std::vector<int> levels = levels_after("breadth-first", budget);
     EXPECT_TRUE(std::is_sorted(levels.rbegin(), levels.rend())) << "ties by priority";
     EXPECT_LE(levels.front() - levels.back(), 1) << budget;
     uneven += levels.front() != levels.back() ? 1 : 0;
@@ -170,7 +169,7 @@ TEST(Traversal, DepthFirstTakesOnePairAfterTheOther) {
       }
       expected.push_back(pair.level());
     }
-    EXPECT_EQ(levels_after(Traversal::kDepthFirst, budget), expected) << budget;
+    EXPECT_EQ(levels_after("depth-first", budget), expected) << budget;
     begun += expected.front() > 0 && expected.back() == 0 ? 1 : 0;
   }
   EXPECT_GT(begun, 2);
@@ -193,7 +192,7 @@ double urgency_of(const VolumeTree& tree, double apart_m, double eye_distance_m)
   b.move_to({Vector3(apart_m, 0.0, 0.0), Quaternion::Identity()});
   RefinedPair pair{{0, 1}, 0, PairRefinement(a, b)};
   pair.eye_distance_m = eye_distance_m;
-  return urgency(pair, Traversal::kBestFirst, PhaseCosts({1, 1, 0, 0}, {}));
+  return urgency(pair, *make_traversal("best-first"), PhaseCosts({1, 1, 0, 0}, {}));
 }
 
 TEST(Traversal, BestFirstExpectsVisibleGapTimesProbabilityPerWork) {
@@ -211,7 +210,7 @@ TEST(Traversal, BestFirstExpectsVisibleGapTimesProbabilityPerWork) {
 TEST(Traversal, BestFirstRemovesMoreVisibleGapThanDepthFirst) {
   // Near the eye and far from it in turn; the priority is the order given.
   const VolumeTree& tree = l_block_tree();
-  const auto gap_left = [&](Traversal traversal, std::int64_t budget) {
+  const auto gap_left = [&](std::string_view traversal, std::int64_t budget) {
     std::vector<PlacedTree> placed(9, PlacedTree(tree));
     std::vector<RefinedPair> pairs;
     for (std::size_t i = 1; i < placed.size(); ++i) {
@@ -221,7 +220,7 @@ TEST(Traversal, BestFirstRemovesMoreVisibleGapThanDepthFirst) {
       pairs.back().eye_distance_m = i % 2 == 0 ? 0.5 : 5.0;
     }
     FixedWork meter(budget);
-    static_cast<void>(refine_by_lists(pairs, {{}}, meter, {traversal, {}, {}}));
+    static_cast<void>(refine_by_lists(pairs, {{}}, meter, {make_traversal(traversal), {}, {}}));
     double sum = 0.0;
     for (const RefinedPair& pair : pairs) {
       const bool apart = pair.refinement.overlapping().empty();
@@ -231,7 +230,7 @@ TEST(Traversal, BestFirstRemovesMoreVisibleGapThanDepthFirst) {
     return sum;
   };
   for (const std::int64_t budget : {400, 1'000, 3'000}) {
-    EXPECT_LT(gap_left(Traversal::kBestFirst, budget), gap_left(Traversal::kDepthFirst, budget));
+    EXPECT_LT(gap_left("best-first", budget), gap_left("depth-first", budget));
   }
 }
 
@@ -243,7 +242,7 @@ double visible_urgency_of(const VolumeTree& tree, double apart_m, double eye_dis
   RefinedPair pair{{0, 1}, 0, PairRefinement(a, b)};
   pair.eye_distance_m = eye_distance_m;
   pair.acuity = acuity;
-  return urgency(pair, Traversal::kVisibleFirst, PhaseCosts({1, 1, 0, 0}, {}));
+  return urgency(pair, *make_traversal("visible-first"), PhaseCosts({1, 1, 0, 0}, {}));
 }
 
 TEST(Traversal, VisibleFirstExpectsTheGapThatOpensTimesAcuityPerWork) {
@@ -324,10 +323,9 @@ TEST(Traversal, WaitingPairsComeAsASortWouldHaveThem) {
 TEST(Traversal, EveryOrderReplaysAndAnUnlimitedBudgetEndsAllInOneState) {
   WorldSettings settings;
   World plain = random_tree_world(9, 5, settings);
-  for (const Traversal traversal :
-       {Traversal::kBreadthFirst, Traversal::kBestFirst, Traversal::kVisibleFirst}) {
+  for (const char* traversal : {"breadth-first", "best-first", "visible-first"}) {
     World depth_first = plain;
-    settings.schedule.traversal = traversal;
+    settings.schedule.traversal = make_traversal(traversal);
     World other = random_tree_world(9, 5, settings);
     for (int step = 0; step < 300; ++step) {
       ASSERT_EQ(step_whole(depth_first).state.hash, step_whole(other).state.hash);

@@ -7,6 +7,7 @@
 
 #include "engine/dynamics/stop_at_entry.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/shots.hpp"
 
 namespace impetus::tunnelling_test {

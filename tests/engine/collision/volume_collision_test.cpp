@@ -8,6 +8,7 @@
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/world/starting_overlaps.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/random_volumes.hpp"
 
 namespace impetus::volume_collision_test {
@@ -43,7 +44,7 @@ struct Placed {
   [[nodiscard]] Volume at(std::int32_t node) const { return placed(tree->volume(node), pose); }
 };
 
-std::vector<std::int32_t> one_level_deeper(const VolumeTree& tree, std::int32_t node) {
+std::vector<std::int32_t> nodes_one_deeper(const VolumeTree& tree, std::int32_t node) {
   const auto& [first, count] = tree.links(node);
   std::vector<std::int32_t> nodes;
   for (std::int32_t child = first; child < first + count; ++child) {
@@ -62,8 +63,8 @@ void descend(const Placed& a, const Placed& b, NodePair nodes, int levels,
     found.push_back(nodes);
     return;
   }
-  for (const std::int32_t i : one_level_deeper(*a.tree, nodes.a)) {
-    for (const std::int32_t j : one_level_deeper(*b.tree, nodes.b)) {
+  for (const std::int32_t i : nodes_one_deeper(*a.tree, nodes.a)) {
+    for (const std::int32_t j : nodes_one_deeper(*b.tree, nodes.b)) {
       descend(a, b, {i, j}, levels - 1, found);
     }
   }

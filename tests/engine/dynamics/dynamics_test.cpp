@@ -14,6 +14,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/tumbling_box.hpp"
 
 namespace impetus::dynamics_test {

@@ -1,13 +1,12 @@
 // Bodies that turn far in a step, and needles: their energy, and where they end up.
 // SPDX-License-Identifier: MIT
-#include "engine/dynamics/far_turn.hpp"
+#include "engine/dynamics/motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/motion.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::far_turn_test {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "engine/dynamics/limits.hpp"
-#include "engine/world/world_checks.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::finite_states_test {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/dynamics/responder.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/plain_response.hpp"
 #include "tests/engine/response_scenes.hpp"
 

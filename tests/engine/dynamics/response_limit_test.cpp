@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/dynamics/responder.hpp"
+#include "tests/engine/once.hpp"
 #include "tests/engine/response_scenes.hpp"
 
 namespace impetus::response_limit_test {

@@ -1,6 +1,6 @@
 // Impulses found together: no energy gained, no approach left, momentum kept, waves passed on.
 // SPDX-License-Identifier: MIT
-#include "engine/dynamics/simultaneous_response.hpp"
+#include "tests/engine/once.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/dynamics/islands.hpp"
 #include "engine/dynamics/nearest_velocities.hpp"
+#include "engine/dynamics/responder.hpp"
 #include "tests/engine/response_problems.hpp"
 
 namespace impetus::response_test {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/figures/figure_motion.hpp"
-#include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/volume.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
 namespace impetus::figure_contacts_test {

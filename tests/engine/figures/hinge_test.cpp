@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "engine/figures/hinge_stops.hpp"
+#include "engine/figures/hinged_responder.hpp"
 #include "tests/engine/figure_scenes.hpp"
 
 namespace impetus::hinge_test {

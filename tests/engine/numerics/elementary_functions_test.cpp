@@ -6,9 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/numerics/exponential.hpp"
-#include "engine/numerics/logarithm.hpp"
-#include "engine/numerics/normal_distribution.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "tests/engine/builders.hpp"
 

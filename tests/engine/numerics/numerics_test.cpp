@@ -10,9 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/numerics/bits.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::numerics_test {

@@ -13,6 +13,7 @@
 #include "engine/scheduling/visible_frequency.hpp"
 #include "engine/shapes/mesh_distance.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::metrics_test {
 

@@ -74,7 +74,7 @@ World two_touching_l_blocks(std::int64_t persistence_steps) {
   BodyModel model = solid_body(small_l_block(), 3);
   model.inverse_inertia.setZero();
   WorldSettings settings;
-  settings.schedule.rule = ListRule::kRegion;
+  settings.schedule.rule = make_list_rule("region");
   settings.schedule.lists = {{0.5, 0, kUnlimitedLevel}, {0.5, 0, 0}};
   settings.schedule.persistence_steps = persistence_steps;
   settings.restitution = 0.0;

@@ -7,6 +7,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/scheduled_pairs.hpp"
 
 namespace impetus::scheduling_test {
 

@@ -11,12 +11,13 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/scheduled_pairs.hpp"
 
 namespace impetus::solved_thresholds_test {
 
 constexpr std::uint64_t kSeed = 53;
 
-/// How many of the measures fall into each list, counted by the rule of kThresholds.
+/// How many of the measures fall into each list, counted by the rule "thresholds".
 std::vector<std::size_t> counts(const std::vector<double>& thresholds,
                                 const std::vector<double>& measures, const PriorityMetric& metric) {
   std::vector<std::size_t> counted(thresholds.size() + 1, 0);
@@ -58,7 +59,7 @@ TEST(SolvedThresholds, GiveEachListItsShareOfDifferentMeasures) {
       Schedule schedule;
       schedule.metric = metric;
       schedule.lists.resize(shares.size() + 1);
-      schedule.thresholds = thresholds;
+      schedule.limits = thresholds;
       EXPECT_EQ(problem_of(schedule), "") << "a schedule takes them";
     }
   }
@@ -110,9 +111,9 @@ TEST(SolvedThresholds, WhatCannotBeSolvedIsNamed) {
 Schedule by_shares(std::vector<double> shares) {
   Schedule schedule;
   schedule.metric = make_metric("distance");
-  schedule.rule = ListRule::kPairShares;
+  schedule.rule = make_list_rule("pair_shares");
   schedule.lists.resize(shares.size() + 1);
-  schedule.pair_shares = std::move(shares);
+  schedule.limits = std::move(shares);
   return schedule;
 }
 
@@ -152,12 +153,12 @@ TEST(PairShares, ASchedulesProblemIsNamed) {
   Schedule one_missing = by_shares({0.5});
   one_missing.lists.emplace_back();
   EXPECT_EQ(problem_of(one_missing), "schedule: expected 2 pair shares, got 1");
-  Schedule both = by_shares({0.5});
-  both.thresholds = {1.0};
-  EXPECT_EQ(problem_of(both), "schedule: expected 0 thresholds, got 1");
-  Schedule unused;
-  unused.pair_shares = {0.5};
-  EXPECT_EQ(problem_of(unused), "schedule: expected 0 pair shares, got 1");
+  Schedule no_list;
+  no_list.limits = {0.5};
+  EXPECT_EQ(problem_of(no_list), "schedule: expected 0 thresholds, got 1");
+  no_list.rule = make_list_rule("region");
+  no_list.lists.emplace_back();
+  EXPECT_EQ(problem_of(no_list), "schedule: expected no limits, got 1");
   Schedule forgetful;
   forgetful.persistence_steps = -1;
   EXPECT_EQ(problem_of(forgetful), "schedule: expected a persistence of at least 0 steps, got -1");

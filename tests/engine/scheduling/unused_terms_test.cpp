@@ -48,7 +48,7 @@ struct WatchedCube {
     Schedule schedule;
     schedule.metric = metric;
     schedule.lists = std::move(lists);
-    schedule.thresholds.assign(schedule.lists.size() - 1, 0.5);
+    schedule.limits.assign(schedule.lists.size() - 1, 0.5);
     world.emplace(enclosed_l_blocks(27, /*depth=*/2, std::move(schedule)));
   }
 
@@ -180,12 +180,25 @@ void expect_it_looks_at_what_it_says(const PriorityMetric& metric, const std::st
     }
     EXPECT_EQ(changed > 0, (metric.terms() & term) != 0) << name << ", term " << term;
   }
+  int followed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const PairBounds bounds = random_bounds(random);
+    const ScreenPoint aside{uniform_in(random, 1.0, 5.0), 0.0};
+    followed += metric.measure(bounds, viewer, {}) != metric.measure(bounds, viewer, aside) ? 1 : 0;
+  }
+  EXPECT_EQ(followed > 0, (metric.terms() & kFixationTerm) != 0) << name << ", fixation";
 }
 
 TEST(UnusedTerms, EveryMetricLooksAtTheTermsItSaysAndNoOthers) {
   for (const std::string_view name : metric_names()) {
     if (!needs_terms(name)) {
       expect_it_looks_at_what_it_says(*make_metric(name), std::string(name));
+    }
+    if (takes_point(name) && !needs_terms(name)) {
+      MetricOptions options;
+      options.point = ScreenPoint{0.1, 0.1};
+      expect_it_looks_at_what_it_says(*make_metric(name, options),
+                                      std::string(name) + " of a point");
     }
   }
 }

@@ -1,16 +1,14 @@
 // The oracles of first touch, and of a ball and a mesh, against what is known by other means.
 // SPDX-License-Identifier: MIT
-#include "engine/shapes/ball_distance.hpp"
+#include "engine/shapes/mesh_distance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "engine/shapes/first_touch.hpp"
-#include "engine/shapes/mesh_distance.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
 
 namespace impetus::ball_distance_test {

@@ -11,11 +11,10 @@
 #include <utility>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/knot_mesh.hpp"
 #include "engine/shapes/solids/level_set_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 #include "tests/engine/builders.hpp"
 

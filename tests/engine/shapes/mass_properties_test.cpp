@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/split_flat.hpp"
 

@@ -7,14 +7,12 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/shapes/exact_orientation.hpp"
-#include "engine/shapes/mending/component_orientation.hpp"
 #include "engine/shapes/mesh_components.hpp"
 #include "engine/shapes/self_intersections.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/triangle_meeting.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::mesh_defects_test {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/shapes/point_in_solid.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/knot_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::surface_distance_test {
 

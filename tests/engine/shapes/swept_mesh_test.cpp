@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/swept_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/builders/swept_tree.hpp"

@@ -15,11 +15,11 @@
 #include <memory>
 
 #include "engine/collision/pair_refinement.hpp"
-#include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "tests/engine/builders.hpp"
 

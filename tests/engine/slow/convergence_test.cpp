@@ -97,7 +97,7 @@ constexpr Exception kExceptions[] = {
     {TreeKind::kMedial, "density", kVelocity, kCornersHaveNoNormal},
     {TreeKind::kSwept, "density", kNormal, kCornersHaveNoNormal},
     {TreeKind::kSwept, "density", kVelocity, kCornersHaveNoNormal},
-    // Of medial spheres where those are worth more (heterogeneous_tree.hpp).
+    // Of medial spheres where those are worth more (build_tree.cpp).
     {TreeKind::kHeterogeneous, "density", kNormal, kCornersHaveNoNormal},
 };
 

@@ -51,12 +51,7 @@ TEST(LongRuns, FifteenEnclosedLBlocksKeepEnergyAndMomentumForTenMinutes) {
   double passed_on_Ns = 0.0;
   double farthest_m = 0.0;
   for (int step = 0; step < 10 * 60 * 240; ++step) {
-    std::vector<BodyState> free = world.states();
-    double before = 0.0;
-    for (std::size_t body = 0; body < free.size(); ++body) {
-      advance(world.models()[body], free[body], kStep_s);
-      before += kinetic_energy(world.models()[body], free[body]);
-    }
+    const double before = energy_after_free_flight(world, kStep_s);
     for (const CollisionReport& collision : step_whole(world).collisions) {
       if (is_wall(collision.bodies.b)) {
         const Vector3 impulse = collision.impulse_Ns * collision.contact.touch.normal;

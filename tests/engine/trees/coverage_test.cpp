@@ -9,9 +9,9 @@
 #include <string>
 
 #include "engine/numerics/spread_points.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/surface_part.hpp"
 #include "tests/engine/one_of_each_kind.hpp"

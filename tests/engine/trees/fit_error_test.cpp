@@ -9,10 +9,10 @@
 #include <limits>
 #include <string>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
-#include "engine/shapes/triangle_in_box.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
+#include "engine/shapes/triangle_distance.hpp"
 #include "engine/trees/surface_part.hpp"
 #include "engine/volumes/rounded_box.hpp"
 #include "tests/engine/one_of_each_kind.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/solid_grid.hpp"
 #include "tests/engine/one_of_each_kind.hpp"

@@ -11,13 +11,14 @@
 
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/shapes/mesh_distance.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/builders/medial_balls.hpp"
-#include "engine/trees/builders/power_cells.hpp"
+#include "engine/trees/surface_part.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::medial_tree_test {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "engine/trees/fit_error.hpp"
 #include "tests/engine/one_of_each_kind.hpp"
 

@@ -13,10 +13,11 @@
 
 #include "engine/collision/pair_refinement.hpp"
 #include "engine/shapes/mesh_distance.hpp"
-#include "engine/shapes/point_in_solid.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
+#include "engine/shapes/surface_distance.hpp"
 #include "tests/engine/builders.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::octree_test {
 
@@ -58,7 +59,7 @@ Polygon half_of(const Polygon& polygon, int axis, long double at, long double si
 }
 
 /// The cell is grown by the builder's snapping distance, 1e-13 of the size.
-Polygon clipped_to(const OctreeCell& cell, const TriangleMesh& mesh, std::size_t triangle) {
+Polygon clipped_to(const Bounds& cell, const TriangleMesh& mesh, std::size_t triangle) {
   constexpr long double kGrown = 3e-13L;
   Polygon polygon;
   for (const std::uint32_t vertex : mesh.triangles[triangle]) {
@@ -71,7 +72,7 @@ Polygon clipped_to(const OctreeCell& cell, const TriangleMesh& mesh, std::size_t
   return polygon;
 }
 
-OctreeCell shrunk(const OctreeCell& cell) {
+Bounds shrunk(const Bounds& cell) {
   const Vector3 by = Vector3::Constant(1e-12);
   return {cell.least + by, cell.most - by};
 }
@@ -108,7 +109,7 @@ TEST(Octree, EveryLevelCoversTheWholeSurface) {
       for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         long double held = 0.0L;
         for (const std::int32_t index : nodes) {
-          const OctreeCell& cell = octree.cells[static_cast<std::size_t>(index)];
+          const Bounds& cell = octree.cells[static_cast<std::size_t>(index)];
           const Polygon polygon = clipped_to(cell, mesh, triangle);
           if (holds(sphere_of(octree.tree, index), polygon)) {
             held += area_of(polygon);
@@ -129,7 +130,7 @@ TEST(Octree, EveryNodeHoldsAllOfTheSurfaceInItsCell) {
   for (const auto& [name, mesh, depth] : solids()) {
     const Octree octree = build_octree(mesh, depth);
     for (std::int32_t index = 0; index < octree.tree.node_count(); ++index) {
-      const OctreeCell& cell = octree.cells[static_cast<std::size_t>(index)];
+      const Bounds& cell = octree.cells[static_cast<std::size_t>(index)];
       for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const Polygon polygon = clipped_to(cell, mesh, triangle);
         // What reaches in by no more than the snapping belongs to the neighbour.
@@ -147,10 +148,10 @@ TEST(Octree, AChildsPartLiesInItsParents) {
     const Octree octree = build_octree(mesh, depth);
     for (std::int32_t index = 0; index < octree.tree.node_count(); ++index) {
       const NodeLinks& node = octree.tree.links(index);
-      const OctreeCell& outer = octree.cells[static_cast<std::size_t>(index)];
+      const Bounds& outer = octree.cells[static_cast<std::size_t>(index)];
       for (std::int32_t child = node.first_child; child < node.first_child + node.child_count;
            ++child) {
-        const OctreeCell& inner = octree.cells[static_cast<std::size_t>(child)];
+        const Bounds& inner = octree.cells[static_cast<std::size_t>(child)];
         ASSERT_TRUE((inner.least.array() >= outer.least.array()).all()) << name;
         ASSERT_TRUE((inner.most.array() <= outer.most.array()).all()) << name;
         ASSERT_TRUE((inner.least.array() < inner.most.array()).all()) << name;

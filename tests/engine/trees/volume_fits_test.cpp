@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
-#include "engine/trees/builders/compass_search.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/reach_beyond.hpp"
 #include "engine/trees/minimal_ball.hpp"
 #include "tests/engine/builders.hpp"
@@ -131,7 +130,7 @@ TEST(VolumeFits, EveryKindHoldsAllThePointsOnceItIsGrown) {
   const SurfacePart part = half_torus(mesh);
   const PartShape shape = shape_of(part);
   const SurfaceDistance exact(mesh);
-  const RoughDistance rough(exact, Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3), 60);
+  const RoughDistance rough(exact, {Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3)}, 60);
   const std::vector<Matrix3> frames =
       frames_worth_trying(shape, Matrix3::Identity(), Effort::kCareful);
   const FitTask task{&shape, DistanceToUse(rough), frames, Effort::kCareful};
@@ -162,7 +161,7 @@ TEST(ReachBeyond, OfABoxIsTheFarthestOfManySamples) {
   RandomStream random(kSeed, "reach");
   const TriangleMesh mesh = torus_mesh(1.0, 0.3, 24, 12);
   const SurfaceDistance exact(mesh);
-  const RoughDistance rough(exact, Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3), 60);
+  const RoughDistance rough(exact, {Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3)}, 60);
   for (int trial = 0; trial < 30; ++trial) {
     const Box box{random_in_cube(random, 1.0),
                   Vector3(0.05, 0.05, 0.05) + random_in_cube(random, 0.25).cwiseAbs(),
@@ -185,7 +184,7 @@ TEST(RoughDistance, LiesWithinACellOfTheTruth) {
   RandomStream random(kSeed, "rough");
   const TriangleMesh mesh = torus_mesh(1.0, 0.3, 24, 12);
   const SurfaceDistance exact(mesh);
-  const RoughDistance rough(exact, Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3), 60);
+  const RoughDistance rough(exact, {Vector3(-1.3, -1.3, -0.3), Vector3(1.3, 1.3, 0.3)}, 60);
   for (int trial = 0; trial < 5'000; ++trial) {
     const Vector3 point = random_in_cube(random, 1.6);
     ASSERT_NEAR(rough.interpolated_m(point), exact.signed_distance_m(point), rough.spacing_m());

@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "engine/shapes/point_in_solid.hpp"
 #include "engine/shapes/surface_distance.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/built_solids.hpp"
+#include "tests/engine/mesh_oracles.hpp"
 
 namespace impetus::voxel_tree_test {
 

@@ -122,12 +122,7 @@ TEST(ClosedCube, FifteenLBlocksGainNoEnergyInAnyImpactAndStayInside) {
   std::size_t with_walls = 0;
   std::size_t with_bodies = 0;
   for (int step = 0; step < 2'400; ++step) {
-    std::vector<BodyState> free = world.states();
-    double before = 0.0;
-    for (std::size_t body = 0; body < free.size(); ++body) {
-      advance(world.models()[body], free[body], kStep_s);
-      before += kinetic_energy(world.models()[body], free[body]);
-    }
+    const double before = energy_after_free_flight(world, kStep_s);
     for (const CollisionReport& collision : step_whole(world).collisions) {
       ++(is_wall(collision.bodies.b) ? with_walls : with_bodies);
     }

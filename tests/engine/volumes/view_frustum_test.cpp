@@ -161,12 +161,7 @@ TEST(ViewFrustum, BodiesStayInViewAndGainNoEnergyInAnyImpact) {
   World world(std::vector<BodyModel>(6, model), states, settings);
   std::array<int, 6> hits{};
   for (int step = 0; step < 4'800; ++step) {
-    std::vector<BodyState> free = world.states();
-    double before = 0.0;
-    for (std::size_t body = 0; body < free.size(); ++body) {
-      advance(world.models()[body], free[body], kStep_s);
-      before += kinetic_energy(world.models()[body], free[body]);
-    }
+    const double before = energy_after_free_flight(world, kStep_s);
     for (const CollisionReport& collision : step_whole(world).collisions) {
       if (is_wall(collision.bodies.b)) {
         ++hits[static_cast<std::size_t>(kEnclosure - collision.bodies.b)];

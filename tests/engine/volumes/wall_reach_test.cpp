@@ -1,6 +1,6 @@
 // Spheres beside walls, many at a time: the same answers as one at a time.
 // SPDX-License-Identifier: MIT
-#include "engine/volumes/wall_reach.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 #include <gtest/gtest.h>
 

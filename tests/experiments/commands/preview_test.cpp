@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "engine/scheduling/metrics.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/run/preview_run.hpp"
 #include "tests/experiments/preview_scenes.hpp"
@@ -277,46 +276,6 @@ TEST(PreviewRun, EnergyIsAShareOfThatAtTheOnset) {
   advance_frames(run, 60);
   // Restitution 1: impulses keep it, and the integration of free rotation does to about 1e-6.
   EXPECT_NEAR(run.energy_share(), 1.0, 1e-5);
-}
-
-/// Three lists in which the crowd's pairs spread.
-Schedule three_lists(std::string_view metric, double first, double second) {
-  Schedule schedule;
-  schedule.metric = make_metric(metric);
-  schedule.lists = {{}, {}, {}};
-  schedule.thresholds = {first, second};
-  return schedule;
-}
-
-TEST(PairsOfStep, HoldEveryCollisionInItsOwnList) {
-  const std::vector<Schedule> schedules{
-      three_lists("distance", 9.8, 10.1), three_lists("eccentricity", 1.5, 2.5),
-      three_lists("velocity", 1.0, 2.0), three_lists("size", 1.74, 1.70)};
-  for (const Schedule& schedule : schedules) {
-    StagedScene scene = crowd(schedule);
-    std::set<int> lists;
-    for (int step = 0; step < 480; ++step) {
-      StepInput input = step_of(kStep_s);
-      input.fixation = ScreenPoint{0.1, 0.0};
-      const std::vector<BodyState> before = scene.world.states();
-      FixedWork meter(kUnlimitedTests);
-      const StepReport report = scene.world.step(input, meter);
-      const std::vector<ScheduledPair> pairs = pairs_of_step(scene.world, before, input);
-      // One test of the roots for each pair is the floor of lists without a least level.
-      ASSERT_EQ(static_cast<std::int64_t>(pairs.size()), report.work_floor);
-      for (const CollisionReport& collision : report.collisions) {
-        const BodyPair bodies{collision.bodies.a,
-                              is_wall(collision.bodies.b) ? kEnclosure : collision.bodies.b};
-        const auto found =
-            std::find_if(pairs.begin(), pairs.end(),
-                         [&bodies](const ScheduledPair& pair) { return pair.pair == bodies; });
-        ASSERT_NE(found, pairs.end());
-        ASSERT_EQ(found->list, collision.list);
-        lists.insert(collision.list);
-      }
-    }
-    EXPECT_GE(lists.size(), 2U) << "thresholds that part nothing: " << schedule.thresholds[0];
-  }
 }
 
 // ---------------------------------------------------------------- scene files

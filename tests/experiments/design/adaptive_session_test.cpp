@@ -7,7 +7,6 @@
 
 #include <map>
 
-#include "experiments/design/adaptive_replay.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 #include "tests/experiments/asked_study.hpp"

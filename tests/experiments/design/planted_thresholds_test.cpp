@@ -41,7 +41,7 @@ class Answers {
   Answers(const Protocol& protocol, double threshold_ms, const std::string& pseudonym)
       : scene_(
             ProtocolScenes(protocol, 0.0).stage(cells(protocol.design).front(), assumed_screen())),
-        observer_(parameters(threshold_ms), 7, pseudonym, clock_) {
+        observer_(parameters(threshold_ms), {7, pseudonym, clock_, clock_}) {
     page_.response = "yes_no";
     page_.layout = Page::Layout::kChoices;
     page_.choices = {{"yes", "y"}, {"no", "n"}};

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "experiments/gaze/gaze_latency.hpp"
-#include "experiments/gaze/recorded_gaze.hpp"
-#include "experiments/record/enclosure_image.hpp"
+#include "experiments/gaze/region_source.hpp"
 #include "experiments/run/replay.hpp"
 #include "experiments/session/trial.hpp"
 #include "tests/experiments/fakes.hpp"
@@ -190,6 +189,46 @@ TEST(GazeTrial, EveryStepKnowsItsSampleItsAgeAndTheFrameThatShowedIt) {
   ASSERT_TRUE(record.gaze_latency_p95_ms);
   EXPECT_NEAR(*record.gaze_latency_p95_ms, 5.0 + 1e3 / 60.0, 1e-3);
 }
+
+/// A recorded gaze, played again: each sample comes as long after the stimulus's onset as it did
+/// then.
+class RecordedGaze final : public Gaze {
+ public:
+  /// `samples` in order of time, with `onset_ns` of their trial. `clock` must outlive this.
+  RecordedGaze(std::vector<GazeSample> samples, std::int64_t onset_ns, const Clock& clock)
+      : clock_(clock), samples_(std::move(samples)), then_ns_(onset_ns) {}
+
+  [[nodiscard]] std::string source() const override { return "recording"; }
+
+  /// What is due by now; nothing before the onset. Stamps are of this session's clock.
+  std::vector<GazeSample> take_samples() override {
+    std::vector<GazeSample> due;
+    while (onset_ns_ && next_ < samples_.size()) {
+      GazeSample sample = samples_[next_];
+      sample.taken_ns += *onset_ns_ - then_ns_;
+      if (sample.taken_ns > clock_.now_ns()) {
+        break;
+      }
+      due.push_back(sample);
+      ++next_;
+    }
+    return due;
+  }
+
+  /// The first picture with something in it is the onset.
+  void shown(const Picture& picture, const Flip& flip) override {
+    if (!onset_ns_ && !picture.bodies.empty()) {
+      onset_ns_ = flip.flipped_ns;
+    }
+  }
+
+ private:
+  const Clock& clock_;
+  std::vector<GazeSample> samples_;
+  std::int64_t then_ns_;
+  std::optional<std::int64_t> onset_ns_;
+  std::size_t next_{0};
+};
 
 // A recording's samples stand as far from the onset as they did.
 TEST(GazeTrial, ARecordedGazeLeadsToTheSameTrial) {

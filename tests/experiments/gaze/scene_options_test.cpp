@@ -3,7 +3,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "experiments/gaze/region_source.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::scene_options_test {
@@ -119,10 +123,10 @@ TEST(SceneOptions, TheOrderWithinAListIsAskedForByName) {
   const auto asked = [](const char* name) {
     return world_settings(built(with_schedule("traversal", name))).schedule.traversal;
   };
-  EXPECT_EQ(asked("depth-first"), Traversal::kDepthFirst);
-  EXPECT_EQ(asked("breadth-first"), Traversal::kBreadthFirst);
-  EXPECT_EQ(asked("best-first"), Traversal::kBestFirst);
-  EXPECT_EQ(asked("visible-first"), Traversal::kVisibleFirst);
+  EXPECT_EQ(asked("depth-first"), make_traversal("depth-first"));
+  EXPECT_EQ(asked("breadth-first"), make_traversal("breadth-first"));
+  EXPECT_EQ(asked("best-first"), make_traversal("best-first"));
+  EXPECT_EQ(asked("visible-first"), make_traversal("visible-first"));
   EXPECT_TRUE(built(with_schedule("traversal", "visible-first")).depends_on_gaze);
   EXPECT_EQ(scene_refusal(with_schedule("traversal", "random")),
             "/engine/schedule/traversal: expected one of \"depth-first\", \"breadth-first\", "
@@ -144,8 +148,8 @@ TEST(SceneOptions, ListsTakeSharesOfThePairsInPlaceOfThresholds) {
             "/engine/schedule/thresholds: expected none beside pair_shares, got [1.0]");
   scene["engine"]["schedule"].erase("thresholds");
   EXPECT_EQ(scene_refusal(scene), "accepted");
-  EXPECT_EQ(world_settings(built(scene)).schedule.rule, ListRule::kPairShares);
-  EXPECT_EQ(world_settings(built(scene)).schedule.pair_shares, std::vector<double>{0.25});
+  EXPECT_EQ(world_settings(built(scene)).schedule.rule, make_list_rule("pair_shares"));
+  EXPECT_EQ(world_settings(built(scene)).schedule.limits, std::vector<double>{0.25});
   scene["engine"]["schedule"]["pair_shares"] = {0.25, 0.25};
   EXPECT_EQ(scene_refusal(scene),
             "/engine/schedule/pair_shares: expected one fewer than lists, 1, got 2");
@@ -303,6 +307,36 @@ TEST(SceneOptions, AProtocolsFactorMaySetThem) {
   EXPECT_EQ(study({"capped", "ignored"}).refused(), "accepted");
   EXPECT_EQ(study({"capped", "often"}).refused(),
             place + "expected one of \"ignored\", \"capped\", \"stop-at-entry\", got \"often\"");
+}
+
+/// The words that the schema allows at a place of a schedule.
+std::set<std::string> words_at(const char* pointer) {
+  const json schema = json::parse(shipped("stimuli/scene.schema.json"));
+  const json& schedule =
+      schema.at(json::json_pointer("/properties/engine/properties/schedule/properties"));
+  return schedule.at(json::json_pointer(pointer)).get<std::set<std::string>>();
+}
+
+TEST(SceneSchema, KnowsEverySchedulerOfTheEngineByItsNameAndNoOther) {
+  std::set<std::string> terms;
+  std::set<std::string> schedulers{"region"};
+  for (const std::string_view name : metric_names()) {
+    schedulers.emplace(name);
+    if (!needs_terms(name)) {
+      terms.emplace(name);
+    }
+  }
+  EXPECT_EQ(words_at("/scheduler/enum"), schedulers);
+  EXPECT_EQ(words_at("/terms/items/properties/metric/enum"), terms);
+  const auto traversals = traversal_names();
+  EXPECT_EQ(words_at("/traversal/enum"),
+            std::set<std::string>(traversals.begin(), traversals.end()));
+  const json schema = json::parse(shipped("stimuli/scene.schema.json"));
+  for (const std::string& key : limits_keys()) {
+    EXPECT_TRUE(schema.contains(
+        json::json_pointer("/properties/engine/properties/schedule/properties/" + key)))
+        << key;
+  }
 }
 
 }  // namespace impetus::scene_options_test

@@ -4,12 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "experiments/models/file_place.hpp"
 #include "experiments/models/mesh_file.hpp"
-#include "experiments/models/mesh_writer.hpp"
+#include "experiments/models/readable_file.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "tests/engine/mesh_files.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/refusals.hpp"
 
@@ -115,7 +114,7 @@ std::filesystem::path scene_with_mesh(const Lab& lab, const std::string& file) {
 
 TEST(Confinement, ASceneNamesMeshesWithinItsFolderLinksFollowed) {
   const Lab lab;
-  write_mesh(box_mesh({1.0, 1.0, 1.0}), lab / "elsewhere/box.obj");
+  lab.write("elsewhere/box.obj", cube_obj());
   std::filesystem::create_symlink(lab / "elsewhere/box.obj", lab / "study/stimuli/link.obj");
   for (const std::string file : {"../../elsewhere/box.obj", "link.obj"}) {
     const std::string sentence = refusal([&] { read_scene(scene_with_mesh(lab, file)); });
@@ -261,7 +260,7 @@ TEST(Confinement, WhatASceneNamesIsAFile) {
 TEST(Confinement, AStudysOwnSceneOpensNoFile) {
   const TemporaryFolder folder;
   run_program(folder, simulated_run({"--participant", "S01"}));
-  write_mesh(box_mesh({1.0, 1.0, 1.0}), folder / "box.obj");
+  folder.write("box.obj", cube_obj());
   for (const std::string& file : {(folder / "box.obj").string(), std::string("box.obj")}) {
     change(folder,
            "UPDATE protocol SET scene_json = json_set(scene_json, '$.bodies[0].shape', "

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "experiments/models/building_watch.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 

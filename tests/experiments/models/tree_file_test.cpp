@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/models/tree_header.hpp"
 #include "tests/experiments/stored_trees.hpp"
 #include "tests/experiments/temporary_folder.hpp"

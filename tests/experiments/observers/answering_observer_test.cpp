@@ -12,7 +12,8 @@ namespace impetus::answering_observer_test {
 
 CausalityParameters without_spread() {
   const auto file = source_file("experiments/observers/causality.json").string();
-  auto parameters = std::get<CausalityParameters>(load_observer(file, "x").parameters);
+  CausalityParameters parameters =
+      static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
   parameters.threshold_sd_ms = parameters.intercept_sd = parameters.lapse_rate = 0.0;
   return parameters;
 }
@@ -40,7 +41,7 @@ double share_of_first(const CausalityParameters& parameters, const Page& page,
                       const std::vector<double>& delays_ms) {
   constexpr int kAnswers = 4000;
   VirtualClock clock;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   int first = 0;
   for (int i = 0; i < kAnswers; ++i) {
     std::int64_t interval = 0;
@@ -76,7 +77,7 @@ TEST(AnsweringObserver, YesIsThePositiveChoiceWhereverItStands) {
 // it is guessed.
 TEST(AnsweringObserver, ChoosesOfTwoAsTheHighThresholdObserverDoes) {
   VirtualClock clock;
-  const CausalityObserver observer(without_spread(), 1, "S01", clock);
+  const CausalityObserver observer(without_spread(), {1, "S01", clock, clock});
   for (double first = 0.0; first <= 1.0; first += 0.1) {
     for (double second = 0.0; second <= 1.0; second += 0.1) {
       double chosen = 0.0;
@@ -110,7 +111,7 @@ TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
   parameters.reaction_median_ms = 1000.0;
   parameters.reaction_sigma_log = 0.5;
   VirtualClock clock;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   Page page = question("yes_no");
   page.timeout_ms = 1000.0;
   int timed_out = 0;
@@ -128,9 +129,9 @@ TEST(AnsweringObserver, GivesNoAnswerThatWouldComeAfterThePagesTime) {
 TEST(AnsweringObserver, RatesOfGuessesAndMissesMayStandInItsFile) {
   const TemporaryFolder folder;
   json file = json::parse(shipped("experiments/observers/causality.json"));
-  const auto loaded = [&] {
-    return std::get<CausalityParameters>(
-        load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
+  const auto loaded = [&]() -> CausalityParameters {
+    return static_cast<const CausalityParameters&>(
+        *load_observer(folder.write("o.json", file.dump()).string(), "x").parameters);
   };
   EXPECT_EQ(loaded().yes_guess_rate, 0.0);
   file["parameters"]["guess_rate"] = {{"value", 0.03}, {"unit", "probability"}, {"source", "x"}};

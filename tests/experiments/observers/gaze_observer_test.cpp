@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
 
@@ -23,7 +23,7 @@ ObserverFile shipped_file() {
 }
 
 GazeObserverParameters shipped() {
-  return std::get<GazeObserverParameters>(shipped_file().parameters);
+  return static_cast<const GazeObserverParameters&>(*shipped_file().parameters);
 }
 
 /// Sees every large gap, and clicks at nothing else.
@@ -77,7 +77,7 @@ AttemptRecord every_second(double gap_m, double eccentricity_deg = 0.0, double a
 
 struct Participant {
   explicit Participant(const GazeObserverParameters& parameters, const std::string& name = "S01")
-      : observer(parameters, 1, name, clock, clock) {}
+      : observer(parameters, {1, name, clock, clock}) {}
 
   /// Seconds from onset.
   std::vector<double> clicks(const AttemptRecord& shown, const StagedScene& scene) {
@@ -93,6 +93,7 @@ struct Participant {
     observer.witnessed(shown, scene);
     Page page;
     page.layout = Page::Layout::kScale;
+    page.response = "rating";
     page.choices.resize(5);
     page.best_choice = 4;
     return 1.0 + static_cast<double>(observer.ask(page).choice);
@@ -276,12 +277,12 @@ TEST(GazeObserver, RatesByHowMuchBadItSaw) {
 
 TEST(GazeObserver, BringsItsEyeAndTheOthersHaveNone) {
   VirtualClock clock;
-  const auto with = make_observer(shipped_file(), 1, "S01", clock, clock);
+  const auto with = make_observer(shipped_file(), {1, "S01", clock, clock});
   ASSERT_NE(with->eye(), nullptr);
   EXPECT_EQ(with->eye()->source(), "simulated eye");
   const auto causality =
       load_observer(source_file("experiments/observers/causality.json").string(), "x");
-  EXPECT_EQ(make_observer(causality, 1, "S01", clock, clock)->eye(), nullptr);
+  EXPECT_EQ(make_observer(causality, {1, "S01", clock, clock})->eye(), nullptr);
 }
 
 }  // namespace impetus::gaze_observer_test

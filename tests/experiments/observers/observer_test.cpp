@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/observers/causality_observer.hpp"
+#include "experiments/observers/gap_observer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,12 @@ namespace impetus::observer_test {
 
 CausalityParameters shipped() {
   const auto file = source_file("experiments/observers/causality.json").string();
-  return std::get<CausalityParameters>(load_observer(file, "x").parameters);
+  return static_cast<const CausalityParameters&>(*load_observer(file, "x").parameters);
 }
 
 GapParameters shipped_gap() {
   const auto file = source_file("experiments/observers/gap.json").string();
-  return std::get<GapParameters>(load_observer(file, "x").parameters);
+  return static_cast<const GapParameters&>(*load_observer(file, "x").parameters);
 }
 
 double mean_rating(const CausalityObserver& observer, double delay_ms) {
@@ -30,7 +31,7 @@ double mean_rating(const CausalityObserver& observer, double delay_ms) {
 
 TEST(CausalityObserver, ProbabilitiesAddUpToOne) {
   VirtualClock clock;
-  const CausalityObserver observer(shipped(), 1, "S01", clock);
+  const CausalityObserver observer(shipped(), {1, "S01", clock, clock});
   for (double delay_ms = 0.0; delay_ms <= 1000.0; delay_ms += 50.0) {
     const auto p = observer.rating_probabilities(delay_ms);
     EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1.0, 1e-12);
@@ -43,7 +44,7 @@ TEST(CausalityObserver, IsTheStatedModel) {
   parameters.threshold_sd_ms = 0.0;
   parameters.intercept_sd = 0.0;
   VirtualClock clock;
-  const CausalityObserver observer(parameters, 1, "S01", clock);
+  const CausalityObserver observer(parameters, {1, "S01", clock, clock});
   // η = −2.2 + 4.5 Φ((110 − 110)/45) = 0.05; P(1) = .98 / (1 + e^(1.05)) + .02/3
   EXPECT_NEAR(observer.rating_probabilities(110.0)[0], 0.98 / (1.0 + std::exp(1.05)) + 0.02 / 3.0,
               1e-12);
@@ -54,7 +55,7 @@ TEST(CausalityObserver, MeanRatingsComeNearTheThesis) {
   constexpr int kParticipants = 400;
   double mean[3] = {};
   for (int i = 0; i < kParticipants; ++i) {
-    const CausalityObserver observer(shipped(), 1, "S" + std::to_string(i), clock);
+    const CausalityObserver observer(shipped(), {1, "S" + std::to_string(i), clock, clock});
     for (int d = 0; d < 3; ++d) {
       const double delay_ms[] = {0.0, 100.0, 300.0};
       mean[d] += mean_rating(observer, delay_ms[d]) / kParticipants;
@@ -69,9 +70,10 @@ TEST(CausalityObserver, MeanRatingsComeNearTheThesis) {
 TEST(CausalityObserver, AnswersFollowFromSeedAndPseudonym) {
   const auto ratings = [](std::uint64_t seed, const std::string& name) {
     VirtualClock clock;
-    CausalityObserver observer(shipped(), seed, name, clock);
+    CausalityObserver observer(shipped(), {seed, name, clock, clock});
     Page page;
     page.layout = Page::Layout::kScale;
+    page.response = "rating";
     std::string text;
     for (int i = 0; i < 60; ++i) {
       text += std::to_string(observer.ask(page).choice);
@@ -89,9 +91,10 @@ TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
   parameters.lapse_rate = 0.0;
   parameters.effect = 1e3;  // certain to rate 3 when the freeze is seen, 1 when it is not
   parameters.baseline = -500.0;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   Page page;
   page.layout = Page::Layout::kScale;
+  page.response = "rating";
   AttemptRecord shown;
   shown.collisions.resize(1);
   const StagedScene scene{World({}, {}, {}), {}, {}};
@@ -105,9 +108,10 @@ TEST(CausalityObserver, JudgesTheFreezeThatWasShown) {
 /// Choices on sixty scales of `points`, of which `best` is the good end.
 std::vector<std::size_t> choices(const CausalityParameters& parameters, std::size_t best) {
   VirtualClock clock;
-  CausalityObserver observer(parameters, 1, "S01", clock);
+  CausalityObserver observer(parameters, {1, "S01", clock, clock});
   Page page;
   page.layout = Page::Layout::kScale;
+  page.response = "rating";
   page.best_choice = best;
   std::vector<std::size_t> choices(60);
   std::generate(choices.begin(), choices.end(), [&] { return observer.ask(page).choice; });
@@ -135,7 +139,7 @@ TEST(RatingObserver, HasOnePointMoreThanCuts) {
   parameters.baseline = 0.5;
   parameters.cuts = {-1.0, 0.0, 1.0, 2.0};
   VirtualClock clock;
-  const auto p = CausalityObserver(parameters, 1, "S01", clock).probabilities(0.7);
+  const auto p = CausalityObserver(parameters, {1, "S01", clock, clock}).probabilities(0.7);
   const auto logistic = [](double x) { return 1.0 / (1.0 + std::exp(-x)); };
   ASSERT_EQ(p.size(), 5U);
   EXPECT_NEAR(p[0], logistic(-1.5), 1e-12);
@@ -163,14 +167,14 @@ TEST(GapObserver, HalfOfGapsAtTheThresholdAreSeenAndLargerOnesMore) {
   GapParameters parameters = shipped_gap();
   parameters.guess_rate = parameters.miss_rate = 0.0;
   VirtualClock clock;
-  const GapObserver observer(parameters, 1, "S01", clock);
+  const GapObserver observer(parameters, {1, "S01", clock, clock});
   EXPECT_NEAR(observer.seen_gap(parameters.threshold_arcmin, 0.0, 0.5), 0.5, 1e-12);
   EXPECT_GT(observer.seen_gap(20.0, 0.0, 0.5), observer.seen_gap(10.0, 0.0, 0.5));
 }
 
 TEST(GapObserver, SpeedAndEccentricityHideAGap) {
   VirtualClock clock;
-  const GapObserver observer(shipped_gap(), 1, "S01", clock);
+  const GapObserver observer(shipped_gap(), {1, "S01", clock, clock});
   EXPECT_LT(observer.seen_gap(15.0, 0.0, 30.0), observer.seen_gap(15.0, 0.0, 10.0));
   EXPECT_LT(observer.seen_gap(15.0, 5.0, 10.0), observer.seen_gap(15.0, 0.0, 10.0));
 }

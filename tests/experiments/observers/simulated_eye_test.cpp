@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/protocol/screen_file.hpp"
 

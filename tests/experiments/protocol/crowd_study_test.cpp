@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "experiments/protocol/checks/observer_checks.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "experiments/run/replay.hpp"
 #include "experiments/session/trial.hpp"
 #include "tests/experiments/fakes.hpp"
@@ -88,7 +88,7 @@ TEST(CrowdStudy, IsValidWithThreeTrialsOfEachOfSixCells) {
   EXPECT_EQ(study.design.repetitions, 3);
   EXPECT_EQ(study.design.practice.size(), 3U);
   EXPECT_EQ(study.script.demonstrations.size(), 2U);
-  EXPECT_FALSE(study.script.clicks);
+  EXPECT_FALSE(takes_clicks(study.script));
   EXPECT_TRUE(study.script.gaze);
 }
 

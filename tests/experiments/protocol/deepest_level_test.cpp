@@ -5,7 +5,7 @@
 
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/refusals.hpp"
@@ -75,8 +75,8 @@ TEST(DeepestLevel, TheCourseIsThatOfWholeTrees) {
         build_scene(scene_under(protocol, cell), assumed_screen(), 0.0, library, "main/1");
     ASSERT_EQ(levels_of(whole), 5);
     ASSERT_EQ(levels_of(part), 3);
-    Playback shown(part, 1);
-    Playback expected(whole, 1);
+    LiveRun shown(part, 1);
+    LiveRun expected(whole, 1);
     static_cast<void>(shown.poses_at(part.duration_s));
     static_cast<void>(expected.poses_at(whole.duration_s));
     EXPECT_FALSE(expected.take_collisions().empty());

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/volumes/pair_procedures.hpp"
+#include "engine/volumes/volume.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "tests/experiments/figure_scenes.hpp"

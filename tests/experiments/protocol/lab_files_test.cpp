@@ -72,7 +72,7 @@ TEST(ObserverFile, AnswersOnOnePointMoreThanItHasCuts) {
            {"causality", 3}, {"gap", 3}, {"gaze-contingent", 5}}) {
     const auto path =
         std::filesystem::path(source_folder()) / "experiments/observers" / (name + ".json");
-    EXPECT_EQ(load_observer(path.string(), "x").points(), points) << name;
+    EXPECT_EQ(load_observer(path.string(), "x").parameters->points(), points) << name;
   }
 }
 

@@ -8,8 +8,8 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/icosphere_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/collision_truth.hpp"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/protocol/null_observer.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/places/places.hpp"
@@ -100,8 +100,8 @@ TEST(NullObserver, OfRatingsDiffersInNothingButTheEffect) {
   EXPECT_EQ(number_of(*without, "effect"), 0.0);
   same["parameters"]["effect"] = gap.document.value["parameters"]["effect"];
   EXPECT_TRUE(same == gap.document.value);
-  EXPECT_EQ(std::get<GapParameters>(without->parameters).effect, 0.0);
-  EXPECT_GT(std::get<GapParameters>(without->parameters).effect_sd, 0.0);
+  EXPECT_EQ(without->parameters->effect, 0.0);
+  EXPECT_GT(without->parameters->effect_sd, 0.0);
 }
 
 TEST(NullObserver, OfClicksSeesNothing) {

@@ -1,8 +1,8 @@
 // What a protocol and its scene must be: every refusal, word for word.
 // SPDX-License-Identifier: MIT
-#include "experiments/protocol/checks/observer_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/schema_check.hpp"
 #include "tests/experiments/refusals.hpp"
@@ -263,7 +263,9 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
   const auto refused = [](Study study, std::size_t observer_points) {
     ObserverFile observer =
         load_observer("causality", std::filesystem::path(source_folder()) / kProtocolName);
-    std::get<CausalityParameters>(observer.parameters).cuts.resize(observer_points - 1);
+    RatingParameters parameters = *observer.parameters;
+    parameters.cuts.resize(observer_points - 1);
+    observer.parameters = std::make_shared<RatingParameters>(parameters);
     return refusal([&] { check_observer(study.made(), observer); });
   };
   EXPECT_EQ(refused(Study(), 3), "accepted");

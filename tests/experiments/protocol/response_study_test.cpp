@@ -8,7 +8,7 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/protocol/spin_limits.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/refusals.hpp"
 
@@ -58,14 +58,14 @@ struct Played {
 
 Played play(const PlannedTrial& trial) {
   static const ProtocolScenes scenes(response(), 0.0, shapes());
-  Playback playback(scenes.stage(trial, assumed_screen()), trial.seed);
-  const auto frames = static_cast<std::int64_t>(playback.scene().duration_s * kHz);
+  LiveRun live(scenes.stage(trial, assumed_screen()), trial.seed);
+  const auto frames = static_cast<std::int64_t>(live.scene().duration_s * kHz);
   for (std::int64_t frame = 0; frame <= frames; ++frame) {
-    playback.poses_at(static_cast<double>(frame) / kHz);
+    live.poses_at(static_cast<double>(frame) / kHz);
   }
   Played played;
-  played.collisions = playback.take_collisions();
-  const World& world = playback.scene().world;
+  played.collisions = live.take_collisions();
+  const World& world = live.scene().world;
   for (std::size_t body = 0; body < 2; ++body) {
     played.velocities.push_back(velocity(world.models()[body], world.states()[body]));
     played.spins.push_back(angular_velocity(world.models()[body], world.states()[body]));
@@ -150,13 +150,13 @@ TEST(ResponseStudy, SwitchedOffTheRootTurnsNothing) {
   scene["imposed"]["random_spin"]["on"] = false;
   const Protocol off = make_protocol(response().document, parse_json("scene.json", scene.dump()));
   const ProtocolScenes scenes(off, 0.0, shapes());
-  Playback playback(scenes.stage(trial_of(0, 0, 100, 1), assumed_screen()), 1);
-  playback.poses_at(2.0);
-  for (const BodyState& state : playback.scene().world.states()) {
+  LiveRun live(scenes.stage(trial_of(0, 0, 100, 1), assumed_screen()), 1);
+  live.poses_at(2.0);
+  for (const BodyState& state : live.scene().world.states()) {
     // Rounding of a lever arm and an impulse of some 1e-4 kg m/s.
     EXPECT_LT(state.angular_momentum.norm(), 1e-18);
   }
-  EXPECT_FALSE(playback.take_collisions()[0].imposed_spin);
+  EXPECT_FALSE(live.take_collisions()[0].imposed_spin);
 }
 
 TEST(SpinLimits, AreTheSameWheneverTheyAreSolvedAndEmbraceTheAccurateCollision) {

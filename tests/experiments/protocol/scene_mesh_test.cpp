@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/models/base64.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/scene_loading.hpp"

@@ -6,8 +6,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "engine/shapes/mass_properties.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/collision_truth.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "experiments/protocol/checks/observer_checks.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "tests/experiments/asked_study.hpp"
 #include "tests/experiments/test_study.hpp"
@@ -89,14 +89,13 @@ TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
   const ObserverFile file = load_observer("gaze-contingent", protocol.document.name);
   EXPECT_NO_THROW(check_observer(protocol, file));
   TestLab lab(60.0, protocol);
-  const auto observer = make_observer(file, 1, "S01", lab.clock, lab.clock);
+  const auto observer = make_observer(file, {1, "S01", lab.clock, lab.clock});
   PlannedTrial bad;
   bad.condition = {{"scheduling", std::string("all-bad")}, {"bodies", 5.0}};
   const Ports ports{lab.display,     *observer,  lab.scenes, lab.recorder,
                     observer->eye(), &lab.clock, &lab.clock};
   const AttemptRecord record = run_attempt(bad, 1, protocol.script, {}, ports).record;
-  const std::vector<std::string> asked = responses_of(protocol.script);
-  ASSERT_EQ(asked.size(), response_kinds().size());
+  ASSERT_EQ(protocol.script.asked.size(), response_kinds().size());
   EXPECT_GT(record.clicks.size(), 0U);
   EXPECT_EQ(record.clicks.front().device, "simulated");
   EXPECT_EQ(record.ratings.size(), 1U);

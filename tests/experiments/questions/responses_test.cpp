@@ -4,7 +4,7 @@
 
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/session_pages.hpp"
-#include "experiments/session/intervals.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "tests/experiments/asked_study.hpp"
 
 namespace impetus::responses_test {
@@ -116,14 +116,15 @@ TEST(Responses, PagesSayWhichResponseTheyAskForAndWhichChoiceIsPositive) {
   const Protocol protocol = asked({kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText});
   const SessionProgress progress;
   const PlannedTrial trial = trial_with_delay(0);
-  const AskedTrial second{protocol.script, trial, progress, 2};
-  for (const ResponseKind& kind : response_kinds()) {
-    if (kind.page != nullptr) {
-      const Page page = kind.page(second);
-      EXPECT_EQ(page.response, kind.name);
-      EXPECT_EQ(page.positive_choice, kind.name == "two_interval" ? 1U : 0U) << kind.name;
-      EXPECT_TRUE(page.can_pause) << kind.name;
-    }
+  const AskedTrial second{trial, progress, 2};
+  EXPECT_EQ(protocol.script.asked.size(), 4U);
+  for (const auto& question : protocol.script.asked) {
+    const std::string& name = question->kind().name;
+    const std::optional<Page> page = question->page(second);
+    ASSERT_TRUE(page) << name;
+    EXPECT_EQ(page->response, name);
+    EXPECT_EQ(page->positive_choice, name == "two_interval" ? 1U : 0U) << name;
+    EXPECT_TRUE(page->can_pause) << name;
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/run/replay.hpp"
-#include "experiments/session/intervals.hpp"
 #include "tests/experiments/asked_study.hpp"
 
 namespace impetus::two_interval_test {
@@ -172,9 +172,9 @@ TEST(TwoInterval, InterruptedInTheSecondItKeepsTheFirst) {
 }
 
 TEST(TwoInterval, TheStandardReplacesItsLevelsAndNothingElse) {
-  const TwoIntervalQuestion question{"?", "1", "2", {{"b", 7.0}}};
+  const TwoIntervalQuestion question(json{{"question", "?"}, {"standard", {{"b", 7.0}}}});
   const Condition condition{{"a", 1.0}, {"b", 2.0}, {"c", std::string("x")}};
-  EXPECT_EQ(standard_of(condition, question),
+  EXPECT_EQ(question.standard(condition),
             (Condition{{"a", 1.0}, {"b", 7.0}, {"c", std::string("x")}}));
 }
 

@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 #include "experiments/scenes/coarser_meshes.hpp"
 #include "tests/experiments/test_scenes.hpp"

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/numerics/trigonometry.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/session/calibration_run.hpp"
+#include "experiments/session/gaze_calibration.hpp"
 
 namespace impetus::gaze_correction_test {
 

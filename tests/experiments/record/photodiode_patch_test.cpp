@@ -7,7 +7,7 @@
 #include "tests/experiments/test_study.hpp"
 
 #ifdef IMPETUS_PROGRAM_HAS_WINDOW
-#include "experiments/drawing/patch_painter.hpp"
+#include "experiments/window/shown_patch.hpp"
 #endif
 
 namespace impetus::photodiode_patch_test {

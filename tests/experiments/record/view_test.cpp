@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "experiments/record/enclosure_image.hpp"
+#include "experiments/gaze/region_source.hpp"
 #include "experiments/record/wall_names.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/run/replay.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
@@ -137,9 +137,9 @@ TEST(TurningViewer, OneWhoStaysHasTheBitsOfOneWithoutATurn) {
 }
 
 std::vector<StepRecord> played(const json& scene) {
-  Playback playback(built(scene), /*seed=*/5);
-  static_cast<void>(playback.poses_at(2.0));
-  return playback.take_steps();
+  LiveRun live(built(scene), /*seed=*/5);
+  static_cast<void>(live.poses_at(2.0));
+  return live.take_steps();
 }
 
 TEST(TurningViewer, WhatIsSeenFromTheTurningEyeDecidesAndReplaysTheSame) {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "engine/shapes/solids/box_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
 #include "experiments/run/collision_truth.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus::gap_stimulus_test {
@@ -30,15 +30,15 @@ struct Played {
 Played play(const Condition& cell) {
   static const ProtocolScenes scenes(gap(), 0.0);
   const StagedScene staged = scenes.stage(cell, assumed_screen());
-  Playback playback(staged, 1);
+  LiveRun live(staged, 1);
   Played played;
   const auto frames = static_cast<std::int64_t>(staged.duration_s * kHz);
   for (std::int64_t frame = 0; frame <= frames; ++frame) {
-    const std::vector<Pose> poses = playback.poses_at(static_cast<double>(frame) / kHz);
+    const std::vector<Pose> poses = live.poses_at(static_cast<double>(frame) / kHz);
     played.start = frame == 0 ? poses : played.start;
     played.end = poses;
   }
-  played.collisions = playback.take_collisions();
+  played.collisions = live.take_collisions();
   if (!played.collisions.empty()) {
     const CollisionRecord& first = played.collisions.front();
     played.truth =

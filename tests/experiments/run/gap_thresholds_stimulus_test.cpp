@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/observers/gap_observer.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/run/collision_truth.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/fakes.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
@@ -28,17 +29,17 @@ StagedScene staged(const json& scene, std::uint64_t seed) {
 
 /// A trial to its end, and what was true of its only collision.
 struct Played {
-  explicit Played(const json& scene, std::uint64_t seed = 1) : playback(staged(scene, seed), seed) {
-    playback.poses_at(playback.scene().duration_s);
-    collisions = playback.take_collisions();
+  explicit Played(const json& scene, std::uint64_t seed = 1) : live(staged(scene, seed), seed) {
+    live.poses_at(live.scene().duration_s);
+    collisions = live.take_collisions();
     if (!collisions.empty()) {
-      const auto& looks = playback.scene().looks;
+      const auto& looks = live.scene().looks;
       truth = measure_truth(looks[0], collisions[0].pose_a, looks[1], collisions[0].pose_b,
-                            playback.scene().viewer);
+                            live.scene().viewer);
     }
   }
 
-  Playback playback;
+  LiveRun live;
   std::vector<CollisionRecord> collisions;
   CollisionTruth truth;
 };
@@ -67,9 +68,9 @@ TEST(GapThresholdsStimulus, AnObliqueViewNeedsALargerGapForTheSameAngle) {
 }
 
 TEST(GapThresholdsStimulus, TheyTurnStraightBack) {
-  Playback playback(staged(shells(50.0, 8.0, 0), 1), 1);
-  const std::vector<Pose> start = playback.poses_at(0.0);
-  const std::vector<Pose> end = playback.poses_at(1.5);
+  LiveRun live(staged(shells(50.0, 8.0, 0), 1), 1);
+  const std::vector<Pose> start = live.poses_at(0.0);
+  const std::vector<Pose> end = live.poses_at(1.5);
   for (std::size_t body = 0; body < 2; ++body) {
     // As far out as in: the rounding of 360 steps.
     EXPECT_LT((end[body].position - start[body].position).norm(), 1e-12);
@@ -81,11 +82,11 @@ TEST(Distractors, KeepTheirDistanceFromEverythingAtEveryStepAndStayInView) {
   const double apart_m = metres_of(scene["distractors"]["apart_deg"].get<double>());
   const double radius_m = metres_of(0.8);
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Playback playback(staged(scene, seed), seed);
-    ASSERT_EQ(playback.scene().looks.size(), 10U);
+    LiveRun live(staged(scene, seed), seed);
+    ASSERT_EQ(live.scene().looks.size(), 10U);
     double nearest_m = 1.0;
     for (int step = 0; step <= 360; ++step) {
-      const std::vector<Pose> poses = playback.poses_at(step / 240.0);
+      const std::vector<Pose> poses = live.poses_at(step / 240.0);
       for (std::size_t i = 2; i < poses.size(); ++i) {
         EXPECT_LE(std::abs(poses[i].position.x()), metres_of(17) + 1e-12);
         EXPECT_LE(std::abs(poses[i].position.y()), metres_of(13.5) + 1e-12);
@@ -95,7 +96,7 @@ TEST(Distractors, KeepTheirDistanceFromEverythingAtEveryStepAndStayInView) {
       }
     }
     EXPECT_GE(nearest_m, 2.0 * radius_m + apart_m) << "seed " << seed;
-    EXPECT_EQ(playback.take_collisions().size(), 1U) << "of the two alone";
+    EXPECT_EQ(live.take_collisions().size(), 1U) << "of the two alone";
   }
 }
 
@@ -170,10 +171,10 @@ Fitted fitted(const std::vector<std::pair<double, bool>>& answers, const GapPara
 
 TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
   const ObserverFile file = load_observer("gap-thresholds", source_file("protocols/gap.json"));
-  auto planted = std::get<GapThresholdParameters>(file.parameters);
+  auto planted = static_cast<const GapParameters&>(*file.parameters);
   planted.threshold_sd_log10 = 0.0;
   VirtualClock clock;
-  const GapObserver observer(planted, 1, "S01", clock, "gap-thresholds");
+  const GapObserver observer(planted, {1, "S01", clock, clock}, "gap-thresholds");
   RandomStream stream(20'020, "answers");
   const std::vector<double> gaps{5, 8, 13, 20, 32, 50, 80, 125, 200, 250};
   for (const double above_deg : {0.0, 8.0}) {
@@ -185,7 +186,7 @@ TEST(GapThresholdsObserver, PlantedThresholdsComeBackWithinTwoStandardErrors) {
         const CollisionRecord& collision = played.collisions.at(0);
         const double speed_deg_s = collision.report.approach_m_s / metres_of(1.0);
         const double e_deg = collision.eccentricity_deg;
-        const std::size_t bodies = played.playback.scene().looks.size();
+        const std::size_t bodies = played.live.scene().looks.size();
         planted_arcmin = observer.threshold_arcmin(e_deg, speed_deg_s, bodies);
         const double seen =
             observer.seen_gap(played.truth.visible_arcmin(), e_deg, speed_deg_s, bodies);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/run/replay.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
@@ -25,9 +25,9 @@ StagedScene flying_away() {
 
 TEST(NotFiniteTrial, TheStepNamesTheBodyAndAReplayTakesItOutInTheSameStep) {
   const StagedScene staged = flying_away();
-  Playback playback(staged, /*seed=*/1);
-  playback.poses_at(1.0);
-  const std::vector<StepRecord> steps = playback.take_steps();
+  LiveRun live(staged, /*seed=*/1);
+  live.poses_at(1.0);
+  const std::vector<StepRecord> steps = live.take_steps();
   const auto found = std::find_if(steps.begin(), steps.end(),
                                   [](const StepRecord& step) { return !step.not_finite.empty(); });
   ASSERT_NE(found, steps.end());

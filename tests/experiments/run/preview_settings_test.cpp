@@ -27,7 +27,7 @@ TEST(PreviewSettings, ARegionHasTwoListsWhateverIsAskedFor) {
   choose_scheduler(settings, "region");
   choose_list_count(settings, 4);
   EXPECT_EQ(settings.list_count, 2);
-  EXPECT_EQ(schedule_of(settings).rule, ListRule::kRegion);
+  EXPECT_EQ(schedule_of(settings).rule, make_list_rule("region"));
 }
 
 TEST(PreviewSettings, AScenesOwnScheduleIsWhatTheControlsShow) {
@@ -35,7 +35,7 @@ TEST(PreviewSettings, AScenesOwnScheduleIsWhatTheControlsShow) {
     Schedule schedule;
     schedule.metric = name == "weighted" ? nullptr : make_metric(name);
     schedule.lists = {{3.0, 1, 2}, {1.0, 0, 1}};
-    schedule.thresholds = {7.5};
+    schedule.limits = {7.5};
     StagedScene scene = crowd(schedule);
     scene.scheduler = name;
     const PreviewSettings settings = settings_of(scene);
@@ -46,7 +46,7 @@ TEST(PreviewSettings, AScenesOwnScheduleIsWhatTheControlsShow) {
     EXPECT_EQ(again.lists[0].least_level, 1);
     EXPECT_EQ(again.lists[0].greatest_level, 2);
     EXPECT_EQ(again.lists[1].greatest_level, 1);
-    EXPECT_EQ(again.thresholds, schedule.thresholds);
+    EXPECT_EQ(again.limits, schedule.limits);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(PreviewSettings, AScenesOwnRegionIsWhatTheControlsShow) {
   EXPECT_EQ(settings.region.renewal_steps, 60);
   EXPECT_EQ(settings.budget, BudgetUnit::kUnlimited);
   const Schedule schedule = schedule_of(settings);
-  EXPECT_EQ(schedule.rule, ListRule::kRegion);
+  EXPECT_EQ(schedule.rule, make_list_rule("region"));
   ASSERT_EQ(schedule.lists.size(), 2U);
   EXPECT_EQ(schedule.lists[0].least_level, 4);
   EXPECT_EQ(schedule.lists[1].greatest_level, 0);
@@ -95,7 +95,7 @@ TEST(PreviewSettings, EveryOptionReachesTheWorldAndOutlivesARestart) {
   choose_list_count(settings, 2);
   settings.by_pair_shares = true;
   settings.lists[0].pair_share = 0.25;
-  settings.traversal = Traversal::kBestFirst;
+  settings.traversal = make_traversal("best-first");
   settings.persistence_steps = 12;
   settings.reduction = "groups";
   settings.most_per_pair = 2;
@@ -106,9 +106,9 @@ TEST(PreviewSettings, EveryOptionReachesTheWorldAndOutlivesARestart) {
   run.change(settings);
   for (int round = 0; round < 2; ++round) {
     const WorldSettings& world = run.scene().world.settings();
-    EXPECT_EQ(world.schedule.rule, ListRule::kPairShares);
-    EXPECT_EQ(world.schedule.pair_shares, std::vector<double>{0.25});
-    EXPECT_EQ(world.schedule.traversal, Traversal::kBestFirst);
+    EXPECT_EQ(world.schedule.rule, make_list_rule("pair_shares"));
+    EXPECT_EQ(world.schedule.limits, std::vector<double>{0.25});
+    EXPECT_EQ(world.schedule.traversal, make_traversal("best-first"));
     EXPECT_EQ(world.schedule.persistence_steps, 12);
     EXPECT_EQ(world.contacts.reduction != nullptr, make_reduction("groups") != nullptr);
     EXPECT_EQ(world.contacts.most_per_pair, 2);
@@ -139,7 +139,7 @@ TEST(PreviewSettings, AScenesOwnOptionsAreWhatTheControlsShow) {
   EXPECT_EQ(settings.metric_options.terms[0].weight, 3.0);
   EXPECT_TRUE(settings.by_pair_shares);
   EXPECT_EQ(settings.lists[0].pair_share, 0.3);
-  EXPECT_EQ(settings.traversal, Traversal::kBreadthFirst);
+  EXPECT_EQ(settings.traversal, make_traversal("breadth-first"));
   EXPECT_EQ(settings.persistence_steps, 12);
   EXPECT_EQ(settings.reduction, "density");
   EXPECT_EQ(settings.most_per_pair, 3);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::what_if_test {
@@ -29,13 +29,13 @@ json cube_within(std::int64_t tests_per_step) {
 
 /// As a session records it: the participant's gaze goes round the screen's middle.
 std::vector<StepRecord> recorded(const StagedScene& scene) {
-  Playback playback(scene, kSeed);
+  LiveRun live(scene, kSeed);
   for (int frame = 0; frame <= kRecorded_s * 60; ++frame) {
     const ScreenPoint place{0.03 * ((frame / 20) % 3 - 1), 0.02 * ((frame / 30) % 2)};
-    playback.look_at({place, frame, 0, {}});
-    static_cast<void>(playback.poses_at(frame / 60.0));
+    live.look_at({place, frame, 0, {}});
+    static_cast<void>(live.poses_at(frame / 60.0));
   }
-  return playback.take_steps();
+  return live.take_steps();
 }
 
 double mean_level(const WhatIfCourse& course) {

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/simulated_eye.hpp"
-#include "experiments/session/calibration_pages.hpp"
 #include "tests/experiments/calibration_lab.hpp"
 
 namespace impetus::gaze_calibration_test {

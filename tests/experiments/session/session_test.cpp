@@ -22,7 +22,7 @@ TEST(Session, GoesFromWelcomeToThanksInOrder) {
   TestLab lab;
   const Plan plan = short_plan(lab.protocol, 2);
   EXPECT_EQ(run(lab, plan).ending, SessionEnding::kFinished);
-  const std::string question = lab.protocol.script.scale->question;
+  const std::string question = lab.protocol.document.value["rating"]["question"];
   const std::vector<std::string> expected{
       "Welcome",          "Your consent",   "About you",        "What you will see",
       "What you will do", "Practice",       question,           "You answered 1",

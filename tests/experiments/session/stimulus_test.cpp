@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "engine/numerics/trigonometry.hpp"
-#include "experiments/run/playback.hpp"
+#include "engine/numerics/elementary_functions.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus::stimulus_test {
@@ -40,12 +40,12 @@ Shown show(const Protocol& protocol, const Condition& of, double hz = kHz,
   const ProtocolScenes scenes(protocol, round_to_frames ? hz : 0.0);
   StagedScene staged = scenes.stage(of, assumed_screen());
   Shown shown{staged, {}, {}};
-  Playback playback(std::move(staged), 1);
+  LiveRun live(std::move(staged), 1);
   const auto frames = static_cast<std::int64_t>(shown.scene.duration_s * hz);
   for (std::int64_t frame = 0; frame <= frames; ++frame) {
-    shown.frames.push_back(playback.poses_at(static_cast<double>(frame) / hz));
+    shown.frames.push_back(live.poses_at(static_cast<double>(frame) / hz));
   }
-  shown.collisions = playback.take_collisions();
+  shown.collisions = live.take_collisions();
   return shown;
 }
 

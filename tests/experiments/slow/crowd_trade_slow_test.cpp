@@ -14,9 +14,9 @@ TEST(CrowdTradeSlow, VisibleFirstRemovesAThirdMoreThanBreadthFirstAmongCreatures
   json scene = json::parse(shipped("stimuli/creatures-in-a-cube.json"));
   scene["duration_s"] = 4;
   const CrowdTrade trade =
-      tried(built(scene), {"eccentricity"}, {Traversal::kVisibleFirst, Traversal::kBreadthFirst});
+      tried(built(scene), {"eccentricity"}, {"visible-first", "breadth-first"});
   const std::int64_t all = trade.orders.back().budget;
-  for (const OrderedCrowd* ordered : budgets_of(trade, "eccentricity", Traversal::kVisibleFirst)) {
+  for (const OrderedCrowd* ordered : budgets_of(trade, "eccentricity", "visible-first")) {
     const double removed = sum_of(*ordered, [](const auto& step) { return step.removed.gap; });
     const double broad = sum_of(*ordered, [](const auto& step) { return step.breadth_first.gap; });
     // Up to a quarter of all the work; beyond it little is left for any order.

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "experiments/store/study_schema.hpp"
+#include "experiments/store/study_integrity.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/small_study.hpp"
 

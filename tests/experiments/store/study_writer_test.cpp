@@ -1,6 +1,6 @@
 // What a session keeps in its study, and that it says in one sentence when it cannot.
 // SPDX-License-Identifier: MIT
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus::study_writer_test {
@@ -157,7 +157,7 @@ TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   StepReport degraded;
   degraded.pops = {{{0, 1}, 3, 2, 0.25}, {{0, 1}, 3, 1, 0.5}};
   degraded.stopped = {{{0, 1}, 0.125}};
-  const StepRecord popped = record_of(7, {}, degraded);
+  const StepRecord popped = record_step(7, {}, degraded);
   attempt.steps[7].pops = popped.pops;
   attempt.steps[7].largest_pop_deg = popped.largest_pop_deg;
   attempt.steps[7].stopped_short = popped.stopped_short;

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "experiments/exports/unit_of.hpp"
+#include "experiments/exports/codebook.hpp"
 #include "experiments/store/schema_words.hpp"
 #include "experiments/tables/plain_text.hpp"
 #include "tests/experiments/csv_reading.hpp"

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "experiments/timing/methods_paragraph.hpp"
 #include "experiments/timing/timing_json.hpp"
 #include "experiments/timing/timing_page.hpp"
 #include "experiments/timing/timing_run.hpp"
-#include "experiments/timing/timing_scenes.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/fakes.hpp"

@@ -7,9 +7,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/record/photodiode_patch.hpp"
-#include "experiments/timing/content_check.hpp"
-#include "experiments/timing/flip_statistics.hpp"
-#include "experiments/timing/input_delay.hpp"
+#include "experiments/timing/timing_report.hpp"
 
 namespace impetus::timing_statistics_test {
 

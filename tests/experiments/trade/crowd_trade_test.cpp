@@ -23,7 +23,7 @@ const StagedScene& dense() {
 
 /// Every scheduler and traversal on the dense crowd, once for all tests.
 const CrowdTrade& all_tried() {
-  static const CrowdTrade trade = tried(dense(), schedulers_for(dense()), all_traversals());
+  static const CrowdTrade trade = tried(dense(), schedulers_for(dense()), tried_traversals({}));
   return trade;
 }
 
@@ -73,8 +73,7 @@ TEST(CrowdTrade, NoOrderSpendsMoreThanItsBudget) {
 }
 
 TEST(CrowdTrade, RandomOrderIsWorseThanHindsight) {
-  for (const OrderedCrowd* ordered :
-       budgets_of(all_tried(), kRandomScheduler, Traversal::kDepthFirst)) {
+  for (const OrderedCrowd* ordered : budgets_of(all_tried(), kRandomScheduler, "depth-first")) {
     const double removed = sum_of(*ordered, [](const auto& step) { return step.removed.gap; });
     const double most = sum_of(*ordered, [](const auto& step) { return step.in_hindsight.gap; });
     const bool all = ordered->budget == all_tried().orders.back().budget;
@@ -85,8 +84,7 @@ TEST(CrowdTrade, RandomOrderIsWorseThanHindsight) {
 TEST(CrowdTrade, TheEnginesOwnBreadthFirstRemovesWhatTheReferenceSays) {
   double removed = 0.0;
   double expected = 0.0;
-  for (const OrderedCrowd* ordered :
-       budgets_of(all_tried(), kRandomScheduler, Traversal::kBreadthFirst)) {
+  for (const OrderedCrowd* ordered : budgets_of(all_tried(), kRandomScheduler, "breadth-first")) {
     removed += sum_of(*ordered, [](const auto& step) { return step.removed.bound; });
     expected += sum_of(*ordered, [](const auto& step) { return step.breadth_first.bound; });
   }
@@ -96,7 +94,7 @@ TEST(CrowdTrade, TheEnginesOwnBreadthFirstRemovesWhatTheReferenceSays) {
 
 TEST(CrowdTrade, WorkWithoutEndLeavesWhatTheFinestLevelsLeave) {
   CrowdRequest request;
-  request.orders = tried_orders(dense(), {"eccentricity"}, {Traversal::kVisibleFirst});
+  request.orders = tried_orders(dense(), {"eccentricity"}, {"visible-first"});
   request.budgets = {1'000'000'000};
   request.sampled_every_s = 0.5;
   const CrowdTrade trade = crowd_trade(dense(), request, SteadyClock());
@@ -112,8 +110,7 @@ TEST(CrowdTrade, WorkWithoutEndLeavesWhatTheFinestLevelsLeave) {
 
 TEST(CrowdTrade, VisibleFirstRemovesMoreThanBreadthFirstAtEveryBudgetButAll) {
   for (const char* scheduler : {"eccentricity", "distance"}) {
-    for (const OrderedCrowd* ordered :
-         budgets_of(all_tried(), scheduler, Traversal::kVisibleFirst)) {
+    for (const OrderedCrowd* ordered : budgets_of(all_tried(), scheduler, "visible-first")) {
       const double removed = sum_of(*ordered, [](const auto& step) { return step.removed.gap; });
       const double broad =
           sum_of(*ordered, [](const auto& step) { return step.breadth_first.gap; });
@@ -125,8 +122,8 @@ TEST(CrowdTrade, VisibleFirstRemovesMoreThanBreadthFirstAtEveryBudgetButAll) {
 
 TEST(CrowdTrade, TheSameSeedGivesTheSameTableButTimes) {
   const auto table = [&](std::uint64_t seed) {
-    std::vector<TradeRow> rows = crowd_rows(
-        tried(dense(), {"random", "eccentricity"}, {Traversal::kBestFirst}, seed), "dense");
+    std::vector<TradeRow> rows =
+        crowd_rows(tried(dense(), {"random", "eccentricity"}, {"best-first"}, seed), "dense");
     rows.erase(
         std::remove_if(rows.begin(), rows.end(), [](const TradeRow& row) { return row.by_clock; }),
         rows.end());
@@ -150,7 +147,7 @@ TEST(CrowdTrade, AMetricThatIsNotThereIsRefusedWithTheNamesThereAre) {
   EXPECT_TRUE(sentence.starts_with("schedulers: expected some of \"scene\", \"random\""))
       << sentence;
   EXPECT_TRUE(sentence.ends_with(", got \"beauty\"")) << sentence;
-  EXPECT_EQ(refusal([] { traversal_called("sideways"); }),
+  EXPECT_EQ(refusal([] { tried_traversals({"sideways"}); }),
             "traversals: expected some of \"depth-first\", \"breadth-first\", \"best-first\", "
             "\"visible-first\", got \"sideways\"");
 }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/trade/parting_rows.hpp"
 #include "experiments/trade/trial_starts.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/experiments/test_scenes.hpp"

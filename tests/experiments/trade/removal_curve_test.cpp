@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "engine/numerics/random_stream.hpp"
-#include "experiments/trade/ratio_of_sums.hpp"
+#include "experiments/trade/estimate.hpp"
 
 namespace impetus::removal_curve_test {
 

@@ -11,11 +11,9 @@
 
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/trade/chosen_settings.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
-#include "experiments/trade/scene_rows.hpp"
+#include "experiments/trade/scene_demand.hpp"
 #include "experiments/trade/trade_choice.hpp"
-#include "experiments/trade/trade_words.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_scenes.hpp"

@@ -7,9 +7,8 @@
 #include <map>
 
 #include "engine/collision/pair_refinement.hpp"
-#include "engine/shapes/solids/box_mesh.hpp"
-#include "engine/shapes/solids/l_block_mesh.hpp"
-#include "engine/shapes/solids/torus_mesh.hpp"
+#include "engine/shapes/solids/block_meshes.hpp"
+#include "engine/shapes/solids/ring_meshes.hpp"
 #include "experiments/trade/estimate.hpp"
 #include "experiments/trade/impacts/impact_rows.hpp"
 #include "experiments/trade/impacts/level_touch.hpp"

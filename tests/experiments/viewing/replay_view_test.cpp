@@ -8,7 +8,7 @@
 
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/run/playback.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/places/places.hpp"
 
@@ -38,12 +38,12 @@ struct Recorded {
 
 /// Two seconds of a trial, as a session records them.
 Recorded two_seconds(RegionKind kind) {
-  Playback playback(cube(kind), kSeed);
+  LiveRun live(cube(kind), kSeed);
   for (int frame = 0; frame <= 120; ++frame) {
-    playback.look_at({looked_at(frame), frame * 16'000'000, 0, {}});
-    static_cast<void>(playback.poses_at(frame / 60.0));
+    live.look_at({looked_at(frame), frame * 16'000'000, 0, {}});
+    static_cast<void>(live.poses_at(frame / 60.0));
   }
-  return {playback.take_steps(), playback.take_collisions()};
+  return {live.take_steps(), live.take_collisions()};
 }
 
 std::int64_t count(const ReplayView& view, Kind kind) {
@@ -71,9 +71,9 @@ TEST(ReplayView, HasTheGazeAndTheRegionOfEveryStep) {
 }
 
 TEST(ReplayView, KnowsNoGazeWhereNoneWasRecorded) {
-  Playback playback(cube(RegionKind::kAllBad), kSeed);
-  static_cast<void>(playback.poses_at(0.5));
-  const ReplayView view = view_of(cube(RegionKind::kAllBad), playback.take_steps());
+  LiveRun live(cube(RegionKind::kAllBad), kSeed);
+  static_cast<void>(live.poses_at(0.5));
+  const ReplayView view = view_of(cube(RegionKind::kAllBad), live.take_steps());
   EXPECT_FALSE(gaze_of_step(view, 60).fixation);
   EXPECT_FALSE(gaze_of_step(view, 60).region);
 }

@@ -4,12 +4,11 @@
 
 #include <set>
 
-#include "experiments/run/playback.hpp"
-#include "experiments/viewing/finest_beside.hpp"
+#include "experiments/run/live_run.hpp"
 #include "experiments/viewing/orbit_camera.hpp"
-#include "experiments/viewing/picture_name.hpp"
 #include "experiments/viewing/replay_playback.hpp"
-#include "experiments/viewing/timeline_jumps.hpp"
+#include "experiments/viewing/replay_simulation.hpp"
+#include "experiments/viewing/viewed_stimuli.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::viewer_parts_test {
@@ -23,9 +22,9 @@ StagedScene cube(const std::string& region) {
 }
 
 std::vector<StepRecord> recorded(const StagedScene& scene, double until_s) {
-  Playback playback(scene, kSeed);
-  static_cast<void>(playback.poses_at(until_s));
-  return playback.take_steps();
+  LiveRun live(scene, kSeed);
+  static_cast<void>(live.poses_at(until_s));
+  return live.take_steps();
 }
 
 /// Two seconds of nothing at 100 steps a second.
@@ -41,50 +40,50 @@ ReplayView plain_replay() {
 
 TEST(ReplayPlayback, StepsStandOnSteps) {
   const ReplayView replay = plain_replay();
-  ReplayPlayback playback(replay);
-  playback.advance(0.5034);
-  EXPECT_TRUE(playback.playing());
-  playback.step(1);
-  EXPECT_FALSE(playback.playing());
-  EXPECT_EQ(playback.step_number(), 51);
+  ReplayPlayback live(replay);
+  live.advance(0.5034);
+  EXPECT_TRUE(live.playing());
+  live.step(1);
+  EXPECT_FALSE(live.playing());
+  EXPECT_EQ(live.step_number(), 51);
   for (int i = 0; i < 100; ++i) {
-    playback.step(1);
+    live.step(1);
   }
-  EXPECT_EQ(playback.step_number(), 151);
+  EXPECT_EQ(live.step_number(), 151);
   for (int i = 0; i < 100; ++i) {
-    playback.step(-1);
+    live.step(-1);
   }
-  EXPECT_EQ(playback.step_number(), 51);
+  EXPECT_EQ(live.step_number(), 51);
 }
 
 TEST(ReplayPlayback, SpeedsGoByHalvesFromASixteenthToFour) {
   const ReplayView replay = plain_replay();
-  ReplayPlayback playback(replay);
+  ReplayPlayback live(replay);
   std::string speeds;
   for (int i = 0; i < 4; ++i) {
-    playback.change_speed(1);
-    speeds += playback.speed_words() + " ";
+    live.change_speed(1);
+    speeds += live.speed_words() + " ";
   }
   for (int i = 0; i < 8; ++i) {
-    playback.change_speed(-1);
-    speeds += playback.speed_words() + " ";
+    live.change_speed(-1);
+    speeds += live.speed_words() + " ";
   }
   EXPECT_EQ(speeds, "×2 ×4 ×4 ×4 ×2 ×1 ×1/2 ×1/4 ×1/8 ×1/16 ×1/16 ×1/16 ");
-  playback.advance(1.6);
-  EXPECT_DOUBLE_EQ(playback.time_s(), 0.1);
+  live.advance(1.6);
+  EXPECT_DOUBLE_EQ(live.time_s(), 0.1);
 }
 
 TEST(ReplayPlayback, PlaysFromTheStartAgainAtTheEnd) {
   ReplayView replay = plain_replay();
   replay.marks.push_back({Kind::kResponse, 2.5, 2.5, ""});
-  ReplayPlayback playback(replay);
-  EXPECT_DOUBLE_EQ(playback.span_s(), 2.5);
-  playback.advance(9.0);
-  EXPECT_FALSE(playback.playing());
-  EXPECT_DOUBLE_EQ(playback.time_s(), 2.5);
-  EXPECT_EQ(playback.step_number(), 200);
-  playback.toggle();
-  EXPECT_DOUBLE_EQ(playback.time_s(), 0.0);
+  ReplayPlayback live(replay);
+  EXPECT_DOUBLE_EQ(live.span_s(), 2.5);
+  live.advance(9.0);
+  EXPECT_FALSE(live.playing());
+  EXPECT_DOUBLE_EQ(live.time_s(), 2.5);
+  EXPECT_EQ(live.step_number(), 200);
+  live.toggle();
+  EXPECT_DOUBLE_EQ(live.time_s(), 0.0);
 }
 
 // ---------------------------------------------------------------- jumps

@@ -1,0 +1,213 @@
+# Tests of participants' means: repeated-measures ANOVA, Friedman, the thesis's pooled ANOVA, and
+# paired and equivalence tests of differences.
+# SPDX-License-Identifier: MIT
+
+kAnovaFamily <- "repeated-measures ANOVA"
+kPooledFamily <- "pooled ANOVA, as in the thesis"
+kFriedmanFamily <- "Friedman"
+kEquivalenceFamily <- "equivalence"
+kEquivalenceMargin <- 0.15  # rating points, of a scale from 1 to 3
+
+left_out_remark <- function(test, count) {
+  if (count == 0) return(character())
+  sprintf("%d participant%s without a rating in every cell %s left out of %s.",
+    count, if (count == 1) "" else "s", if (count == 1) "is" else "are", test)
+}
+
+# Repeated-measures ANOVA of participants' cell means, Greenhouse–Geisser corrected, with
+# generalised eta squared (Olejnik and Algina 2003). Participants with an empty cell are left out,
+# and counted. The correction needs more participants than an effect has degrees of freedom; an
+# effect without it is labelled so.
+repeated_measures_tests <- function(trials, factors) {
+  trials[factors] <- lapply(trials[factors], droplevels)
+  means <- participant_means(trials, factors)
+  complete <- complete_participants(means)
+  if (nrow(complete) < 2) {
+    return(outcome(remarks = paste(
+      "Fewer than two participants have a rating in every cell of the design, so there is no",
+      "repeated-measures ANOVA.")))
+  }
+  remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
+  kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
+  fit <- listen_to(fit_anova(kept, factors))$value
+  if (is.null(fit) || any(!is.finite(fit$F))) {
+    return(outcome(remarks = c(remarks, paste(
+      "The repeated-measures ANOVA has no variance left within participants to test against, or",
+      "too few participants for its interactions, and is not reported."))))
+  }
+  fit$corrected <- nrow(complete) > fit$whole_df
+  if (!all(fit$corrected)) {
+    remarks <- c(remarks, sprintf(
+      "Greenhouse–Geisser's correction needs more than %d participants for %s: p is uncorrected.",
+      nrow(complete), paste(fit$effect[!fit$corrected], collapse = ", ")))
+  }
+  outcome(each_row(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)), remarks)
+}
+
+# One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares.
+# `between`: factors of which each participant has one level.
+fit_anova <- function(trials, factors, between = NULL) {
+  model <- afex::aov_ez("participant", "rating", trials,
+    within = unname(factors), between = between, fun_aggregate = mean,
+    anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE)
+  table <- model$anova_table
+  squares <- summary(model$Anova)$univariate.tests
+  squares <- squares[match(rownames(table), rownames(squares)), , drop = FALSE]
+  data.frame(effect = rownames(table), df1 = table[["num Df"]], df2 = table[["den Df"]],
+    whole_df = squares[, "num Df"], F = table[["F"]], p = table[["Pr(>F)"]],
+    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"])
+}
+
+anova_row <- function(effect, trials) {
+  partial <- eta_squared_interval(effect$F, effect$df1, effect$df2)
+  # Generalised eta squared is SS / (SS + the error of every stratum). The interval's SS follows
+  # from the partial one; the errors are held at their estimates.
+  error <- effect$ss / effect$ges - effect$ss
+  if (!is.finite(error)) error <- effect$ss_error
+  limits <- effect$ss_error * partial / (1 - partial)
+  method <- paste("ANOVA of participants' cell means,",
+    if (effect$corrected) "Greenhouse–Geisser" else "uncorrected")
+  test_row(kAnovaFamily, method, effect$effect, "F", effect$F, effect$df1, effect$df2,
+    effect$p, "generalised eta squared", effect$ges, limits / (limits + error), 0.90,
+    participant_count(trials), nrow(trials))
+}
+
+# p of the effect that the columns of `means` (participants by levels, no NA) have, corrected after
+# Greenhouse and Geisser (1959), at a thousandth of the cost of the whole ANOVA; NA where nothing
+# varies. With a complete design it is the main effect of the whole factorial one.
+# epsilon = tr(S)^2 / ((k - 1) tr(S S)), S the covariance of orthonormal contrasts.
+greenhouse_geisser_p <- function(means) {
+  n <- nrow(means)
+  df <- ncol(means) - 1
+  contrasts <- means %*% qr.Q(qr(stats::contr.helmert(ncol(means))))
+  covariance <- stats::cov(contrasts)
+  error <- sum(diag(covariance))
+  if (is.na(error) || error < 1e-12) return(NA_real_)
+  epsilon <- error^2 / (df * sum(covariance^2))
+  stats::pf(n * sum(colMeans(contrasts)^2) / error, df * epsilon, df * (n - 1) * epsilon,
+    lower.tail = FALSE)
+}
+
+# Single-factor ANOVA over all trials as if they were independent, which they are not: the thesis's
+# own analysis of the column `of`, overall and at each level of `by`. For comparison only.
+pooled_tests <- function(trials, factor, by = character(), of = "rating", family = kPooledFamily) {
+  parts <- stats::setNames(list(trials), factor)
+  if (length(by) == 1) {
+    apart <- split(trials, droplevels(trials[[by]]))
+    parts <- c(parts, stats::setNames(apart, paste0(factor, " at ", by, " ", names(apart))))
+  }
+  do.call(all_outcomes, unname(Map(pooled_test, parts, names(parts), factor, of, family)))
+}
+
+pooled_test <- function(trials, label, factor, of, family) {
+  table <- listen_to(stats::anova(stats::lm(stats::reformulate(factor, of), trials)))$value
+  residual <- if (is.null(table)) 0 else table[["Sum Sq"]][2]
+  # lm leaves rounding errors, not zeros, where the ratings do not vary within levels.
+  if (is.na(residual) || residual < 1e-9) {
+    return(outcome(remarks = paste0("No pooled ANOVA of ", label, ": no variance within levels.")))
+  }
+  F <- table[["F value"]][1]
+  df <- table[["Df"]]
+  outcome(test_row(family, "single-factor ANOVA; treats trials as independent", label, "F",
+    F, df[1], df[2], table[["Pr(>F)"]][1], "eta squared", table[["Sum Sq"]][1] /
+      sum(table[["Sum Sq"]]), eta_squared_interval(F, df[1], df[2]), 0.90,
+    participant_count(trials), nrow(trials)))
+}
+
+# Friedman's rank test of participants' means for each factor, with Kendall's W.
+friedman_tests <- function(trials, factors) {
+  do.call(all_outcomes, lapply(factors, function(factor) {
+    means <- participant_means(trials, factor)
+    complete <- complete_participants(means)
+    remarks <- left_out_remark(paste("Friedman's test of", factor), nrow(means) - nrow(complete))
+    if (nrow(complete) < 2) return(outcome(remarks = remarks))
+    test <- stats::friedman.test(complete)
+    if (!is.finite(test$statistic)) {
+      return(outcome(remarks = paste0("No Friedman test of ", factor, ": every rank is tied.")))
+    }
+    ranked <- ranks_and_ties(complete)
+    outcome(test_row(kFriedmanFamily, "Friedman's rank test of participants' means", factor,
+      "chi-squared", test$statistic[[1]], test$parameter[[1]], p = test$p.value,
+      size_name = "Kendall's W", size = agreement(ranked),
+      interval = bootstrap_interval(ranked, agreement), interval_level = 0.95,
+      participants = nrow(complete), trials = nrow(trials)), remarks)
+  }))
+}
+
+# One row per participant: the ranks and, last, the correction for ties. A bootstrap draws these rows,
+# so that nobody is ranked twice.
+ranks_and_ties <- function(means) {
+  t(apply(means, 1, function(row) {
+    tied <- table(row)
+    c(rank(row), sum(tied^3 - tied))
+  }))
+}
+
+# Kendall's W, the agreement of rankings from 0 to 1: chi-squared / (n (k - 1)), ties corrected.
+agreement <- function(ranked) {
+  n <- nrow(ranked)
+  k <- ncol(ranked) - 1
+  sums <- colSums(ranked)
+  12 * sum((sums[-(k + 1)] - n * (k + 1) / 2)^2) / (n^2 * (k^3 - k) - n * sums[[k + 1]])
+}
+
+# A paired t test of participants' differences, with their mean's 95 % interval; none for fewer than
+# two participants.
+paired_test <- function(differences, family, effect, size_name) {
+  if (length(differences) < 2) return(outcome())
+  if (stats::sd(differences) < 1e-9) {  # means of counts and small numbers: below is rounding
+    return(outcome(remarks = sprintf("No t test of %s: the differences do not vary.", effect)))
+  }
+  test <- stats::t.test(differences)
+  outcome(test_row(family, "paired t test of participants' means", effect, "t",
+    test$statistic[[1]], test$parameter[[1]], p = test$p.value, size_name = size_name,
+    size = mean(differences), interval = test$conf.int, interval_level = 0.95,
+    participants = length(differences)))
+}
+
+# The margin of equivalence that is the same share of this scale: ±.30 points from 1 to 5.
+equivalence_margin <- function(scale) {
+  kEquivalenceMargin * (scale$rating_maximum - scale$rating_minimum) / 2
+}
+
+# Are mean ratings at two levels closer than a margin that matters? Every pair of levels of every
+# factor, as an outcome. The unit is the participant.
+equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {
+  do.call(all_outcomes, lapply(factors, function(factor) {
+    means <- participant_means(trials, factor)
+    complete <- complete_participants(means)
+    pairs <- utils::combn(colnames(complete), 2, simplify = FALSE)
+    tests <- do.call(all_outcomes, lapply(pairs, function(pair) {
+      equivalence_test(complete[, pair[2]] - complete[, pair[1]],
+        sprintf("%s: %s against %s", factor, pair[2], pair[1]), margin)
+    }))
+    all_outcomes(outcome(remarks = left_out_remark(paste("the equivalence tests of", factor),
+      nrow(means) - nrow(complete))), tests)
+  }))
+}
+
+# One test of participants' differences, in rating points.
+equivalence_test <- function(differences, label, margin, family = kEquivalenceFamily) {
+  n <- length(differences)
+  # Means of small whole numbers: a spread below 1e-9 is rounding.
+  if (n < 2 || stats::sd(differences) < 1e-9) {
+    return(outcome(remarks = paste0("No equivalence test of ", label, ": ",
+      if (n < 2) "fewer than two participants." else "the differences do not vary.")))
+  }
+  tests <- two_one_sided(mean(differences), stats::sd(differences) / sqrt(n), c(-1, 1) * margin,
+    n - 1)
+  outcome(test_row(family, sprintf("two one-sided t tests, margin ±%.2f", margin), label, "t",
+    tests$statistic, n - 1, p = tests$p, size_name = "difference in rating points",
+    size = mean(differences), interval = tests$interval, interval_level = 0.90,
+    participants = n))
+}
+
+# Two one-sided t tests of an estimate against two margins (Schuirmann 1987; Lakens 2017): p is the
+# larger of the two, and p < .05 just when the 90 % interval lies inside the margins. A p > .05 of an
+# ordinary test says nothing of the kind.
+two_one_sided <- function(estimate, error, margins, df = Inf) {
+  t <- (estimate - margins) / error
+  p <- c(stats::pt(t[1], df, lower.tail = FALSE), stats::pt(t[2], df))
+  list(statistic = if (p[1] > p[2]) t[1] else t[2], p = max(p),
+    interval = estimate + c(-1, 1) * stats::qt(0.95, df) * error)
+}

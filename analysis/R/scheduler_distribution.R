@@ -1,0 +1,265 @@
+# The study of schedulers, in which nobody takes part: which collisions does each put first?
+#
+#   seen_collision, trial_level ─> collisions ─┬─> histograms, shares: two figures, .csv
+#                                              └─> shapes, met or not: .md, -shapes.csv
+#
+#   change  share at the 95th minus share at the 5th percentile, of a straight line through all
+#           collisions: how much the share of high priority rises (+) or falls (−)
+#   step    the share of collisions that the best single cut puts right: 1 for a perfect step, about
+#           the larger list's share for none
+#
+# Every collision is a data point of one simulated run, not a participant, and neighbours in time are
+# alike: numbers describe, and no p is given.
+# SPDX-License-Identifier: MIT
+
+kPriorityColours <- c(high = "#D55E00", low = "#56B4E9")
+
+open_distribution_study <- function(study, words) {
+  arguments <- study_arguments(study, words, c("RSQLite", "ggplot2"))
+  parts <- lapply(arguments$studies, read_distribution, study$protocol)
+  together <- function(part) each_row(parts, `[[`, part)
+  collisions <- together("collisions")
+  if (is.null(collisions)) {
+    refuse(paste(basename(arguments$studies), collapse = ", "), ": expected collisions of '",
+      study$protocol, "' with their distance, got none yet")
+  }
+  prepare_folder(arguments$out)
+  seen <- unique(collisions$scheduler)
+  order_of <- c(unlist(lapply(kExpectedShapes, `[[`, 1)), "distance")
+  collisions$scheduler <- factor(collisions$scheduler, unique(c(intersect(order_of, seen), seen)))
+  c(study, list(collisions = collisions, out = arguments$out, walls = sum(together("walls")),
+    unknown = sum(together("unknown")), left_out = sum(together("left_out")),
+    exclusions = together("exclusions")))
+}
+
+# list(collisions, walls, unknown, left_out, exclusions) of one file; list 0 is that of high priority.
+# Collisions with a wall are out and counted: the thesis has none, and thresholds are solved on pairs
+# of bodies.
+read_distribution <- function(path, protocol) {
+  study <- withr::local_db_connection(open_study(path, c(kViews, "seen_collision")))
+  enrolments <- DBI::dbGetQuery(study, "SELECT * FROM enrolment_summary WHERE protocol = ?",
+    params = list(protocol))
+  if (nrow(enrolments) == 0) refuse_protocol(study, path, protocol)
+  places <- sprintf("CAST(%s AS REAL) AS %s", names(kPlaces), names(kPlaces))
+  rows <- DBI::dbGetQuery(study, paste("SELECT participant, trial, body_a, body_b,",
+    paste(places, collapse = ", "), ", list = 0 AS high,",
+    "CAST(trial_level.level AS TEXT) AS scheduler FROM seen_collision",
+    "JOIN trial_level USING (trial) WHERE protocol = ? AND phase = 'main'",
+    "AND trial_level.factor = 'scheduler'"), params = list(protocol))
+  mark <- function(x) if (nrow(x) > 0) cbind(x, file = basename(path), path = path) else NULL
+  if (nrow(rows) == 0) return(list(walls = 0, unknown = 0, left_out = 0))
+  exclusions <- read_remarkable(study, protocol, enrolments, mark)$exclusions
+  rows <- mark(rows)
+  wall <- is_wall(rows$body_a) | is_wall(rows$body_b)
+  rows <- rows[!wall, setdiff(names(rows), c("body_a", "body_b"))]
+  out <- is_excluded(rows, exclusions)
+  known <- stats::complete.cases(rows[names(kPlaces)])
+  rows$high <- rows$high == 1
+  kept <- rows[known & !out, ]
+  list(collisions = if (isTRUE(nrow(kept) > 0)) kept, walls = sum(wall), unknown = sum(!known & !out),
+    left_out = sum(out), exclusions = exclusions)
+}
+
+report_distribution_study <- function(study) {
+  shapes <- shape_table(study$collisions)
+  bins <- histogram_table(study$collisions)
+  say_progress("drawing the figures ...")
+  draw <- function(panel, ending) {
+    write_figure(function() ggplot2::ggplotGrob(panel(bins)), output_path(study, ending),
+      20 + 24 * nlevels(study$collisions$scheduler))
+  }
+  figures <- c(draw(histogram_panel, "-histograms"), draw(share_panel, "-shares"))
+  write_outputs(study, outcome(bins, paste("Every collision is a data point of one simulated run:",
+    "numbers describe, nothing is tested.")), paste("-", shape_sentences(shapes)),
+    distribution_sentences(study), c(paste("Histograms: collisions of high (list 0) and low",
+      "priority by place (thesis figs. 6.11 to 6.16)."), "",
+      "Shares: share of high priority in each bin, with 95 % Wilson intervals."),
+    shape_section(shapes), figures, list(shapes = shapes), left_out = distribution_exclusions(study))
+}
+
+distribution_sentences <- function(study) {
+  counts <- table(study$collisions$scheduler)
+  high <- tapply(study$collisions$high, study$collisions$scheduler, mean)
+  unequal <- names(high)[abs(high - 0.5) > 0.02]
+  c(
+    sprintf("Collisions: %s.", paste0(names(counts), " ", format(as.integer(counts), big.mark = ",",
+      trim = TRUE), collapse = "; ")),
+    if (length(unequal) > 0) sprintf("The lists do not share 50 : 50 ± 2 %% for %s.",
+      paste0(unequal, sprintf(" (%.1f %% high)", 100 * high[unequal]), collapse = ", ")) else
+      "High and low priority share 50 : 50 ± 2 % for every scheduler.",
+    if (study$walls > 0) sprintf("Left out: %s with a face of the view, which no list is made for.",
+      count_of(study$walls, "collision")),
+    if (study$unknown > 0) sprintf("Without a recorded distance, speed or eccentricity, left out: %s.",
+      count_of(study$unknown, "collision")))
+}
+
+distribution_exclusions <- function(study) {
+  excluded <- study$exclusions
+  if (is.null(excluded)) return("Nobody and no trial is left out.")
+  c(sprintf("Left out: %s.", count_of(study$left_out, "collision")), "",
+    markdown_table(c("participant", "trial", "reason", "decided"), sprintf("%s | %s | %s | %s",
+      as_typed(excluded$participant), ifelse(is.na(excluded$trial), "all", excluded$trial),
+      as_typed(excluded$reason), excluded$decided_utc)))
+}
+
+shape_section <- function(shapes) {
+  shapes$place <- kPlaces[shapes$place]
+  c("## Shapes", "", table_as_markdown(shapes, c(scheduler = "%s", place = "%s", collisions = "%d",
+    high_share = "%.3f", change = "%+.3f", step = "%.3f"), c("scheduler", "over", "collisions",
+    "share of high priority", "change of the share", "put right by the best cut")), "")
+}
+
+histogram_panel <- function(bins) {
+  long <- rbind(cbind(bins, priority = "low", count = bins$low),
+    cbind(bins, priority = "high", count = bins$high))
+  long$priority <- factor(long$priority, c("low", "high"))
+  long$place <- factor(kPlaces[long$place], kPlaces)
+  long$base <- ifelse(long$priority == "high", 0, long$high)
+  ggplot2::ggplot(long, ggplot2::aes(xmin = middle - width / 2, xmax = middle + width / 2,
+    ymin = base, ymax = base + count, fill = priority)) +
+    ggplot2::geom_rect() +
+    ggplot2::scale_fill_manual("Priority", values = kPriorityColours) +
+    ggplot2::facet_grid(scheduler ~ place, scales = "free") +
+    ggplot2::labs(x = NULL, y = "Collisions") + distribution_theme()
+}
+
+share_panel <- function(bins) {
+  bins$place <- factor(kPlaces[bins$place], kPlaces)
+  bins <- bins[!is.na(bins$share), ]
+  ggplot2::ggplot(bins, ggplot2::aes(middle, share)) +
+    ggplot2::geom_hline(yintercept = 0.5, linewidth = 0.3, colour = "grey60") +
+    ggplot2::geom_linerange(ggplot2::aes(ymin = share_low, ymax = share_high), linewidth = 0.4) +
+    ggplot2::geom_line(linewidth = 0.3) + ggplot2::geom_point(size = 0.8) +
+    ggplot2::scale_y_continuous("Share of high priority", breaks = c(0, 0.5, 1), limits = c(0, 1)) +
+    ggplot2::facet_grid(scheduler ~ place, scales = "free_x") + ggplot2::labs(x = NULL) +
+    distribution_theme()
+}
+
+distribution_theme <- function() {
+  figure_theme() + ggplot2::theme(strip.text = ggplot2::element_text(size = kTextPt),
+    panel.spacing = ggplot2::unit(2, "mm"))
+}
+
+kPlaces <- c(distance_m = "depth (m)", speed_deg_s = "projected speed (°/s)",
+  eccentricity_deg = "eccentricity (°)")
+kBins <- 20
+# What counts as a shape, our choice.
+kFlatChange <- 0.10
+kWeakChange <- 0.25
+kStepShare <- 0.95
+
+# What experiments predict (thesis sec. 6.3): scheduler, its other names, place, shape.
+kExpectedShapes <- list(
+  list(c("size"), "distance_m", "step"),
+  list(c("velocity", "speed"), "speed_deg_s", "step"),
+  list(c("velocity", "speed"), "distance_m", "rises"),
+  list(c("eccentricity"), "distance_m", "flat"),
+  list(c("gap", "centres"), "distance_m", "flat"),
+  list(c("gap", "centres"), "eccentricity_deg", "flat"),
+  list(c("projected-gap", "projected-centres"), "distance_m", "falls"),
+  list(c("collision-speed"), "distance_m", "weak"),
+  list(c("collision-speed"), "speed_deg_s", "weak"),
+  list(c("collision-speed"), "eccentricity_deg", "weak")
+)
+
+# Why a shape need not be met, from geometry alone: scheduler, place, words.
+kShapeReasons <- list(
+  list("eccentricity", "distance_m", paste("Depth is the distance from the eye: the farthest places",
+    "are the far face's corners, and near the eye a body's own size keeps it from the edges")),
+  list("collision-speed", "distance_m", paste("A relative speed falls with distance as every",
+    "projected speed does")),
+  list("collision-speed", "speed_deg_s", paste("The relative speed of two bodies is at most twice",
+    "their mean speed"))
+)
+
+# c(change, step) of logical `high` over numbers `x`; NA for fewer than two values.
+shape_of <- function(x, high) {
+  if (length(unique(x)) < 2) return(c(change = NA_real_, step = NA_real_))
+  ends <- stats::quantile(x, c(0.05, 0.95), names = FALSE)
+  slope <- stats::cov(x, high) / stats::var(x)
+  c(change = slope * diff(ends), step = best_cut(x, high))
+}
+
+# The share that the best cut puts right, with high on either side of it. Equal values stay together.
+best_cut <- function(x, high) {
+  order_of <- order(x)
+  below <- cumsum(high[order_of])
+  n <- length(x)
+  ends <- which(c(diff(x[order_of]) > 0, TRUE))
+  high_below <- below[ends] + (n - ends) - (below[n] - below[ends])
+  max(high_below, n - high_below) / n
+}
+
+# One row per scheduler and place: collisions, share of high priority, change, step.
+shape_table <- function(collisions) {
+  each_row(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
+    each_row(names(kPlaces), function(place) {
+      data.frame(scheduler = some$scheduler[1], place = place, collisions = nrow(some),
+        high_share = mean(some$high), t(shape_of(some[[place]], some$high)))
+    })
+  })
+}
+
+# One row per scheduler, place and bin: counts of high and low, the share of high with its 95 %
+# Wilson interval. Bins are the same for every scheduler: from 0 or the least to the 99.5th percentile.
+histogram_table <- function(collisions) {
+  edges <- lapply(collisions[names(kPlaces)], function(x) {
+    seq(min(x), stats::quantile(x, 0.995, names = FALSE), length.out = kBins + 1)
+  })
+  each_row(split(collisions, collisions$scheduler, drop = TRUE), function(some) {
+    each_row(names(kPlaces), function(place) {
+      bin <- findInterval(some[[place]], edges[[place]], rightmost.closed = TRUE)
+      inside <- bin >= 1 & bin <= kBins
+      high <- tabulate(bin[inside & some$high], kBins)
+      low <- tabulate(bin[inside & !some$high], kBins)
+      middle <- (utils::head(edges[[place]], -1) + edges[[place]][-1]) / 2
+      data.frame(scheduler = some$scheduler[1], place = place, middle = middle,
+        width = diff(edges[[place]]), high = high, low = low, wilson_share(high, high + low))
+    })
+  })
+}
+
+# share, share_low, share_high of `count` of `n` (Wilson 1927); NA for n = 0.
+wilson_share <- function(count, n) {
+  z <- stats::qnorm(0.975)
+  share <- ifelse(n > 0, count / n, NA)
+  middle <- (share + z^2 / (2 * n)) / (1 + z^2 / n)
+  half <- z * sqrt(share * (1 - share) / n + z^2 / (4 * n^2)) / (1 + z^2 / n)
+  data.frame(share = share, share_low = pmax(middle - half, 0), share_high = pmin(middle + half, 1))
+}
+
+# A sentence for each expected shape whose scheduler is there: is it met, by which number?
+shape_sentences <- function(shapes) {
+  unlist(lapply(kExpectedShapes, function(expected) {
+    row <- shapes[shapes$scheduler %in% expected[[1]] & shapes$place == expected[[2]], ]
+    if (nrow(row) == 0) return(NULL)
+    vapply(seq_len(nrow(row)), function(i) shape_sentence(row[i, ], expected[[3]]), "")
+  }))
+}
+
+shape_sentence <- function(row, shape) {
+  met <- switch(shape,
+    step = row$step >= kStepShare, rises = row$change > kFlatChange,
+    falls = row$change < -kFlatChange, flat = abs(row$change) <= kFlatChange,
+    weak = abs(row$change) <= kWeakChange)
+  expected <- c(step = "a step", rises = "a share that rises", falls = "a share that falls",
+    flat = "a flat share", weak = "a weak change")[[shape]]
+  number <- if (shape == "step") {
+    sprintf("the best cut puts %.1f %% of collisions right, %.0f %% or more is a step",
+      100 * row$step, 100 * kStepShare)
+  } else {
+    limit <- if (shape == "weak") kWeakChange else kFlatChange
+    sprintf("the share changes by %s from the 5th to the 95th percentile, ±%.2f is %s",
+      sub("-", "−", sprintf("%+.2f", row$change)), limit, if (shape == "weak") "weak" else "flat")
+  }
+  sprintf("%s: %s over %s was expected and is %s (%s).%s", row$scheduler, expected,
+    sub(" \\(.*", "", kPlaces[[row$place]]), if (isTRUE(met)) "met" else "NOT met", number,
+    if (isTRUE(met)) "" else shape_reason(row))
+}
+
+# " ... ." where geometry says why the shape is not met, otherwise "".
+shape_reason <- function(row) {
+  mine <- Filter(function(reason) reason[[1]] == row$scheduler && reason[[2]] == row$place,
+    kShapeReasons)
+  if (length(mine) > 0) paste0(" ", mine[[1]][[3]], ".") else ""
+}

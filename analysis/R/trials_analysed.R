@@ -1,0 +1,206 @@
+# What the analysis rests on: who and what is left out, and what else a reader must know of the trials.
+#
+#   excluded ────────────> exclusions: rows leave the trials, and stand in the report's table
+#   rated_trial.catch ───> catch trials: outside the design, reported apart
+#   interrupted_attempt,
+#   set_aside_attempt,
+#   trial_response ──────> counts: showings that were cut short, answers that never came
+#
+# Invariant: nothing is left out that the report does not name, with its reason.
+# SPDX-License-Identifier: MIT
+
+# What the views know of one protocol beside its trials: list(exclusions, interrupted, timed_out),
+# each with the columns file and path. `study`: an open study file.
+read_remarkable <- function(study, protocol, enrolments, mark) {
+  ask <- function(...) DBI::dbGetQuery(study, paste(...), params = list(protocol))
+  exclusions <- DBI::dbGetQuery(study, paste(
+    "SELECT participant, CAST(trial AS INTEGER) AS trial, reason, decided_utc FROM excluded",
+    "ORDER BY participant, trial"))
+  exclusions <- exclusions[exclusions$participant %in% enrolments$participant, ]
+  list(
+    exclusions = mark(exclusions),
+    interrupted = mark(ask("SELECT participant, trial, interrupted_by FROM (",
+      "SELECT protocol, participant, trial, interrupted_by FROM interrupted_attempt",
+      "WHERE phase = 'main' UNION ALL",
+      "SELECT protocol, participant, trial, 'set aside with its block' FROM set_aside_attempt)",
+      "WHERE protocol = ?")),
+    timed_out = mark(ask("SELECT participant, trial FROM trial_response",
+      "WHERE protocol = ? AND phase = 'main' AND timed_out = 1")))
+}
+
+# Which of these rows are excluded: TRUE for each that is.
+is_excluded <- function(rows, exclusions) {
+  if (is.null(exclusions)) return(rep(FALSE, nrow(rows)))
+  everything <- exclusions[is.na(exclusions$trial), ]
+  person <- function(rows) paste(rows$path, rows$participant)
+  person(rows) %in% person(everything) | trial_key(rows) %in% trial_key(exclusions)
+}
+
+# The study without what was excluded and without catch trials: study$trials, study$catch and
+# study$exclusions with the number of rows that each took away. `what`: "rated main trials". An
+# exclusion of a trial that is not among the rows took nothing away and is left out of the table.
+without_left_out <- function(study, what) {
+  trials <- study$trials
+  out <- is_excluded(trials, study$exclusions)
+  study$exclusions <- counted_exclusions(study$exclusions, trials)
+  is_catch <- trials$catch == 1
+  study$catch <- trials[!out & is_catch, ]
+  study$trials <- trials[!out & !is_catch, ]
+  if (nrow(study$trials) > 0) return(study)
+  refuse(paste(unique(trials$file), collapse = ", "), ": expected ", what, " of '",
+    study$protocol, "', got only catch trials and excluded ones (", sum(out), " excluded)")
+}
+
+counted_exclusions <- function(exclusions, trials) {
+  if (is.null(exclusions)) {
+    return(data.frame(participant = character(), trial = integer(), reason = character(),
+      decided_utc = character(), trials = integer()))
+  }
+  exclusions$trials <- vapply(seq_len(nrow(exclusions)), function(i) {
+    sum(is_excluded(trials, exclusions[i, ]))
+  }, integer(1))
+  exclusions[is.na(exclusions$trial) | exclusions$trials > 0, ]
+}
+
+# The part of the report: who or which trial is left out, why, since when; then the counts.
+left_out_section <- function(study) {
+  c(exclusion_lines(study), "", remarkable_lines(study), "", catch_lines(study))
+}
+
+exclusion_lines <- function(study) {
+  decided <- study$exclusions
+  made_up <- study$excluded
+  rows <- c(
+    sprintf("%s | %s | %d | %s | %s", as_typed(decided$participant),
+      ifelse(is.na(decided$trial), "all", decided$trial), decided$trials,
+      as_typed(decided$reason), decided$decided_utc),
+    sprintf("%s | all | %d | %s | –", as_typed(made_up$participant), made_up$trials, made_up$reason)
+  )
+  if (length(rows) == 0) return("Nobody and no trial is left out.")
+  c("Left out of every analysis:", "",
+    markdown_table(c("participant", "trial", "main trials left out", "reason", "decided"), rows))
+}
+
+# Words that somebody typed, as they may stand in a line or a table of Markdown: they stay words.
+as_typed <- function(words) {
+  words <- gsub("[[:space:][:cntrl:]]+", " ", enc2utf8(as.character(words)))
+  gsub("([][\\\\`*_|#~])", "\\\\\\1", with_entities(words))
+}
+
+# The same between backticks, where nothing is markup but what ends the cell or the code.
+as_code <- function(words) gsub("|", "\\|", gsub("[`[:space:]]+", " ", words), fixed = TRUE)
+
+remarkable_lines <- function(study) {
+  trials <- study$trials
+  reasons <- sort(unique(study$interrupted$interrupted_by), na.last = TRUE)
+  row <- function(what, rows, treated) {
+    sprintf("%s | %d | %d | %s", what, NROW(rows), people_in(rows), treated)
+  }
+  markdown_table(c("main trials", "number", "participants", "treated as"), c(
+    row("with late timed frames", trials[trials$late_timed_frames > 0, ], "in the analysis"),
+    row("with gaze shown too late", trials[trials$gaze_late %in% 1, ], "in the analysis"),
+    vapply(reasons, function(reason) {
+      row(sprintf("showings interrupted (%s)", if (is.na(reason)) "not known" else reason),
+        study$interrupted[study$interrupted$interrupted_by %in% reason, ], "not data; shown again")
+    }, ""),
+    row("without an answer in time", study$timed_out, "no answer to analyse"),
+    row("catch trials", study$catch, "apart, below")))
+}
+
+people_in <- function(rows) length(unique(rows$participant))
+
+# Catch trials by condition: their ratings, or the share of positive answers.
+catch_lines <- function(study) {
+  catch <- study$catch
+  if (nrow(catch) == 0) return(character())
+  of <- if (is.null(catch$rating)) "positive" else "rating"
+  cells <- split(catch, catch$condition)
+  rows <- vapply(cells, function(cell) {
+    sprintf("`%s` | %d | %d | %.2f | %.0f to %.0f", as_code(cell$condition[1]), nrow(cell), people_in(cell),
+      mean(cell[[of]]), min(cell[[of]]), max(cell[[of]]))
+  }, "")
+  c("Catch trials, never pooled with the others:", "",
+    markdown_table(c("condition", "trials", "participants",
+      if (of == "rating") "mean rating" else "share of positive answers", "range"), unname(rows)))
+}
+
+# A vector of sentences, each about one thing a reader must know before the results.
+study_sentences <- function(study) {
+  c(
+    if (study$all_simulated) paste("SIMULATED: every participant is simulated; these results",
+      "describe an observer model, not people."),
+    participants_sentence(study), exclusions_sentence(study), catch_sentence(study),
+    hashes_sentence(study), timing_sentences(study$trials),
+    if (!is.null(study$scale)) delay_sentence(study$trials, study$factors), study$depths)
+}
+
+participants_sentence <- function(study) {
+  noun <- answer_noun(study)
+  per <- table(study$trials$participant)
+  left_out <- c(study$excluded$participant,
+    study$exclusions$participant[is.na(study$exclusions$trial)])
+  enrolled <- study$enrolments[!study$enrolments$participant %in% left_out, ]
+  unfinished <- enrolled$completed_trials < enrolled$planned_trials | is.na(enrolled$finished_utc)
+  incomplete <- people_in(enrolled[unfinished & enrolled$participant %in% names(per), ])
+  waiting <- length(setdiff(enrolled$participant, names(per)))
+  paste0(sprintf("%s, %s in the main phase (%s each).", count_of(length(per), "participant"),
+      count_of(sum(per), noun), paste(unique(range(per)), collapse = " to ")),
+    if (incomplete > 0) sprintf(" The study is in progress: %s included with the %ss given so far.",
+      if (incomplete == 1) "1 participant has not finished and is" else
+        paste(incomplete, "participants have not finished and are"), noun),
+    if (waiting > 0) sprintf(" %s enrolled, without %ss.", count_of(waiting, "more participant"),
+      noun))
+}
+
+exclusions_sentence <- function(study) {
+  columns <- c("participant", "trials", "reason")
+  left_out <- rbind(study$excluded[columns], study$exclusions[columns])
+  if (nrow(left_out) == 0) return(sprintf("No %s was excluded.", answer_noun(study)))
+  sprintf("Left out: %s of %s (%s).", count_of(sum(left_out$trials), answer_noun(study)),
+    count_of(people_in(left_out), "participant"),
+    paste(as_typed(unique(left_out$reason)), collapse = "; "))
+}
+
+catch_sentence <- function(study) {
+  if (nrow(study$catch) == 0) return(character())
+  sprintf("%s are reported apart and are in no test.", count_of(nrow(study$catch), "catch trial"))
+}
+
+# What a participant gives in a trial of this study: a rating, an answer or, with clicks, the trial.
+answer_noun <- function(study) {
+  if (!is.null(study$scale)) "rating" else if (identical(study$response, "clicks")) "trial" else
+    "answer"
+}
+
+hashes_sentence <- function(study) {
+  if (length(study$hashes) == 1) return(character())
+  sprintf("%d versions of protocol '%s' (different hashes) are pooled here.",
+    length(study$hashes), study$protocol)
+}
+
+# Late frames and overridden tests of the display.
+timing_sentences <- function(trials) {
+  late <- sum(trials$late_timed_frames)
+  overridden <- trials[trials$sync_overridden == 1, ]
+  c(
+    if (late == 0) "No timed frame was late." else sprintf("Late timed frames: %s of %s, in %s.",
+      format(late, big.mark = ","), format(sum(trials$timed_frames), big.mark = ","),
+      count_of(sum(trials$late_timed_frames > 0), "trial")),
+    if (nrow(overridden) == 0) "The sync test was not overridden." else
+      sprintf("The sync test was overridden for %s (%s), which are included.",
+        count_of(participant_count(overridden), "participant"), count_of(nrow(overridden), "trial"))
+  )
+}
+
+# Only for studies with a factor delay: did the display show what was asked?
+delay_sentence <- function(trials, factors) {
+  if (!"delay" %in% names(factors)) return(character())
+  intended_ms <- as.numeric(as.character(trials[[factors[["delay"]]]]))
+  off_ms <- abs(trials$realised_hold_ms - intended_ms)
+  # A frame is no shorter than 2 ms; less than .05 ms is the rounding of 1/60 s.
+  if (all(off_ms < 0.05)) return("Every freeze lasted as many frames as its intended delay.")
+  sprintf(paste(
+    "The analysis uses the intended delay; the freeze realised on the display's frames differs",
+    "from it in %s, by up to %.1f ms."
+  ), count_of(sum(off_ms >= 0.05), "trial"), max(off_ms))
+}

@@ -1,0 +1,86 @@
+// How far two nodes are apart, and in which direction; and which spheres of two bodies on their
+// ways could touch within a time, without asking when.
+//
+//   |<-- gap -->|         a and b approach by no more than speed · time + turning · time: what is
+//  (a)         (b)        further apart does not touch
+//
+// Both answers are to the safe side by a margin far above rounding: what they rule out, the time of
+// the pair's own formula (time_of_entry.cpp) rules out too. So a search that leaves it out finds
+// the same.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "engine/collision/entry/body_path.hpp"
+#include "engine/collision/placed_tree.hpp"
+#include "engine/collision/sphere_block.hpp"
+
+namespace impetus::inline collision {
+
+/// The gap between two nodes.
+struct NodeGap {
+  double gap_m{0.0};                 ///< less than zero: how deep they overlap
+  Vector3 normal{Vector3::UnitX()};  ///< unit, from b towards a; they are as far apart along it
+};
+
+/// Of the spheres that bound the nodes: never more than the nodes' own.
+inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
+  const Vector3 offset = a.centre - b.centre;
+  const double distance_m = offset.norm();
+  NodeGap found;
+  found.gap_m = distance_m - a.radius_m - b.radius_m;
+  if (distance_m > 0.0) {
+    found.normal = offset / distance_m;
+  }
+  return found;
+}
+
+/// Of the nodes themselves.
+NodeGap gap_of_nodes(const Volume& a, const Volume& b);
+
+/// Rules out spheres of two bodies that go a stretch of their ways.
+class NearSpheres {
+ public:
+  /// Bodies in a stretch of their ways, all points of which stay within the reaches of their
+  /// centres of mass (metres).
+  void enter(const RelativeStretch& stretch, double reach_a_m, double reach_b_m);
+
+  /// Whether the poses are such that the reaches hold: they are numbers, turn without stretching
+  /// and are not so far off that rounding counts. Else nothing is ruled out.
+  void place(const Pose& a, const Pose& b);
+
+  /// The pairs of a block that could touch by more than `hair_m` within `time`, whichever way the
+  /// bodies move. `turning` is how fast points of each sphere can move by their body's turning.
+  [[nodiscard]] std::uint64_t within(double time, double hair_m, const SphereBlock& block,
+                                     const LaneValues& turning_a,
+                                     const LaneValues& turning_b) const;
+
+  /// Whether two spheres cannot, by the way the bodies move. With the offset o and its length d,
+  /// (d − r_a − r_b + hair) d ≥ time (max(0, −o·v) + turning d).
+  [[nodiscard]] bool apart_for(double time, double hair_m, const Sphere& a, const Sphere& b,
+                               double turning_m) const {
+    const Vector3 offset = a.centre - b.centre;
+    const double distance_m = offset.norm();
+    const double gap_m = distance_m - a.radius_m - b.radius_m;
+    const double margin = margin_m(time);
+    const double closing = std::max(0.0, -offset.dot(velocity_));
+    return reaches_hold_ && gap_m > margin &&
+           (gap_m + hair_m - margin - time * turning_m) * distance_m >= time * closing;
+  }
+
+ private:
+  [[nodiscard]] double margin_m(double time) const {
+    constexpr double kMargin = 1e-9;
+    return kMargin * (time * fastest_m_ + reach_a_m_ + reach_b_m_);
+  }
+
+  Vector3 velocity_{Vector3::Zero()};
+  double speed_m_{0.0};    ///< a step, without the turning
+  double fastest_m_{0.0};  ///< with it
+  double reach_a_m_{0.0};
+  double reach_b_m_{0.0};
+  bool reaches_hold_{false};
+};
+
+}  // namespace impetus::inline collision

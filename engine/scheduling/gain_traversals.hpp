@@ -1,0 +1,82 @@
+// Orders of work that expect something of it: what can be seen of a gap, taken off per unit of
+// work.
+//
+//   best-first     the next level's:
+//                    (fit error now − fit error then, in degrees at the eye)
+//                    × probability that the surfaces meet, κ ρ_a ρ_b of the likeliest nodes
+//                    / what the tests of the next level cost
+//   visible-first  of the finer levels, the best one's:
+//                    gap expected to open, in degrees at the eye
+//                    × acuity there, relative to the fovea's (eccentricity_metric.hpp)
+//                    / (what the tests of the next level cost × levels until then)
+//
+// A gap shows where coarse bounds touch and surfaces do not. Let the deepest nodes overlap by δ,
+// and let D be what the fit errors lose until a finer level. Its bounds lie closer to the surfaces
+// by between nothing and D, as far as is known each as likely. Where that is more than δ they part,
+// and the gap that goes with them is at least the rest: (D − δ)² / 2D, on average. Of several finer
+// levels the one that pays most counts. Bounds that overlap deeply, as those of bodies that
+// really touch, so come last, which best-first takes first.
+// (Dingliana 2002, eq. 4.6; Klein and Zachmann 2003 for the expectation)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "engine/numerics/elementary_functions.hpp"
+#include "engine/scheduling/traversals.hpp"
+
+namespace impetus::inline scheduling {
+
+class BestFirst final : public Traversal {
+ public:
+  [[nodiscard]] unsigned terms() const override { return kProgressTerm | kEyeDistanceTerm; }
+
+  [[nodiscard]] double urgency(const PairProgress& pair) const override {
+    if (pair.resolved()) {
+      return 0.0;
+    }
+    const int level = pair.level();
+    const double removed_m = pair.fit_error_m(level) - pair.fit_error_m(level + 1);
+    const double visible_deg = degrees(2.0 * atan2_rad(0.5 * removed_m, pair.eye_distance_m()));
+    const double gain =
+        visible_deg * pair.likeliest_collision() / static_cast<double>(pair.work_of_next_level());
+    return gain > 0.0 ? gain : 0.0;
+  }
+};
+
+class VisibleFirst final : public Traversal {
+ public:
+  [[nodiscard]] unsigned terms() const override {
+    return kProgressTerm | kEyeDistanceTerm | kAcuityTerm;
+  }
+
+  [[nodiscard]] double urgency(const PairProgress& pair) const override {
+    if (pair.resolved()) {
+      return 0.0;
+    }
+    const double overlap_m = pair.deepest_overlap_m();
+    double gap_per_level_m = 0.0;
+    for (int level = pair.level() + 1; level <= pair.finest_level(); ++level) {
+      gap_per_level_m = std::max(gap_per_level_m,
+                                 expected_gap_m(pair, level, overlap_m) / (level - pair.level()));
+    }
+    const double visible_deg =
+        degrees(2.0 * atan2_rad(0.5 * gap_per_level_m, pair.eye_distance_m()));
+    const double gain =
+        pair.acuity() * visible_deg / static_cast<double>(pair.work_of_next_level());
+    return gain > 0.0 ? gain : 0.0;
+  }
+
+ private:
+  /// That opens until `level`.
+  static double expected_gap_m(const PairProgress& pair, int level, double overlap_m) {
+    const double closer_m = pair.fit_error_m(pair.level()) - pair.fit_error_m(level);
+    if (!(closer_m > overlap_m)) {
+      return 0.0;
+    }
+    const double beyond_m = closer_m - overlap_m;
+    return 0.5 * beyond_m * beyond_m / closer_m;
+  }
+};
+
+}  // namespace impetus::inline scheduling

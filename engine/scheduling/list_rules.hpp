@@ -1,0 +1,85 @@
+// Rules that put the pairs of a step into priority lists.
+//
+//   thresholds   what the metric measures of a pair, against limits
+//   pair_shares  its rank by the metric among the step's pairs, against limits
+//   region       whether it lies within the step's region
+//
+// Each is a class in a file of this room and a line of the table in list_rules.cpp: of one's own, a
+// class alone. (Dingliana 2002, sec. 5.1.2 and 6.3.1)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/scheduling/priority.hpp"
+
+namespace impetus::inline scheduling {
+
+/// A pair with its place in the schedule.
+struct ScheduledPair {
+  BodyPair pair;
+  int list{0};
+};
+
+/// And with what orders it within its list: of larger priorities the pair that came first.
+struct MeasuredPair {
+  ScheduledPair scheduled;
+  double priority{0.0};
+  std::int32_t place{0};  ///< among the pairs as they came
+};
+
+/// Whether x has the higher priority: a total order. Of equal priorities the pair that came first
+/// has it; what is not a number has it last.
+bool has_priority(const MeasuredPair& x, const MeasuredPair& y);
+
+/// What a rule may look at beside the pairs.
+struct ListInput {
+  const PriorityMetric& metric;
+  const std::vector<double>& limits;  ///< Schedule::limits
+  const Viewer& viewer;
+  const std::optional<GazeRegion>& region;
+};
+
+/// What a rule may look at, as bits.
+enum ListTerm : unsigned {
+  kPriorityTerm = 1,  ///< MeasuredPair::priority: pairs are not measured for rules without it
+  kRegionTerm = 2,    ///< ListInput::region
+};
+
+class ListRule {
+ public:
+  virtual ~ListRule() = default;
+
+  /// The terms that the rule looks at; all, unless it says less.
+  [[nodiscard]] virtual unsigned terms() const { return kPriorityTerm | kRegionTerm; }
+
+  /// Whether it parts the lists by Schedule::limits, one fewer than lists.
+  [[nodiscard]] virtual bool has_limits() const { return false; }
+
+  /// What is wrong with so many lists, and such limits of pairs measured by `metric`, as
+  /// "expected ..., got ..."; empty when nothing is.
+  [[nodiscard]] virtual std::string problem(std::size_t lists, const std::vector<double>& limits,
+                                            const PriorityMetric& metric) const;
+
+  /// Gives each of `pairs` its list, which is 0 until then, where there are several lists.
+  /// `bounds[pair.place]` is what is known of the pair beside. Pairs may change their order.
+  virtual void part(const std::vector<PairBounds>& bounds, const ListInput& input,
+                    std::vector<MeasuredPair>& pairs) const = 0;
+};
+
+/// The rule called `name`, always the same. Throws std::invalid_argument that lists the names there
+/// are.
+std::shared_ptr<const ListRule> make_list_rule(std::string_view name);
+
+/// The name that makes it; empty for one of a user's own.
+std::string_view list_rule_name(const ListRule& rule);
+
+/// The names make_list_rule() takes; the first is what a schedule does as it stands.
+std::vector<std::string_view> list_rule_names();
+
+}  // namespace impetus::inline scheduling

@@ -1,0 +1,69 @@
+// The table of a kind's members by their names, for kinds that need nothing beside it: one object
+// of each, which all who name it share.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <initializer_list>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace impetus::inline scheduling {
+
+/// The names with commas between them.
+inline std::string list_names(const std::vector<std::string_view>& names) {
+  std::string list;
+  for (const std::string_view name : names) {
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  return list;
+}
+
+template <typename Kind>
+class NamedKinds {
+ public:
+  struct Row {
+    std::string_view name;
+    std::shared_ptr<const Kind> kind;
+  };
+
+  /// `what` begins the sentence that refuses a name.
+  NamedKinds(std::string_view what, std::initializer_list<Row> rows) : what_(what), rows_(rows) {}
+
+  /// Throws std::invalid_argument that lists the names there are.
+  [[nodiscard]] const std::shared_ptr<const Kind>& called(std::string_view name) const {
+    for (const Row& row : rows_) {
+      if (row.name == name) {
+        return row.kind;
+      }
+    }
+    throw std::invalid_argument(what_ + ": expected one of " + list_names(names()) + ", got \"" +
+                                std::string(name) + "\"");
+  }
+
+  /// Empty when `kind` is none of the table's own.
+  [[nodiscard]] std::string_view name(const Kind& kind) const {
+    for (const Row& row : rows_) {
+      if (row.kind.get() == &kind) {
+        return row.name;
+      }
+    }
+    return "";
+  }
+
+  [[nodiscard]] std::vector<std::string_view> names() const {
+    std::vector<std::string_view> names;
+    for (const Row& row : rows_) {
+      names.push_back(row.name);
+    }
+    return names;
+  }
+
+ private:
+  std::string what_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace impetus::inline scheduling

@@ -1,0 +1,112 @@
+// The second phase of a step: who may have met, by the bounds of where bodies went.
+//
+//   candidates   bodies whose swept bounds touch, but those that are out or neighbours in a figure
+//   stop         fast pairs that would pass through each other, where they first touch
+//   walls        bodies that reach beyond the enclosure where they stand now
+//
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+#include "engine/collision/broad_phase.hpp"
+#include "engine/numerics/at.hpp"
+#include "engine/volumes/enclosure.hpp"
+#include "engine/world/phases.hpp"
+
+namespace impetus::inline world {
+namespace {
+
+/// So few are sooner all tested against each other than put in order; the pairs are the same.
+constexpr std::size_t kFewBodies = 24;
+
+void find_candidates(const Step& step) {
+  WorldState& world = step.world;
+  std::vector<PairBounds>& candidates = step.memory.candidates;
+  if (step.memory.bounds.size() <= kFewBodies) {
+    find_among_all(step.memory.bounds, candidates);
+  } else {
+    world.broad_phase.find(step.memory.bounds, candidates);
+  }
+  if (world.finite.any_out()) {
+    std::erase_if(candidates, [&world](const PairBounds& pair) {
+      return world.finite.is_out(at(pair.pair.a)) || world.finite.is_out(at(pair.pair.b));
+    });
+  }
+  if (world.figures) {
+    std::erase_if(candidates, [&step, &world](const PairBounds& pair) {
+      return !world.figures->may_meet(step.settings.figures, pair.pair);
+    });
+    world.figures->find_folds(step.settings.figures, world.finite, world.states);
+  }
+}
+
+/// The candidates of which both bodies can stop: a part cannot where its figure goes on.
+const std::vector<PairBounds>& stoppable_pairs(const Step& step) {
+  const WorldState& world = step.world;
+  if (!world.figures) {
+    return step.memory.candidates;
+  }
+  std::vector<PairBounds>& stoppable = step.memory.stoppable;
+  stoppable.clear();
+  std::copy_if(step.memory.candidates.begin(), step.memory.candidates.end(),
+               std::back_inserter(stoppable),
+               [&world](const PairBounds& pair) { return !world.is_of_figure(pair.pair); });
+  return stoppable;
+}
+
+void stop_fast_pairs(const Step& step) {
+  const WorldSettings& settings = step.settings;
+  WorldState& world = step.world;
+  StepMemory& memory = step.memory;
+  int greatest_level = 0;
+  for (const PriorityList& list : settings.schedule.lists) {
+    greatest_level = std::max(greatest_level, list.greatest_level);
+  }
+  const Stopping& stopping = stop_at_entry(
+      {step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step), greatest_level,
+       settings.costs, settings.rotation, kMostStops, memory.falls, settings.most_entry_tests},
+      world.states, world.placed, memory.entries);
+  for (PairBounds& pair : memory.candidates) {
+    pair.a.centre = world.states[at(pair.pair.a)].pose.position;
+    pair.b.centre = world.states[at(pair.pair.b)].pose.position;
+  }
+  StepReport& report = memory.report;
+  report.work_floor = stopping.work;
+  report.stopped = stopping.stopped;
+  if (!report.stopped.empty()) {
+    report.degradations |= kStoppedShort;
+  }
+  if (stopping.ran_out) {
+    report.degradations |= kEntryTestsSpent;
+  }
+}
+
+void add_wall_candidates(const Enclosure& enclosure, StepMemory& memory) {
+  const WallReach reaches(enclosure);
+  for (std::size_t body = 0; body < memory.bounds.size(); ++body) {
+    const auto& [bound, travelled_m, movable] = memory.bounds[body];
+    if (movable && reaches(bound)) {
+      memory.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
+    }
+  }
+}
+
+}  // namespace
+
+void pair_bodies(const Step& step) {
+  WorldState& world = step.world;
+  find_candidates(step);
+  if (step.settings.tunnelling == Tunnelling::kStopAtEntry) {
+    stop_fast_pairs(step);
+  }
+  for (std::size_t body = 0; body < world.models.size(); ++body) {
+    world.placed[body].move_to(world.states[body].pose);
+    step.memory.bounds[body].bound.centre = world.states[body].pose.position;
+  }
+  if (step.settings.enclosure) {
+    add_wall_candidates(*step.settings.enclosure, step.memory);
+  }
+}
+
+}  // namespace impetus::inline world

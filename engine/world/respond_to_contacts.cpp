@@ -1,0 +1,121 @@
+// The sixth phase of a step: impulses, and what is imposed beyond physics.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "engine/numerics/at.hpp"
+#include "engine/world/phases.hpp"
+
+namespace impetus::inline world {
+namespace {
+
+/// The reported contacts of a collision, by their index.
+std::pair<std::size_t, std::size_t> contact_range(const CollisionReport& collision) {
+  const auto first = static_cast<std::size_t>(collision.first_contact);
+  return {first, first + static_cast<std::size_t>(collision.contact_count)};
+}
+
+/// The contacts that the response gets, in the order of StepReport::contacts.
+void gather_contacts(const StepReport& report, std::vector<Contact>& contacts) {
+  contacts.clear();
+  for (const CollisionReport& collision : report.collisions) {
+    const auto [first, end] = contact_range(collision);
+    for (std::size_t i = first; i < end; ++i) {
+      contacts.push_back({collision.bodies, report.contacts[i].touch});
+    }
+  }
+}
+
+const ResponseResult& give_impulses(const Step& step) {
+  const WorldSettings& settings = step.settings;
+  WorldState& world = step.world;
+  StepMemory& memory = step.memory;
+  gather_contacts(memory.report, memory.contacts);
+  Restitutions{settings.restitution, settings.materials, settings.wall_material}.find(
+      memory.contacts, world.models, memory.restitutions);
+  ResponseRules rules;
+  rules.method = settings.response;
+  rules.most_passes = settings.most_response_passes;
+  rules.resting_m_s = kRestingSteps * settings.gravity_m_s2.norm() * step.input.dt_s;
+  if (world.figures) {
+    return world.figures->respond(settings.figures, memory.contacts, memory.restitutions, rules,
+                                  step.input.dt_s, world.models, world.finite, world.states);
+  }
+  return memory.responder.respond(memory.contacts, memory.restitutions, rules, world.models,
+                                  world.states);
+}
+
+/// Adds what the response did: to each contact, and in all to each collision.
+void report_response(const ResponseResult& result, StepReport& report) {
+  for (CollisionReport& collision : report.collisions) {
+    const auto [first, end] = contact_range(collision);
+    for (std::size_t i = first; i < end; ++i) {
+      ReportedContact& contact = report.contacts[i];
+      contact.approach_m_s = result.approach_m_s[i];
+      contact.impulse_Ns = result.impulse_Ns[i];
+      collision.approach_m_s = std::max(collision.approach_m_s, contact.approach_m_s);
+      collision.impulse_Ns += contact.impulse_Ns;
+    }
+  }
+  if (result.residual_approach_m_s > 0.0) {
+    report.degradations |= kApproachRemains;
+  }
+}
+
+/// Holds the bodies of a collision that began and was responded to.
+void hold_bodies(double hold_s, CollisionReport& collision, std::vector<BodyState>& states) {
+  if (!collision.began || !(collision.impulse_Ns > 0.0) || !(hold_s > 0.0)) {
+    return;
+  }
+  collision.imposed_hold_s = hold_s;
+  for (const std::int32_t body : {collision.bodies.a, collision.bodies.b}) {
+    if (!is_wall(body)) {
+      states[at(body)].held_s = hold_s;
+    }
+  }
+}
+
+/// Adds the spin at the first collision of bodies 0 and 1 that was responded to, if it is handled
+/// at the spin's level.
+void spin_bodies(const ImposedSpinRule& rule, CollisionReport& collision, WorldState& world) {
+  constexpr BodyPair kSpun{0, 1};
+  if (world.has_spun || !(collision.bodies == kSpun) || !(collision.impulse_Ns > 0.0)) {
+    return;
+  }
+  world.has_spun = true;
+  if (collision.level == rule.at_level) {
+    collision.imposed_spin = true;
+    add_spin(world.models[at(kSpun.a)], rule.spin.a, world.states[at(kSpun.a)]);
+    add_spin(world.models[at(kSpun.b)], rule.spin.b, world.states[at(kSpun.b)]);
+  }
+}
+
+/// Manipulations that are not physics, said in the report: only those that the settings ask for.
+void impose(const Step& step) {
+  for (CollisionReport& collision : step.memory.report.collisions) {
+    hold_bodies(step.settings.imposed_hold_s, collision, step.world.states);
+    if (step.settings.imposed_spin) {
+      spin_bodies(*step.settings.imposed_spin, collision, step.world);
+    }
+  }
+}
+
+void take_out_not_finite(WorldState& world, StepReport& report) {
+  for (std::size_t body = 0; body < world.states.size(); ++body) {
+    world.finite.check(body, world.states[body], report.not_finite);
+  }
+  if (world.finite.any_out()) {
+    report.degradations |= kNotFinite;
+  }
+}
+
+}  // namespace
+
+void respond_to_contacts(const Step& step) {
+  report_response(give_impulses(step), step.memory.report);
+  impose(step);
+  take_out_not_finite(step.world, step.memory.report);
+}
+
+}  // namespace impetus::inline world

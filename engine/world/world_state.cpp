@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "engine/world/world_state.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "engine/dynamics/limits.hpp"
+
+namespace impetus::inline world {
+namespace {
+
+/// Whether it can be squared, and so can its inverse.
+bool is_usable(double number) { return number >= 0.0 && number <= kMostNumber; }
+
+const Vector3& vector_of(const BodyState& state, StateField field) {
+  return field == StateField::kPosition         ? state.pose.position
+         : field == StateField::kLinearMomentum ? state.linear_momentum
+                                                : state.angular_momentum;
+}
+
+std::string text_of(const Vector3& v) {
+  return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " + std::to_string(v.z()) +
+         ")";
+}
+
+std::string problem_of(const BodyModel& model) {
+  if (model.tree == nullptr) {
+    return "a volume tree, got none";
+  }
+  if (!is_usable(model.tree->bounding_radius_m())) {
+    return "a tree of a finite size, got a radius of " +
+           std::to_string(model.tree->bounding_radius_m()) + " m";
+  }
+  if (!is_usable(model.inverse_mass)) {
+    return "an inverse mass of 0 or more, a finite number, got " +
+           std::to_string(model.inverse_mass) + " 1/kg";
+  }
+  const Matrix3& inverse = model.inverse_inertia;
+  if (!inverse.allFinite() || !is_usable(inverse.cwiseAbs().maxCoeff()) ||
+      !(inverse.diagonal().minCoeff() >= 0.0)) {
+    return "an inverse inertia of finite numbers, those on its diagonal 0 or more, got another";
+  }
+  return "";
+}
+
+std::string problem_of(const BodyState& state) {
+  const std::optional<StateField> field = not_finite_field(state);
+  if (!field) {
+    return "";
+  }
+  const std::string name(name_of(*field));
+  return *field == StateField::kOrientation
+             ? "an orientation of unit length, got one of " +
+                   std::to_string(state.pose.orientation.coeffs().norm())
+             : (name.front() == 'a' ? "an " : "a ") + name + " of finite numbers, got " +
+                   text_of(vector_of(state, *field));
+}
+
+}  // namespace
+
+std::string problem_of(const std::vector<BodyModel>& models, const std::vector<BodyState>& states) {
+  if (models.size() != states.size()) {
+    return "world: one state per body model is needed";
+  }
+  for (std::size_t body = 0; body < models.size(); ++body) {
+    for (const std::string& expected : {problem_of(models[body]), problem_of(states[body])}) {
+      if (!expected.empty()) {
+        return "world: body " + std::to_string(body) + " \"" + models[body].name + "\": expected " +
+               expected;
+      }
+    }
+  }
+  return "";
+}
+
+WorldState::WorldState(std::vector<BodyModel> bodies, std::vector<BodyState> begun,
+                       const WorldSettings& settings)
+    : models(std::move(bodies)), states(std::move(begun)), finite(states) {
+  const std::string of_figures = problem_of(settings.figures, models);
+  for (const std::string& problem : {problem_of(models, states), problem_of(settings),
+                                     of_figures.empty() ? of_figures : "world: " + of_figures}) {
+    if (!problem.empty()) {
+      throw std::invalid_argument(problem);
+    }
+  }
+  for (BodyModel& body : models) {
+    if (body.inverse_mass == 0.0) {
+      body.inverse_inertia.setZero();
+    }
+    placed.emplace_back(*body.tree);
+  }
+  if (!settings.figures.empty()) {
+    figures = ValuePointer(Figures(settings.figures, models));
+    figures->begin(settings.figures, states);
+  }
+}
+
+const TouchingPair* WorldState::touched_before(BodyPair bodies) const {
+  const auto found = std::lower_bound(touching.begin(), touching.end(), bodies,
+                                      [](const TouchingPair& pair, const BodyPair& wanted) {
+                                        return std::pair(pair.bodies.a, pair.bodies.b) <
+                                               std::pair(wanted.a, wanted.b);
+                                      });
+  return found != touching.end() && found->bodies == bodies ? &*found : nullptr;
+}
+
+}  // namespace impetus::inline world

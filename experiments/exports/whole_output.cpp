@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/exports/whole_output.hpp"
+
+#include <SQLiteCpp/Statement.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "experiments/settings/input_error.hpp"
+
+namespace impetus::inline exports {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file at the top of every export.
+bool is_export(const fs::path& folder) {
+  return fs::exists(folder / "codebook.json") || fs::exists(folder / "dataset_description.json");
+}
+
+void require_free(const fs::path& target, const FolderCheck& check) {
+  if (!fs::exists(target)) {
+    return;
+  }
+  if (!fs::is_directory(target)) {
+    throw InputError("--out: expected a folder, but " + target.string() + " is a file");
+  }
+  if (!fs::is_empty(target)) {
+    check(target);
+  }
+}
+
+FolderCheck export_check(bool replace) {
+  return [replace](const fs::path& target) {
+    const std::string name = target.string();
+    if (!replace) {
+      throw InputError(name + ": holds files already and is not overwritten without --force");
+    }
+    if (!is_export(target)) {
+      throw InputError(name +
+                       ": expected an earlier export to overwrite, got a folder of other "
+                       "files, which --force leaves alone");
+    }
+  };
+}
+
+fs::path without_last_slash(const fs::path& path) {
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path));
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+namespace fs = std::filesystem;
+
+/// A file beside another, empty, and removed again unless it was put in its place.
+class FileBeside {
+ public:
+  explicit FileBeside(const fs::path& target) : target_(target) {
+    name_ = target.string() + ".partial-XXXXXX";
+    const int file = mkstemp(name_.data());
+    if (file < 0) {
+      throw InputError("--out: expected a file that can be written, could not make " +
+                       target.string());
+    }
+    close(file);
+  }
+  ~FileBeside() { unlink(name_.c_str()); }
+  FileBeside(const FileBeside&) = delete;
+  FileBeside& operator=(const FileBeside&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  void put_in_place() {
+    std::error_code error;
+    fs::permissions(name_, fs::perms(0644), error);
+    fs::rename(name_, target_, error);
+    if (error) {
+      throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
+    }
+  }
+
+ private:
+  fs::path target_;
+  std::string name_;
+};
+
+}  // namespace
+
+OutputFile::OutputFile(const std::filesystem::path& path)
+    : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
+  require_good();
+}
+
+void OutputFile::write(std::string_view text) {
+  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+  require_good();
+}
+
+void OutputFile::close() {
+  file_.close();
+  require_good();
+}
+
+void OutputFile::require_good() {
+  if (!file_.good()) {
+    throw StoreError(path_.string() + ": cannot be written");
+  }
+}
+
+void write_output_file(const std::filesystem::path& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.close();
+}
+
+WholeFolder::WholeFolder(const fs::path& target, bool replace)
+    : WholeFolder(target, export_check(replace)) {}
+
+WholeFolder::WholeFolder(const fs::path& target, const FolderCheck& check)
+    : target_(without_last_slash(target)) {
+  require_free(target_, check);
+  std::error_code error;
+  fs::create_directories(target_.parent_path(), error);
+  std::string pattern = target_.string() + ".partial-XXXXXX";
+  if (error || mkdtemp(pattern.data()) == nullptr) {
+    throw InputError("--out: expected a folder to write to, could not make " + target_.string());
+  }
+  partial_ = pattern;
+  fs::permissions(partial_, fs::perms(0755), error);
+}
+
+WholeFolder::~WholeFolder() {
+  std::error_code ignored;
+  if (!partial_.empty()) {
+    fs::remove_all(partial_, ignored);
+  }
+}
+
+void WholeFolder::put_in_place() {
+  std::error_code error;
+  const fs::path old = partial_.string() + ".old";
+  const bool replaces = fs::exists(target_) && !fs::is_empty(target_);
+  if (replaces) {
+    fs::rename(target_, old, error);
+  }
+  if (!error) {
+    fs::rename(partial_, target_, error);
+  }
+  if (error) {
+    std::error_code ignored;
+    if (replaces && !fs::exists(target_)) {
+      fs::rename(old, target_, ignored);
+    }
+    throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
+  }
+  partial_.clear();
+  if (replaces) {
+    fs::remove_all(old, error);
+  }
+}
+
+void require_free_file(const StudyFile& study, const fs::path& target, bool replace) {
+  const std::string name = target.string();
+  if (!fs::exists(target)) {
+    return;
+  }
+  if (!fs::is_regular_file(target)) {
+    throw InputError("--out: expected a file, but " + name + " is a folder");
+  }
+  if (!replace) {
+    throw InputError(name + ": exists already and is not overwritten without --force");
+  }
+  if (fs::equivalent(study.name(), target)) {
+    throw InputError("--out: expected another file than the study itself, got " + name);
+  }
+  static_cast<void>(StudyFile::open_for_reading(target));  // a study: nothing else is overwritten
+}
+
+void write_study_copy(StudyFile& study, const fs::path& target) {
+  FileBeside beside(target);
+  try {
+    SQLite::Statement copy(study.database(), "VACUUM INTO ?");
+    copy.bind(1, beside.name());
+    copy.exec();
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(target.string() + ": cannot be written (" + error.what() + ")");
+  }
+  beside.put_in_place();
+}
+
+}  // namespace impetus::inline exports

@@ -1,0 +1,71 @@
+// What an export writes: files whose failure does not pass unseen; a folder, or another study file,
+// that appears whole or not at all.
+//
+//   files ─> a folder beside it, "NAME.partial-XXXXXX" ─> renamed to NAME
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string_view>
+
+#include "experiments/store/study_file.hpp"
+
+namespace impetus::inline exports {
+
+/// A file that is written in parts.
+class OutputFile {
+ public:
+  /// Makes the file, or empties it. Throws StoreError, here and below, naming the file.
+  explicit OutputFile(const std::filesystem::path& path);
+
+  void write(std::string_view text);
+
+  /// To be called last: only then is it known that all of it was written.
+  void close();
+
+ private:
+  void require_good();
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+};
+
+/// A whole file at once.
+void write_output_file(const std::filesystem::path& path, std::string_view text);
+
+/// Asked about a target that is a folder of files: throws InputError when that is to stay.
+using FolderCheck = std::function<void(const std::filesystem::path&)>;
+
+/// A folder that is put in place once all is written.
+class WholeFolder {
+ public:
+  /// `target` must not exist, or be an empty folder; with `replace` it may be an earlier export.
+  /// Throws InputError otherwise, or when the folder beside it cannot be made.
+  WholeFolder(const std::filesystem::path& target, bool replace);
+  /// A target that holds files is replaced when `check` lets it be.
+  WholeFolder(const std::filesystem::path& target, const FolderCheck& check);
+  ~WholeFolder();  ///< removes what was not put in place
+  WholeFolder(const WholeFolder&) = delete;
+  WholeFolder& operator=(const WholeFolder&) = delete;
+
+  /// Where to write.
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+
+  /// Once, when all is written. Throws StoreError when it cannot be done; then nothing has changed.
+  void put_in_place();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path partial_;
+};
+
+/// Refuses a target that exists; with `replace` it may be another study. Throws InputError.
+void require_free_file(const StudyFile& study, const std::filesystem::path& target, bool replace);
+
+/// Writes the study to `target`. Throws StoreError when it cannot be written; then nothing has
+/// changed.
+void write_study_copy(StudyFile& study, const std::filesystem::path& target);
+
+}  // namespace impetus::inline exports

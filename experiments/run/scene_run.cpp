@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/run/scene_run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/dynamics/motion.hpp"
+
+namespace impetus::inline run {
+
+SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const Clock* clock)
+    : scene_(std::move(scene)),
+      regions_(scene_, seed),
+      clock_(clock),
+      before_(scene_.world.states()) {
+  set_budget(scene_.budget);
+}
+
+void SceneRun::set_budget(const WorkBudget& budget) {
+  fixed_ = FixedWork(budget.tests_per_step);
+  deadline_.reset();
+  needs_clock_ = budget.ns_per_step > 0 && clock_ == nullptr;
+  if (budget.ns_per_step > 0 && clock_ != nullptr) {
+    deadline_.emplace(*clock_, budget.ns_per_step);
+  }
+}
+
+std::optional<GazeRegion> SceneRun::next_region(const Fixation& fixation) {
+  return regions_.at(number_ + 1, fixation);
+}
+
+const StepReport& SceneRun::step(const Fixation& fixation,
+                                 const std::optional<GazeRegion>& region) {
+  if (needs_clock_) {
+    throw std::logic_error("a scene with a budget in milliseconds was run without a clock");
+  }
+  if (!deadline_) {
+    return step(fixation, region, fixed_);
+  }
+  deadline_->start_step();
+  return step(fixation, region, *deadline_);
+}
+
+const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<GazeRegion>& region,
+                                 WorkMeter& meter) {
+  before_ = scene_.world.states();
+  ++number_;
+  input_ = {1.0 / scene_.step_hz, viewer_at(number_), fixation, region};
+  return scene_.world.step(input_, meter);
+}
+
+const StepReport& SceneRun::step_whole() {
+  FixedWork all(kUnlimitedTests);
+  return step({}, {}, all);
+}
+
+Viewer SceneRun::viewer_at(std::int64_t number) const {
+  return scene_.viewer_at_time(static_cast<double>(number) / scene_.step_hz);
+}
+
+std::vector<Pose> SceneRun::poses(double fraction) const {
+  const std::vector<BodyState>& after = scene_.world.states();
+  std::vector<Pose> poses;
+  poses.reserve(after.size());
+  for (std::size_t body = 0; body < after.size(); ++body) {
+    poses.push_back(between(before_[body], after[body], fraction));
+  }
+  return poses;
+}
+
+std::vector<TouchPoint> touch_points(const StepReport& report, const CollisionReport& collision) {
+  if (report.contacts.empty()) {
+    return {collision.contact.touch};
+  }
+  std::vector<TouchPoint> touches;
+  const auto first = static_cast<std::size_t>(collision.first_contact);
+  const auto count = static_cast<std::size_t>(collision.contact_count);
+  for (std::size_t i = first; i < std::min(first + count, report.contacts.size()); ++i) {
+    touches.push_back(report.contacts[i].touch);
+  }
+  return touches;
+}
+
+}  // namespace impetus::inline run

@@ -1,0 +1,84 @@
+// A session as rows: what it says of itself when it begins, its calibrations, how it takes up an
+// enrolment that was left, and before which screen the participant sat.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/record/record.hpp"
+#include "experiments/session/resumption.hpp"
+#include "experiments/session/timing_check.hpp"
+
+namespace impetus::inline store {
+
+/// How a session goes on with what an earlier one left.
+struct ResumedSession {
+  ResumeRule::At at{ResumeRule::At::kTrial};
+  /// By the wall clock, since anything was last recorded; < 0: it was set back.
+  double after_s{0.0};
+  Resumption resumption{};
+};
+
+/// What a session says of itself before it begins.
+struct SessionFacts {
+  std::string build;
+  std::string machine;
+  std::string display;
+  bool simulated{false};
+  std::string observer;  ///< JSON; "" for a person
+  ScreenGeometry screen;
+  bool screen_measured{false};
+  double refresh_hz{0.0};
+  bool rounding_allowed{false};
+  SyncTest sync;
+  bool sync_overridden{false};
+  std::string series{};  ///< of protocols, which this one is part of; "": none
+  std::int64_t series_place{1};
+  std::string photodiode_patch{};           ///< its corner; "": none
+  std::string gaze_source{};                ///< "mouse", ...; "": gaze is not followed
+  std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
+};
+
+/// Begins a session of the enrolment, and sets aside what it shows again; returns its id. Throws
+/// SQLite::Exception, as all here.
+std::int64_t insert_session(SQLite::Database& database, std::int64_t enrolment_id,
+                            const SessionFacts& facts);
+
+/// A run through the points of a calibration.
+void insert_calibration(SQLite::Database& database, std::int64_t session_id,
+                        const CalibrationRecord& record);
+
+/// Seconds by the wall clock since anything of the enrolment was last recorded: a trial, a note, a
+/// session's start or end. Negative when that clock was set back since; none: there was no session.
+std::optional<double> seconds_since_recorded(SQLite::Database& database, std::int64_t enrolment_id);
+
+/// Kinds of notes of a session: that it resumed on another screen than the one before, and that its
+/// pixels really are not square. Both were said by whoever started it.
+inline constexpr const char* kScreenChangedNote = "screen changed";
+inline constexpr const char* kPixelsNotSquareNote = "pixels not square";
+
+/// The screen of the enrolment's last session; none: there was no session.
+std::optional<ScreenGeometry> last_screen(SQLite::Database& database, std::int64_t enrolment_id);
+
+/// A session's screen, and what was said of it.
+struct SessionScreen {
+  std::int64_t session_id{0};
+  std::int64_t enrolment_id{0};
+  std::string participant;
+  std::string protocol;
+  ScreenGeometry screen;
+  bool said_changed{false};
+  bool said_not_square{false};
+};
+
+/// By enrolment, and in the order of time.
+std::vector<SessionScreen> session_screens(SQLite::Database& database);
+
+}  // namespace impetus::inline store

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/window/stamped_input.hpp"
+
+#include "experiments/window/display.hpp"
+
+namespace impetus::inline window {
+
+void EventPump::pump() {
+  if (display_lost()) {
+    return;
+  }
+  const std::int64_t looking_ns = clock_.now_ns();
+  SDL_PumpEvents();
+  SDL_Event event;
+  while (SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) == 1) {
+    const std::int64_t now_ns = clock_.now_ns();
+    notice(event);
+    events_.push_back({event, now_ns, now_ns - looked_ns_});
+    if (heard_) {
+      heard_(events_.back());
+    }
+  }
+  looked_ns_ = looking_ns;
+}
+
+void EventPump::notice(const SDL_Event& event) {
+  const bool window_closed =
+      event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_CLOSE;
+  closed_ = closed_ || event.type == SDL_QUIT || window_closed;
+  const bool escape =
+      event.type == SDL_KEYDOWN && event.key.repeat == 0 && event.key.keysym.sym == SDLK_ESCAPE;
+  pause_requested_ = pause_requested_ || escape;
+}
+
+std::vector<StampedEvent> EventPump::take() { return std::exchange(events_, {}); }
+
+bool EventPump::take_pause_request() { return std::exchange(pause_requested_, false); }
+
+bool EventPump::closed() const { return closed_ || display_lost(); }
+
+void MouseInput::take(const std::vector<StampedEvent>& events) {
+  for (const StampedEvent& stamped : events) {
+    const SDL_Event& event = stamped.event;
+    const bool space =
+        event.type == SDL_KEYDOWN && event.key.repeat == 0 && event.key.keysym.sym == SDLK_SPACE;
+    if (event.type == SDL_MOUSEMOTION) {
+      samples_.push_back(
+          {stamped.arrived_ns, on_glass(event.motion.x, event.motion.y), GazeLoss::kNone});
+    } else if (event.type == SDL_MOUSEBUTTONDOWN || space) {
+      clicks_.push_back({space ? "key" : "mouse", stamped.arrived_ns, stamped.uncertainty_ns});
+    }
+  }
+}
+
+std::vector<GazeSample> MouseInput::take_samples() {
+  GazeSample now{clock_.now_ns(), {}, GazeLoss::kOffScreen};
+  if (SDL_GetMouseFocus() != nullptr) {
+    int x_px = 0;
+    int y_px = 0;
+    SDL_GetMouseState(&x_px, &y_px);
+    now.at = on_glass(x_px, y_px);
+    now.loss = GazeLoss::kNone;
+  }
+  samples_.push_back(now);
+  return std::exchange(samples_, {});
+}
+
+std::vector<ClickRecord> MouseInput::take_clicks() { return std::exchange(clicks_, {}); }
+
+ScreenPoint MouseInput::on_glass(int x_px, int y_px) const {
+  // Pixel centres; y of the screen points up.
+  return {((x_px + 0.5) / geometry_.width_px - 0.5) * geometry_.width_m,
+          (0.5 - (y_px + 0.5) / geometry_.height_px) * geometry_.height_m};
+}
+
+}  // namespace impetus::inline window
