@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline observers {
 

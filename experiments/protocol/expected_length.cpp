@@ -5,14 +5,14 @@
 #include <limits>
 
 #include "experiments/questions/two_interval.hpp"
-#include "experiments/scenes/scene_timing.hpp"
+#include "experiments/scenes/scene.hpp"
 
 namespace impetus::inline protocol {
 namespace {
 
 double duration_under(const Protocol& protocol, const Condition& condition) {
-  const nlohmann::json scene = scene_under(protocol, condition);
-  return scene_duration_s(scene, intended_hold_s(scene));
+  const Scene scene = scene_under(protocol, condition);
+  return scene.lasting_s(scene.intended_hold_s());
 }
 
 }  // namespace

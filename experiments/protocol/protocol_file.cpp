@@ -5,19 +5,18 @@
 
 #include <xxhash.h>
 
-#include "experiments/protocol/checks/catch_checks.hpp"
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/checks/solve_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/embedded_schema.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/script_reading.hpp"
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/settings/named_file.hpp"
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(double value) { return to_text(LevelValue{value}); }
+std::string number(double value) { return design::to_text(LevelValue{value}); }
 
 std::string heading(const std::string& words) { return "\n## " + words + "\n\n"; }
 

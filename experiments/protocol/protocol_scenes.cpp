@@ -1,11 +1,100 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_scenes.hpp"
 
-#include "experiments/protocol/trial_scene.hpp"
+#include <algorithm>
+
+#include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
 namespace impetus::inline protocol {
+namespace {
+
+using nlohmann::json;
+
+bool is_of_engine(const std::string& pointer) { return pointer.starts_with("/engine"); }
+
+/// The part of the scene that decides levels: the rest may hold whole meshes, and is not copied.
+class Engine {
+ public:
+  explicit Engine(const json& scene) : scene_{{"engine", scene["engine"]}} {}
+
+  void put(const std::string& pointer, const json& value) {
+    if (is_of_engine(pointer)) {
+      scene_[json::json_pointer(pointer)] = value;
+    }
+  }
+  [[nodiscard]] int deepest_level() const { return scenes::deepest_level_of(scene_["engine"]); }
+
+ private:
+  json scene_;
+};
+
+int deepest_level_under(const Protocol& protocol, const Condition& condition) {
+  Engine engine(protocol.scene.value);
+  for (const FactorLevel& level : condition) {
+    engine.put(protocol.pointers.at(level.factor), to_json(level.value));
+  }
+  return engine.deepest_level();
+}
+
+/// The cells of the factors that change the engine: of the others any will do.
+std::vector<Condition> cells_of_engine(const Protocol& protocol) {
+  Design design = protocol.design;
+  std::erase_if(design.factors, [&](const Factor& factor) {
+    return !is_of_engine(protocol.pointers.at(factor.name));
+  });
+  return cells(design);
+}
+
+int deepest_of_demonstrations(const Protocol& protocol) {
+  int deepest = 0;
+  const json session = protocol.document.value.value("session", json::object());
+  const json demonstrations = session.value("demonstrations", json::array());
+  for (const json& entry : demonstrations) {
+    Engine engine(protocol.scene.value);
+    const json& values = entry["set"];
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      engine.put(value.key(), value.value());
+    }
+    deepest = std::max(deepest, engine.deepest_level());
+  }
+  return deepest;
+}
+
+}  // namespace
+
+json scene_of(const Protocol& protocol, const PlannedTrial& trial) {
+  json scene = scene_under(protocol, trial.condition);
+  put_into_scene(trial.solved, scene);
+  return scene;
+}
+
+std::string start_of(const PlannedTrial& trial) {
+  const bool practice = trial.phase == TrialPhase::kPractice;
+  return (practice ? "practice/" : "main/") + std::to_string(trial.repetition);
+}
+
+int deepest_level_of(const Protocol& protocol) {
+  int deepest = deepest_of_demonstrations(protocol);
+  const auto look_at = [&](const Condition& condition) {
+    for (const Condition& shown : shown_conditions(protocol.script, condition)) {
+      deepest = std::max(deepest, deepest_level_under(protocol, shown));
+    }
+  };
+  for (const Condition& cell : cells_of_engine(protocol)) {
+    look_at(cell);
+  }
+  for (const Condition& condition : protocol.design.practice) {
+    look_at(condition);
+  }
+  for (const CatchTrials& kind : protocol.design.catch_trials) {
+    look_at(kind.condition);
+  }
+  return deepest;
+}
+
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
   return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
                      start_of(trial), trial.seed, deepest_level_);

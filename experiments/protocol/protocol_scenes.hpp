@@ -1,16 +1,28 @@
-// The session's `Scenes`, from a protocol: a condition's levels put into the scene, then built,
-// with trees as deep as any condition of the protocol can reach. SPDX-License-Identifier: MIT
+// The session's `Scenes`, from a protocol: a trial's levels put into the scene, then built, with
+// trees as deep as any condition of the protocol can reach.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
-#include "experiments/protocol/deepest_level.hpp"
+#include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline protocol {
+
+/// The scene of a planned trial, as JSON, with its levels and what was solved for it put in.
+nlohmann::json scene_of(const Protocol& protocol, const PlannedTrial& trial);
+
+/// What a random start goes by: never the participant or the order of trials.
+std::string start_of(const PlannedTrial& trial);
+
+/// The deepest level that any condition of the design, practice or catch trial, standard interval
+/// or demonstration can reach: no tree need be deeper.
+int deepest_level_of(const Protocol& protocol);
 
 class ProtocolScenes final : public Scenes {
  public:

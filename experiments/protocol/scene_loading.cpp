@@ -2,8 +2,7 @@
 #include "experiments/protocol/scene_loading.hpp"
 
 #include "experiments/models/readable_file.hpp"
-#include "experiments/scenes/figures/figure_files.hpp"
-#include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
 namespace impetus::inline protocol {
@@ -39,14 +38,14 @@ void hold_figure(JsonDocument& scene, const FigureFile& named,
 
 /// Figures first: their parts may be meshes.
 void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesystem::path& folder) {
-  std::vector<FigureFile> figures = figure_files_of(scene.value);
+  std::vector<FigureFile> figures = named_figure_files(scene.value);
   for (const std::string& file : more.figures) {
     figures.push_back({"", file});
   }
   for (const FigureFile& each : figures) {
     hold_figure(scene, each, folder);
   }
-  std::vector<MeshFile> meshes = mesh_files_of(scene.value);
+  std::vector<MeshFile> meshes = named_mesh_files(scene.value);
   for (const std::string& file : more.meshes) {
     meshes.push_back({"", file});
   }

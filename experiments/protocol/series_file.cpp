@@ -5,7 +5,7 @@
 #include "experiments/protocol/embedded_series_schema.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/named_file.hpp"
-#include "experiments/settings/validation.hpp"
+#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 

@@ -2,12 +2,10 @@
 #include "experiments/protocol/setting_changes.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "experiments/protocol/scene_loading.hpp"
-#include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_region.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
+#include "experiments/scenes/scene_checks.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline protocol {
@@ -86,19 +84,9 @@ bool holds(const std::string& pointer, const std::string& place) {
 std::string listed_keys() {
   std::string text;
   for (const SettingKey& key : setting_keys()) {
-    text += (text.empty() ? "" : ", ") + std::string(key.name);
+    text += (text.empty() ? "" : ", ") + key.name;
   }
   return text;
-}
-
-/// The first few of the names that a value can be.
-std::string list_some(const std::vector<std::string_view>& names) {
-  constexpr std::size_t kFew = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kFew, names.size()); ++i) {
-    text += std::string(names[i]) + ", ";
-  }
-  return text + "...";
 }
 
 [[noreturn]] void refuse_change(const std::string& given, const std::string& message) {
@@ -147,39 +135,39 @@ json ms_per_step(const json& engine) {
   return engine.value("budget", json::object()).value("ms_per_step", json());
 }
 
-bool follows_another(const json& engine) {
+bool follows_another(const EngineSettings& engine) {
   return region_of(engine, 1.0).kind == RegionKind::kRecorded;
+}
+
+/// Changes that are more than a value put in its place.
+PutSetting special_put(const std::string& key) {
+  return key == "budget"      ? put_budget
+         : key == "level"     ? put_level
+         : key == "scheduler" ? put_scheduler
+         : key == "tree"      ? put_tree
+                              : nullptr;
+}
+
+/// A special one changes what is beside its row, too.
+SettingKey key_of_row(const WithKey& row) {
+  const PutSetting put = special_put(row.key);
+  const json::json_pointer place(row.pointer);
+  return {row.key, put == nullptr ? row.pointer : place.parent_pointer().to_string(), row.words,
+          put};
 }
 
 }  // namespace
 
 const std::vector<SettingKey>& setting_keys() {
-  static const std::string traversals = list_some(traversal_names());
-  static const std::vector<SettingKey> keys{
-      {"branching", "/engine/tree/branching", "children of a node, at most", nullptr},
-      {"budget", "/engine/budget", "units of work a step, or unlimited", put_budget},
-      {"contacts", "/engine/contacts/most_per_pair", "contacts of a pair, at most", nullptr},
-      {"counts", "/engine/budget/counts", "what is work: tests, all-phases", nullptr},
-      {"depth", "/engine/tree_depth", "levels of the trees beyond their root", nullptr},
-      {"level", "/engine", "the one level at which all collisions are handled", put_level},
-      {"passes", "/engine/response_passes", "of the response, at most", nullptr},
-      {"persistence-ms", "/engine/schedule/persistence_ms", "how long a pair keeps its priority",
-       nullptr},
-      {"radius-deg", "/engine/region/radius_deg", "of the region", nullptr},
-      {"reduction", "/engine/contacts/reduction", "of contacts: average, groups, ...", nullptr},
-      {"region", "/engine/region/kind", "all-good, all-bad, tracked, random", nullptr},
-      {"response", "/engine/response", "in-turn, together", nullptr},
-      {"restitution", "/engine/restitution", "of all contacts but those of materials", nullptr},
-      {"rotation", "/engine/rotation", "midpoint, energy-kept", nullptr},
-      {"scheduler", "/engine/schedule",
-       "distance, eccentricity, ..., region, with lists of its own:\n"
-       "    one, from the coarsest level to the finest, or those by\n"
-       "    shares of the pairs; of region the finest inside, the\n"
-       "    coarsest outside",
-       put_scheduler},
-      {"traversal", "/engine/schedule/traversal", traversals.c_str(), nullptr},
-      {"tree", "/engine/tree", "kind of the volume trees: octree, medial, ...", put_tree},
-      {"tunnelling", "/engine/tunnelling", "ignored, capped, stop-at-entry", nullptr}};
+  static const std::vector<SettingKey> keys = [] {
+    std::vector<SettingKey> all;
+    for (const WithKey& row : scene_with_keys()) {
+      all.push_back(key_of_row(row));
+    }
+    std::sort(all.begin(), all.end(),
+              [](const SettingKey& a, const SettingKey& b) { return a.name < b.name; });
+    return all;
+  }();
   return keys;
 }
 

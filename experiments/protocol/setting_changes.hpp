@@ -18,13 +18,13 @@ namespace impetus::inline protocol {
 using PutSetting = void (*)(nlohmann::json& engine, const nlohmann::json& value);
 
 struct SettingKey {
-  const char* name;
-  const char* pointer;  ///< the place, or the place above all that it changes
-  const char* meaning;
+  std::string name;
+  std::string pointer;  ///< the place, or the place above all that it changes
+  std::string meaning;
   PutSetting put;  ///< null: the value is put there as it is
 };
 
-/// All that a key can be, in alphabetical order.
+/// All that a key can be, in alphabetical order: the rows of a scene that say so.
 const std::vector<SettingKey>& setting_keys();
 
 struct SettingChange {

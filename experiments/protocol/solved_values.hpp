@@ -14,15 +14,29 @@
 
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline protocol {
+
+/// One entry of a protocol's "solve", at certain levels of its factors.
+struct SolveTask {
+  const JsonDocument* document;  ///< the protocol's, for refusals
+  std::string place;             ///< JSON Pointer to the entry
+  nlohmann::json entry;
+  Condition condition;
+  Scene scene;  ///< under the condition
+};
 
 /// Of the trials that have these levels.
 struct SolvedFor {
   Condition condition;
   std::vector<SolvedValue> values;
 };
+
+/// Kinds have their keys, pointers lead to what they solve, factors exist. Whether there is a
+/// solution shows when it is looked for. Throws InputError.
+void check_solve(const Protocol& protocol);
 
 /// Everything the protocol asks to be solved. Throws InputError, naming the entry, when there is no
 /// solution.

@@ -12,6 +12,7 @@
 #include "engine/scheduling/work_meter.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/random_places.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_file.hpp"
 
@@ -26,32 +27,30 @@ constexpr int kLeadSteps = 4;
 constexpr int kClearSteps = 30;
 constexpr int kMostSteps = 2000;
 
-double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
-
 /// The scene with accurate collisions that begin soon, nothing imposed, and nobody looking on.
-json accurate_scene(const SolveTask& task) {
-  json scene = task.scene;
-  scene["engine"]["level"] = task.entry["accurate_level"];
-  scene["imposed"]["random_spin"]["on"] = false;
-  scene["imposed"]["contact_hold_ms"] = 0;
-  scene["meeting"]["lead_s"] = kLeadSteps / scene["engine"]["step_hz"].get<double>();
-  scene.erase("distractors");
+Scene accurate_scene(const SolveTask& task) {
+  Scene scene = task.scene;
+  scene.engine.level = task.entry["accurate_level"].get<int>();
+  scene.imposed->random_spin->on = false;
+  scene.imposed->contact_hold_ms = 0.0;
+  scene.meeting->lead_s = kLeadSteps / scene.engine.step_hz;
+  scene.distractors.reset();
   return scene;
 }
 
-void jitter(const json& entry, double size_deg, RandomStream& stream, json& scene) {
+void jitter(const json& entry, double size_deg, RandomStream& stream, Scene& scene) {
+  const auto turn_deg = entry["turn_deg"].get<double>();
   for (std::size_t body = 0; body < kBodies; ++body) {
-    json& turns = scene["bodies"][body]["orientation"];
-    for (const char* axis : {"x", "y", "z"}) {
-      turns.push_back(
-          {{"axis", axis}, {"angle_deg", entry["turn_deg"].get<double>() * symmetric(stream)}});
+    Quaternion& orientation = (*scene.bodies)[body].orientation;
+    for (int axis = 0; axis < 3; ++axis) {
+      orientation = turn_about(axis, turn_deg * draw_symmetric(stream)) * orientation;
     }
   }
-  auto offset_deg = scene["meeting"].value("offset_deg", std::vector<double>{0.0, 0.0});
+  auto offset_deg = scene.meeting->offset_deg.value_or(std::array<double, 2>{});
   for (double& component : offset_deg) {
-    component += entry["size_share"].get<double>() * size_deg * symmetric(stream);
+    component += entry["size_share"].get<double>() * size_deg * draw_symmetric(stream);
   }
-  scene["meeting"]["offset_deg"] = offset_deg;
+  scene.meeting->offset_deg = offset_deg;
 }
 
 /// How the collision changed both angular velocities, over all its contacts; none without one.
@@ -90,7 +89,7 @@ std::optional<ImposedSpin> spin_change(StagedScene scene) {
 using Components = std::array<std::vector<double>, 3 * kBodies>;
 
 Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progress& progress) {
-  const json base = accurate_scene(task);
+  const Scene base = accurate_scene(task);
   const ScreenGeometry screen = assumed_screen();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const double size_deg = 2.0 * bodies_of(base, m_per_deg, shapes).shapes[0]->radius_m / m_per_deg;
@@ -98,7 +97,7 @@ Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progres
   RandomStream stream(1, "random spin limits");
   Components components;
   for (std::size_t start = 0; start < 2 * runs && components[0].size() < runs; ++start) {
-    json scene = base;
+    Scene scene = base;
     jitter(task.entry, size_deg, stream, scene);
     const auto change = spin_change(build_scene(scene, screen, 0.0, shapes));
     for (std::size_t i = 0; change && i < components.size(); ++i) {

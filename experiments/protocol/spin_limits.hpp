@@ -8,10 +8,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "engine/trees/tree_settings.hpp"
-#include "experiments/design/plan.hpp"
-#include "experiments/protocol/solve_task.hpp"
-#include "experiments/scenes/shape_library.hpp"
+#include "experiments/protocol/solved_values.hpp"
 
 namespace impetus::inline protocol {
 

@@ -8,18 +8,17 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/scenes/random_places.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 
 namespace impetus::inline scenes {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kMeeting = 2;
 
-std::size_t count_of(const json& scene) {
-  return scene.contains("distractors") ? scene["distractors"]["count"].get<std::size_t>() : 0;
+std::size_t count_of(const Scene& scene) {
+  return scene.distractors ? scene.distractors->count : 0;
 }
 
 /// A body that moves at one velocity for some time.
@@ -63,15 +62,15 @@ bool keep_apart(const Path& a, const Path& b, double apart_m) {
 }
 
 /// One of the two: there, held, and straight back.
-Path there_and_back(const json& meeting, const BodyState& start, const Vector3& velocity,
+Path there_and_back(const MeetingSettings& meeting, const BodyState& start, const Vector3& velocity,
                     double radius_m, double hold_s) {
-  const auto lead_s = meeting["lead_s"].get<double>();
+  const double lead_s = meeting.lead_s;
   const double release_s = lead_s + hold_s;
   const Vector3 turn = start.pose.position + lead_s * velocity;
   return {radius_m,
           {{0.0, lead_s, start.pose.position, velocity},
            {lead_s, release_s, turn, Vector3::Zero()},
-           {release_s, release_s + meeting["follow_s"].get<double>(), turn, -velocity}}};
+           {release_s, release_s + meeting.follow_s, turn, -velocity}}};
 }
 
 /// What a distractor may do.
@@ -83,15 +82,13 @@ struct DistractorBounds {
   double duration_s{0.0};
 };
 
-double symmetric(RandomStream& stream) { return 2.0 * stream.uniform() - 1.0; }
-
 /// A straight way within the bounds, or none when the draw left it.
 std::optional<Leg> drawn_leg(const DistractorBounds& bounds, const Viewer& viewer,
                              RandomStream& stream) {
-  const double x = bounds.half_width_m * symmetric(stream);
-  const double y = bounds.half_height_m * symmetric(stream);
-  const double right = symmetric(stream);
-  const double up = symmetric(stream);
+  const double x = bounds.half_width_m * draw_symmetric(stream);
+  const double y = bounds.half_height_m * draw_symmetric(stream);
+  const double right = draw_symmetric(stream);
+  const double up = draw_symmetric(stream);
   const double square = right * right + up * up;
   if (square > 1.0 || square < 1e-4) {
     return std::nullopt;  // a direction uniform over the circle, by rejection
@@ -144,30 +141,26 @@ std::vector<BodyState> states_of(const std::vector<Path>& paths, const SceneBodi
   return states;
 }
 
-DistractorBounds distractor_bounds(const json& scene, double m_per_deg, double speed_m_s,
+DistractorBounds distractor_bounds(const Scene& scene, double m_per_deg, double speed_m_s,
                                    double hold_s) {
-  const json& distractors = scene["distractors"];
-  const json& meeting = scene["meeting"];
-  return {m_per_deg * distractors["within_deg"][0].get<double>(),
-          m_per_deg * distractors["within_deg"][1].get<double>(),
-          m_per_deg * distractors["apart_deg"].get<double>(), speed_m_s,
-          meeting["lead_s"].get<double>() + hold_s + meeting["follow_s"].get<double>()};
+  const DistractorSettings& distractors = *scene.distractors;
+  return {m_per_deg * distractors.within_deg[0], m_per_deg * distractors.within_deg[1],
+          m_per_deg * distractors.apart_deg, speed_m_s, scene.lasting_s(hold_s)};
 }
 
 /// Whether the two turn straight back, so that their paths are known before they meet.
-bool turn_straight_back(const json& scene) {
-  const json& a = scene["bodies"][0];
-  const json& b = scene["bodies"][1];
-  return a["shape"]["kind"].get<std::string>() == std::string("sphere") &&
-         a["shape"] == b["shape"] && a["density_kg_m3"] == b["density_kg_m3"] &&
-         !scene["meeting"].contains("offset_deg") &&
-         scene["engine"]["restitution"].get<double>() == 1.0 &&
-         !scene["engine"].contains("materials") && !scene["engine"].contains("gravity_m_s2");
+bool turn_straight_back(const Scene& scene) {
+  const BodySettings& a = (*scene.bodies)[0];
+  const BodySettings& b = (*scene.bodies)[1];
+  const EngineSettings& engine = scene.engine;
+  return a.shape.kind == ShapeKind::kSphere && a.shape == b.shape &&
+         a.density_kg_m3 == b.density_kg_m3 && !scene.meeting->offset_deg &&
+         engine.world.restitution == 1.0 && !engine.materials && !engine.gravity_m_s2;
 }
 
 }  // namespace
 
-void add_distractors(const json& scene, SceneBodies& bodies) {
+void add_distractors(const Scene& scene, SceneBodies& bodies) {
   for (std::size_t i = 0; i < count_of(scene); ++i) {
     const std::string name = "distractor " + std::to_string(i + 1);
     bodies.models.push_back(bodies.models[i % kMeeting]);
@@ -178,7 +171,7 @@ void add_distractors(const json& scene, SceneBodies& bodies) {
   }
 }
 
-std::optional<std::vector<BodyState>> distractor_states(const json& scene,
+std::optional<std::vector<BodyState>> distractor_states(const Scene& scene,
                                                         const SceneBodies& bodies,
                                                         const std::vector<BodyState>& meeting,
                                                         const Viewer& viewer, double hold_s,
@@ -194,7 +187,7 @@ std::optional<std::vector<BodyState>> distractor_states(const json& scene,
       radii_m.push_back(radius_m);
       continue;
     }
-    pair.push_back(there_and_back(scene["meeting"], meeting[body],
+    pair.push_back(there_and_back(*scene.meeting, meeting[body],
                                   velocity(bodies.models[body], meeting[body]), radius_m, hold_s));
   }
   const double m_per_deg = metres_per_degree(viewer.screen.viewing_distance_m);
@@ -211,32 +204,31 @@ std::optional<std::vector<BodyState>> distractor_states(const json& scene,
   return std::nullopt;
 }
 
-std::vector<SceneProblem> distractor_problems(const json& scene) {
+void add_distractor_problems(const Scene& scene, SceneProblems& problems) {
   if (count_of(scene) == 0) {
-    return {};
+    return;
   }
+  const std::string place = "/distractors/count";
   if (!turn_straight_back(scene)) {
-    return {{"/distractors/count",
-             "expected 0 unless two equal spheres meet head-on, without loss, and turn straight "
-             "back, got " +
-                 scene["distractors"]["count"].dump()}};
+    problems.add_got(place,
+                     "expected 0 unless two equal spheres meet head-on, without loss, and turn "
+                     "straight back");
+    return;
   }
   const ScreenGeometry screen = screen_for_checks();
-  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
   ShapeLibrary library;
   SceneBodies bodies = bodies_of(scene, metres_per_degree(screen.viewing_distance_m), library);
   add_distractors(scene, bodies);
   add_shells(scene, viewer, bodies);
   const auto meeting = meeting_states(scene, viewer, bodies);
-  const double hold_s = scene["imposed"]["contact_hold_ms"].get<double>() / 1e3;
   constexpr std::uint64_t kTries = 5;
   for (std::uint64_t seed = 1; seed <= kTries; ++seed) {
-    if (!distractor_states(scene, bodies, meeting, viewer, hold_s, seed)) {
-      return {{"/distractors/count", "expected as many as there is room for beside the two, got " +
-                                         scene["distractors"]["count"].dump()}};
+    if (!distractor_states(scene, bodies, meeting, viewer, scene.intended_hold_s(), seed)) {
+      problems.add_got(place, "expected as many as there is room for beside the two");
+      return;
     }
   }
-  return {};
 }
 
 }  // namespace impetus::inline scenes

@@ -9,27 +9,25 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "experiments/scenes/scene_bodies.hpp"
-#include "experiments/scenes/scene_checks.hpp"
 
 namespace impetus::inline scenes {
 
 /// Adds the scene's distractors to the two bodies that meet, in turn like the first and the second.
-void add_distractors(const nlohmann::json& scene, SceneBodies& bodies);
+void add_distractors(const Scene& scene, SceneBodies& bodies);
 
 /// Their states beside `meeting`, those of the two, drawn with the trial's seed; none when no place
 /// was found for them all. `hold_s` is the freeze at contact.
-std::optional<std::vector<BodyState>> distractor_states(const nlohmann::json& scene,
+std::optional<std::vector<BodyState>> distractor_states(const Scene& scene,
                                                         const SceneBodies& bodies,
                                                         const std::vector<BodyState>& meeting,
                                                         const Viewer& viewer, double hold_s,
                                                         std::uint64_t seed);
 
-/// What is wrong with distractors beyond the schema; all else about the meeting is right.
-std::vector<SceneProblem> distractor_problems(const nlohmann::json& scene);
+/// Adds what is wrong with distractors beyond the schema; all else about the meeting is right.
+void add_distractor_problems(const Scene& scene, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

@@ -1,5 +1,6 @@
 // Random places, directions and orientations: the same numbers of a stream, the same start, on
-// every machine, for no draw needs trigonometry. SPDX-License-Identifier: MIT
+// every machine, for no draw needs trigonometry.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "engine/numerics/random_stream.hpp"

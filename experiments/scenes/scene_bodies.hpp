@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "experiments/record/staged_scene.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline scenes {
@@ -24,7 +24,7 @@ struct SceneBodies {
 /// What bodies of one shape may differ in.
 struct BodyTraits {
   std::string name;
-  std::string colour;
+  Colour colour{};
   double density_kg_m3{0.0};
   int material{0};
   bool fixed{false};
@@ -36,14 +36,8 @@ void add_body(const BodyTraits& traits, const BodyShape& shape, const std::strin
 
 /// The bodies a scene names one by one, or its crowd: "1", "2", ... in the crowd's colours in turn;
 /// then the parts of its figures, figure by figure: "anna/head". Trees are not built beyond
-/// `deepest_level`. Precondition: `scene` is valid by the schema.
-SceneBodies bodies_of(const nlohmann::json& scene, double metres_per_degree, ShapeLibrary& library,
+/// `deepest_level`. Precondition: the shapes' checks find nothing.
+SceneBodies bodies_of(const Scene& scene, double metres_per_degree, ShapeLibrary& library,
                       int deepest_level = kGreatestTreeDepth);
-
-/// A named body's turns about the world's axes.
-Quaternion orientation_of(const nlohmann::json& body);
-
-/// A vector in degrees as metres (or, where `unit` is radians per degree, as radians).
-Vector3 vector_of(const nlohmann::json& body, const char* key, double unit);
 
 }  // namespace impetus::inline scenes

@@ -3,193 +3,220 @@
 
 #include <cmath>
 #include <set>
-#include <utility>
+#include <string>
 
 #include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/distractors.hpp"
-#include "experiments/scenes/figures/scene_figure_checks.hpp"
+#include "experiments/scenes/engine_checks.hpp"
+#include "experiments/scenes/figures/figure_checks.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
-#include "experiments/scenes/scene_region.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
-#include "experiments/scenes/scene_settings.hpp"
-#include "experiments/scenes/scene_spin.hpp"
-#include "experiments/scenes/scene_tree.hpp"
-#include "experiments/scenes/shape_checks.hpp"
 
 namespace impetus::inline scenes {
 namespace {
 
-using nlohmann::json;
-using Problems = std::vector<SceneProblem>;
-
-/// Of what `list` names one by one: bodies or figures.
-void add_name_problems(const json& scene, const std::string& list, Problems& problems) {
-  const json entries = scene.value(list, json::array());
+/// Of what is named one by one at `place`: bodies or figures.
+template <typename Entries>
+void add_name_problems(const Entries& entries, const std::string& list, SceneProblems& problems) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto name = entries[i]["name"].get<std::string>();
-    const std::string place = "/" + list + "/" + std::to_string(i) + "/name";
-    if (!names.insert(name).second) {
-      problems.push_back(
-          {place, "expected a name of its own, got " + json(name).dump() + " again"});
+    const std::string place = list + "/" + std::to_string(i) + "/name";
+    if (!names.insert(entries[i].name).second) {
+      problems.add(place, "expected a name of its own, got " + problems.written(place) + " again");
     }
-    if (name.starts_with(kWallPrefix)) {
-      problems.push_back({place, "expected a name that is no wall's, got " + json(name).dump()});
+    if (entries[i].name.starts_with(kWallPrefix)) {
+      problems.add_got(place, "expected a name that is no wall's");
     }
   }
 }
 
-void require_key(const json& scene, const char* key, const std::string& why, Problems& problems) {
-  if (!scene.contains(key)) {
-    problems.push_back(
-        {"", "expected the key \"" + std::string(key) + "\" " + why + ", which is missing"});
+void require_key(bool is_said, const std::string& key, const std::string& why,
+                 SceneProblems& problems) {
+  if (!is_said) {
+    problems.add_missing("", key, why);
   }
 }
 
-void refuse_key(const json& scene, const char* key, const std::string& why, Problems& problems) {
-  if (scene.contains(key)) {
-    problems.push_back({"/" + std::string(key), "expected none " + why});
+void refuse_key(bool is_said, const std::string& key, const std::string& why,
+                SceneProblems& problems) {
+  if (is_said) {
+    problems.add("/" + key, "expected none " + why);
   }
 }
 
-void add_meeting_problems(const json& scene, Problems& problems) {
+void add_order_problems(const SpinLimits& limits, const std::string& place,
+                        SceneProblems& problems) {
+  for (int i = 0; i < 3; ++i) {
+    const std::string component = "/" + std::to_string(i);
+    if (limits.most_rad_s[i] < limits.least_rad_s[i]) {
+      problems.add_got(place + "/most_rad_s" + component,
+                       "expected at least least_rad_s, which is " +
+                           problems.written(place + "/least_rad_s" + component));
+    }
+  }
+}
+
+void add_random_spin_problems(const Scene& scene, SceneProblems& problems) {
+  if (!scene.imposed || !scene.imposed->random_spin) {
+    return;
+  }
+  const RandomSpin& rule = *scene.imposed->random_spin;
+  const std::string place = "/imposed/random_spin";
+  if (!scene.meeting) {
+    problems.add(place, "expected none where no two bodies meet");
+    return;
+  }
+  add_order_problems(rule.a, place + "/a", problems);
+  add_order_problems(rule.b, place + "/b", problems);
+  if (rule.on && scene.no_spin()) {
+    problems.add(place + "/on", "expected false where no_spin keeps bodies from turning");
+  }
+}
+
+void add_meeting_problems(const Scene& scene, SceneProblems& problems) {
   const std::string why = "where bodies meet";
-  require_key(scene, "imposed", why, problems);
-  if (scene.contains("imposed") && !scene["imposed"].contains("contact_hold_ms")) {
-    problems.push_back({"/imposed", "expected the key \"contact_hold_ms\", which is missing"});
+  require_key(scene.imposed.has_value(), "imposed", why, problems);
+  if (scene.imposed && !scene.imposed->contact_hold_ms) {
+    problems.add_missing("/imposed", "contact_hold_ms", "");
   }
-  refuse_key(scene, "duration_s", why + ", which lasts from lead_s to follow_s", problems);
-  refuse_key(scene, "enclosure", why, problems);
-  refuse_key(scene, "figures", why, problems);
-  if (scene["bodies"].size() != 2) {
-    problems.push_back({"/bodies", "expected two bodies that meet, got " +
-                                       std::to_string(scene["bodies"].size())});
+  refuse_key(scene.duration_s.has_value(), "duration_s",
+             why + ", which lasts from lead_s to follow_s", problems);
+  refuse_key(scene.enclosure.has_value(), "enclosure", why, problems);
+  refuse_key(scene.figures.has_value(), "figures", why, problems);
+  const std::vector<BodySettings>& bodies = *scene.bodies;
+  if (bodies.size() != 2) {
+    problems.add("/bodies", "expected two bodies that meet, got " + std::to_string(bodies.size()));
   }
-  for (std::size_t i = 0; i < scene["bodies"].size(); ++i) {
-    for (const char* key : {"position_deg", "velocity_deg_s", "spin_deg_s", "fixed"}) {
-      if (scene["bodies"][i].contains(key)) {
-        problems.push_back({"/bodies/" + std::to_string(i) + "/" + key, "expected none " + why});
-      }
-    }
-  }
-  const double step_hz = scene["engine"]["step_hz"].get<double>();
-  const double steps = scene["meeting"]["lead_s"].get<double>() * step_hz;
-  if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
-    problems.push_back({"/meeting/lead_s", "expected a whole number of steps of 1/" +
-                                               scene["engine"]["step_hz"].dump() + " s, got " +
-                                               scene["meeting"]["lead_s"].dump()});
-  }
-}
-
-/// `crowd` is the key of one of bodies or of figures.
-void add_crowd_problems(const json& scene, const std::string& crowd, Problems& problems) {
-  require_key(scene, "enclosure", "for a crowd", problems);
-  require_key(scene, "duration_s", "for a crowd", problems);
-  for (const char* key : {"bodies", "meeting", "distractors", "figures"}) {
-    refuse_key(scene, key, "beside a crowd", problems);
-  }
-  if (problems.empty() && !crowd_has_room(scene)) {
-    const std::string what = scene.contains("crowd") ? "bodies" : "figures";
-    problems.push_back({"/" + crowd + "/count", "expected as many " + what +
-                                                    " as the enclosure has room for, got " +
-                                                    scene[crowd]["count"].dump()});
-  }
-}
-
-void add_free_problems(const json& scene, Problems& problems) {
-  require_key(scene, "duration_s", "where nothing meets", problems);
-  const json bodies = scene.value("bodies", json::array());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const json& body = bodies[i];
+    const std::string place = "bodies/" + std::to_string(i) + "/";
+    refuse_key(bodies[i].position_deg.has_value(), place + "position_deg", why, problems);
+    refuse_key(bodies[i].velocity_deg_s.has_value(), place + "velocity_deg_s", why, problems);
+    refuse_key(bodies[i].spin_deg_s.has_value(), place + "spin_deg_s", why, problems);
+    refuse_key(bodies[i].fixed.has_value(), place + "fixed", why, problems);
+  }
+  const double steps = scene.meeting->lead_s * scene.engine.step_hz;
+  if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    problems.add_got("/meeting/lead_s", "expected a whole number of steps of 1/" +
+                                            problems.written("/engine/step_hz") + " s");
+  }
+}
+
+/// Of bodies or of figures.
+void add_crowd_problems(const Scene& scene, SceneProblems& problems) {
+  require_key(scene.enclosure.has_value(), "enclosure", "for a crowd", problems);
+  require_key(scene.duration_s.has_value(), "duration_s", "for a crowd", problems);
+  const std::string why = "beside a crowd";
+  refuse_key(scene.bodies.has_value(), "bodies", why, problems);
+  refuse_key(scene.meeting.has_value(), "meeting", why, problems);
+  refuse_key(scene.distractors.has_value(), "distractors", why, problems);
+  refuse_key(scene.figures.has_value(), "figures", why, problems);
+  if (problems.empty() && !crowd_has_room(scene)) {
+    problems.add_got(scene.crowd ? "/crowd/count" : "/figure_crowd/count",
+                     std::string("expected as many ") + (scene.crowd ? "bodies" : "figures") +
+                         " as the enclosure has room for");
+  }
+}
+
+void add_free_problems(const Scene& scene, SceneProblems& problems) {
+  require_key(scene.duration_s.has_value(), "duration_s", "where nothing meets", problems);
+  const auto bodies = scene.named_bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodySettings& body = bodies[i];
     const std::string place = "/bodies/" + std::to_string(i);
-    if (!body.contains("position_deg")) {
-      problems.push_back(
-          {place, "expected the key \"position_deg\" where nothing meets, which is missing"});
+    if (!body.position_deg) {
+      problems.add_missing(place, "position_deg", "where nothing meets");
     }
-    for (const char* key : {"velocity_deg_s", "spin_deg_s"}) {
-      if (body.value("fixed", false) && body.contains(key)) {
-        problems.push_back(
-            {place + "/" + key, "expected none for a body that is fixed, got " + body[key].dump()});
+    const auto refuse_moving = [&](const std::string& key, bool is_said) {
+      if (is_said && body.fixed.value_or(false)) {
+        problems.add_got(place + "/" + key, "expected none for a body that is fixed");
       }
+    };
+    refuse_moving("velocity_deg_s", body.velocity_deg_s.has_value());
+    refuse_moving("spin_deg_s", body.spin_deg_s.has_value());
+  }
+  refuse_key(scene.distractors.has_value(), "distractors", "where no two bodies meet", problems);
+  refuse_key(scene.enclosure && scene.enclosure->edge_at_count, "enclosure/edge_at_count",
+             "without a crowd", problems);
+}
+
+/// Of each part of the scene by itself.
+void add_part_problems(const Scene& scene, SceneProblems& problems) {
+  add_schedule_problems(scene.engine, problems);
+  add_region_problems(scene.engine, problems);
+  add_material_problems(scene, problems);
+  add_budget_problems(scene.engine, problems);
+  add_enclosure_problems(scene, problems);
+  add_tree_problems(scene.engine, problems);
+  add_random_spin_problems(scene, problems);
+  if (scene.has_figures()) {
+    add_figure_problems(scene, problems);
+  }
+}
+
+/// Of a scene with a crowd.
+void add_problems_of_crowd(const Scene& scene, SceneProblems& problems) {
+  if (scene.crowd) {
+    add_shape_problems(scene.crowd->shape, scene.meshes, "/crowd/shape", "_deg", problems);
+    refuse_key(scene.figure_crowd.has_value(), "figure_crowd", "beside a crowd", problems);
+  }
+  if (problems.empty()) {
+    add_limit_problems(scene, problems);
+  }
+  if (problems.empty()) {
+    add_crowd_problems(scene, problems);
+  }
+}
+
+/// Of a scene whose bodies and figures are named.
+void add_problems_of_named(const Scene& scene, SceneProblems& problems) {
+  const auto bodies = scene.named_bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    add_shape_problems(bodies[i].shape, scene.meshes, "/bodies/" + std::to_string(i) + "/shape",
+                       "_deg", problems);
+  }
+  if (problems.empty()) {
+    add_limit_problems(scene, problems);
+  }
+  add_name_problems(bodies, "/bodies", problems);
+  add_name_problems(scene.named_figures(), "/figures", problems);
+  if (!scene.meeting) {
+    add_free_problems(scene, problems);
+    if (problems.empty()) {
+      add_overlap_problems(scene, problems);
     }
+    return;
   }
-  if (scene.contains("distractors")) {
-    problems.push_back({"/distractors", "expected none where no two bodies meet"});
+  if (!scene.bodies) {
+    problems.add("/meeting", "expected none without bodies");
+    return;
   }
-  if (scene.contains("enclosure") && scene["enclosure"].contains("edge_at_count")) {
-    problems.push_back({"/enclosure/edge_at_count", "expected none without a crowd"});
+  add_meeting_problems(scene, problems);
+  if (problems.empty()) {
+    add_touching_problems(scene, problems);
+  }
+  if (problems.empty()) {
+    add_distractor_problems(scene, problems);
   }
 }
 
 }  // namespace
 
-std::vector<SceneProblem> scene_problems(const json& scene) {
-  Problems problems = schedule_problems(scene["engine"]);
-  add_region_problems(scene["engine"], problems);
-  for (SceneProblem& problem : engine_problems(scene)) {
-    problems.push_back(std::move(problem));
+std::vector<SceneProblem> scene_problems(const nlohmann::json& scene) {
+  const Scene settings(scene);
+  SceneProblems problems(scene);
+  add_part_problems(settings, problems);
+  if (settings.has_crowd()) {
+    add_problems_of_crowd(settings, problems);
+  } else if (!settings.bodies && !settings.figures) {
+    problems.add("",
+                 "expected one of the keys \"bodies\", \"figures\", \"crowd\" and "
+                 "\"figure_crowd\", all are missing");
+  } else {
+    add_problems_of_named(settings, problems);
   }
-  add_enclosure_problems(scene, problems);
-  add_tree_problems(scene["engine"], problems);
-  for (SceneProblem& problem : spin_problems(scene)) {
-    problems.push_back(std::move(problem));
-  }
-  const json meshes = scene.value("meshes", json::object());
-  if (has_figures(scene)) {
-    add_figure_problems(scene, problems);
-  }
-  if (scene.contains("crowd")) {
-    add_shape_problems(scene["crowd"]["shape"], meshes, "/crowd/shape", problems);
-    refuse_key(scene, "figure_crowd", "beside a crowd", problems);
-  }
-  if (scene.contains("crowd") || scene.contains("figure_crowd")) {
-    if (problems.empty()) {
-      problems = limit_problems(scene);
-    }
-    if (problems.empty()) {
-      add_crowd_problems(scene, scene.contains("crowd") ? "crowd" : "figure_crowd", problems);
-    }
-    return problems;
-  }
-  if (!scene.contains("bodies") && !scene.contains("figures")) {
-    problems.push_back({"",
-                        "expected one of the keys \"bodies\", \"figures\", \"crowd\" and "
-                        "\"figure_crowd\", all are "
-                        "missing"});
-    return problems;
-  }
-  const json bodies = scene.value("bodies", json::array());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    add_shape_problems(bodies[i]["shape"], meshes, "/bodies/" + std::to_string(i) + "/shape",
-                       problems);
-  }
-  if (problems.empty()) {
-    problems = limit_problems(scene);
-  }
-  add_name_problems(scene, "bodies", problems);
-  add_name_problems(scene, "figures", problems);
-  if (scene.contains("meeting")) {
-    if (!scene.contains("bodies")) {
-      problems.push_back({"/meeting", "expected none without bodies"});
-      return problems;
-    }
-    add_meeting_problems(scene, problems);
-    if (problems.empty()) {
-      problems = meeting_problems(scene);
-    }
-    if (problems.empty()) {
-      problems = distractor_problems(scene);
-    }
-    return problems;
-  }
-  add_free_problems(scene, problems);
-  if (problems.empty()) {
-    add_overlap_problems(scene, problems);
-  }
-  return problems;
+  return problems.list();
 }
 
 }  // namespace impetus::inline scenes

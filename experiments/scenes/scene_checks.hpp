@@ -3,18 +3,14 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
+
+#include "experiments/scenes/scene_problems.hpp"
 
 namespace impetus::inline scenes {
 
-/// A broken rule with its JSON Pointer.
-struct SceneProblem {
-  std::string pointer;
-  std::string message;  ///< "expected ..., got ..."
-};
-
-/// Precondition: `scene` is valid by scene_schema().
+/// What is wrong with a scene, in the order in which it is asked. Precondition: `scene` is valid by
+/// scene_schema(), and its figures by theirs.
 std::vector<SceneProblem> scene_problems(const nlohmann::json& scene);
 
 }  // namespace impetus::inline scenes

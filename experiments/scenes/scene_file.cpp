@@ -9,73 +9,60 @@
 #include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
+#include "engine/numerics/random_stream.hpp"
 #include "engine/world/starting_overlaps.hpp"
 #include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/distractors.hpp"
-#include "experiments/scenes/embedded_schema.hpp"
-#include "experiments/scenes/figures/figure_crowd.hpp"
-#include "experiments/scenes/figures/figure_starts.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
-#include "experiments/scenes/scene_region.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
-#include "experiments/scenes/scene_settings.hpp"
-#include "experiments/scenes/scene_spin.hpp"
-#include "experiments/scenes/scene_timing.hpp"
 
 namespace impetus::inline scenes {
 namespace {
-
-using nlohmann::json;
 
 double rounded_to_frames(double duration_s, double hz) {
   return std::floor(duration_s * hz + 0.5) / hz;
 }
 
-std::vector<BodyState> free_states(const json& scene, const SceneBodies& bodies, double m_per_deg) {
+std::vector<BodyState> free_states(const Scene& scene, const SceneBodies& bodies,
+                                   double m_per_deg) {
+  const Vector3 none = Vector3::Zero();
   std::vector<BodyState> states;
-  const std::size_t named = scene.contains("bodies") ? scene["bodies"].size() : 0;
-  for (std::size_t i = 0; i < named; ++i) {
-    const json& body = scene["bodies"][i];
+  const auto named = scene.named_bodies();
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const BodySettings& body = named[i];
+    const BodyModel& model = bodies.models[i];
     BodyState state;
-    state.pose = {vector_of(body, "position_deg", m_per_deg), orientation_of(body)};
-    if (bodies.models[i].inverse_mass > 0.0) {
-      state.linear_momentum =
-          vector_of(body, "velocity_deg_s", m_per_deg) / bodies.models[i].inverse_mass;
+    state.pose = {m_per_deg * body.position_deg.value_or(none), body.orientation};
+    if (model.inverse_mass > 0.0) {
+      state.linear_momentum = m_per_deg * body.velocity_deg_s.value_or(none) / model.inverse_mass;
     }
-    state.angular_momentum = angular_momentum_at(bodies.models[i], state.pose.orientation,
-                                                 vector_of(body, "spin_deg_s", kRadiansPerDegree));
+    state.angular_momentum = angular_momentum_at(
+        model, state.pose.orientation, kRadiansPerDegree * body.spin_deg_s.value_or(none));
     states.push_back(state);
   }
-  const double step_s = 1.0 / scene["engine"]["step_hz"].get<double>();
-  const std::vector<BodyState> parts = figure_states(scene, bodies, m_per_deg, step_s);
+  const std::vector<BodyState> parts =
+      figure_states(scene, bodies, m_per_deg, 1.0 / scene.engine.step_hz);
   states.insert(states.end(), parts.begin(), parts.end());
   return states;
 }
 
-bool has_crowd(const json& scene) {
-  return scene.contains("crowd") || scene.contains("figure_crowd");
-}
-
-std::optional<std::vector<BodyState>> crowd_states_of(const json& scene, const SceneBodies& bodies,
+std::optional<std::vector<BodyState>> crowd_states_of(const Scene& scene, const SceneBodies& bodies,
                                                       double m_per_deg, const Viewer& viewer,
                                                       const std::string& start) {
-  const bool of_figures = scene.contains("figure_crowd");
-  const json& crowd = scene[of_figures ? "figure_crowd" : "crowd"];
-  const std::string name = "crowd of " + crowd["count"].dump() + "/" + start;
+  const CrowdSettings& crowd = scene.any_crowd();
+  const std::string name = "crowd of " + std::to_string(crowd.count) + "/" + start;
   const Enclosure walls = *enclosure_of(scene, m_per_deg, viewer);
-  const CrowdStart how{crowd.value("start", std::uint64_t{1}), name,
-                       bodies.models.front().tree->bounding_radius_m(),
-                       crowd["speed_deg_s"].get<double>() * m_per_deg,
-                       crowd["spin_deg_s"].get<double>() * kRadiansPerDegree};
-  return of_figures ? figure_crowd_states(bodies.figures, bodies.models, walls, how)
-                    : crowd_states(bodies.models, walls, how);
+  const CrowdStart how{crowd.start, name, bodies.models.front().tree->bounding_radius_m(),
+                       crowd.speed_deg_s * m_per_deg, crowd.spin_deg_s * kRadiansPerDegree};
+  return scene.figure_crowd ? figure_crowd_states(bodies.figures, bodies.models, walls, how)
+                            : crowd_states(bodies.models, walls, how);
 }
 
 /// The two that meet, then their distractors.
-std::vector<BodyState> meeting_states_of(const json& scene, const SceneBodies& bodies,
+std::vector<BodyState> meeting_states_of(const Scene& scene, const SceneBodies& bodies,
                                          const Viewer& viewer, double hold_s, std::uint64_t seed) {
   std::vector<BodyState> states = meeting_states(scene, viewer, bodies);
   const auto others = distractor_states(scene, bodies, states, viewer, hold_s, seed);
@@ -86,9 +73,11 @@ std::vector<BodyState> meeting_states_of(const json& scene, const SceneBodies& b
   return states;
 }
 
-std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, double m_per_deg,
-                                 const Viewer& viewer, const std::string& start) {
-  if (!has_crowd(scene)) {
+/// Where nothing meets.
+std::vector<BodyState> starting_states(const Scene& scene, const SceneBodies& bodies,
+                                       double m_per_deg, const Viewer& viewer,
+                                       const std::string& start) {
+  if (!scene.has_crowd()) {
     return free_states(scene, bodies, m_per_deg);
   }
   auto states = crowd_states_of(scene, bodies, m_per_deg, viewer, start);
@@ -96,6 +85,28 @@ std::vector<BodyState> states_of(const json& scene, const SceneBodies& bodies, d
     throw std::runtime_error("the crowd found no room to start in");
   }
   return *std::move(states);
+}
+
+Vector3 drawn_spin(const SpinLimits& limits, RandomStream& stream) {
+  Vector3 spin;
+  for (int i = 0; i < 3; ++i) {
+    const double least = limits.least_rad_s[i];
+    spin[i] = least + (limits.most_rad_s[i] - least) * stream.uniform();
+  }
+  return spin;
+}
+
+/// What /imposed/random_spin imposes in the trial of this seed: each component uniform between its
+/// limits, from a stream of its own; none where it is left out or off.
+std::optional<ImposedSpinRule> imposed_spin_of(const Scene& scene, std::uint64_t seed) {
+  if (!scene.imposed || !scene.imposed->random_spin || !scene.imposed->random_spin->on) {
+    return std::nullopt;
+  }
+  const RandomSpin& rule = *scene.imposed->random_spin;
+  RandomStream stream(seed, "random spin");
+  const Vector3 a = drawn_spin(rule.a, stream);
+  const Vector3 b = drawn_spin(rule.b, stream);
+  return ImposedSpinRule{rule.at_level, {a, b}};
 }
 
 /// Only crowds are drawn more coarsely than they are simulated.
@@ -110,35 +121,26 @@ void add_coarser_meshes(std::vector<DrawnBody>& looks, ShapeLibrary& library) {
   }
 }
 
-void set_timing(const json& scene, StagedScene& staged) {
-  staged.step_hz = scene["engine"]["step_hz"].get<double>();
-  if (scene.contains("meeting")) {
-    staged.contact_s = scene["meeting"]["lead_s"].get<double>();
-  }
-  staged.duration_s = scene_duration_s(scene, staged.realised_hold_s);
-}
-
 /// All but the coarser meshes of a crowd, which only drawing needs.
-StagedScene staged_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, double round_hold_to_hz,
                          ShapeLibrary& library, const std::string& start, std::uint64_t seed,
                          int deepest_level) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
-  const json& engine = scene["engine"];
-  const json imposed = scene.value("imposed", json::object());
-  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  const EngineSettings& engine = scene.engine;
+  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
   SceneBodies bodies = bodies_of(scene, m_per_deg, library, deepest_level);
-  const double intended_s = intended_hold_s(scene);
+  const double intended_s = scene.intended_hold_s();
   const double realised_s =
       round_hold_to_hz > 0.0 ? rounded_to_frames(intended_s, round_hold_to_hz) : intended_s;
   std::vector<BodyState> states;
-  if (scene.contains("meeting")) {
+  if (scene.meeting) {
     add_distractors(scene, bodies);
     add_shells(scene, viewer, bodies);
     states = meeting_states_of(scene, bodies, viewer, realised_s, seed);
   } else {
-    states = states_of(scene, bodies, m_per_deg, viewer, start);
+    states = starting_states(scene, bodies, m_per_deg, viewer, start);
   }
-  WorldSettings settings = engine_settings_of(scene);
+  WorldSettings settings = world_settings_of(scene);
   settings.imposed_spin = imposed_spin_of(scene, seed);
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
@@ -147,28 +149,24 @@ StagedScene staged_scene(const json& scene, const ScreenGeometry& screen, double
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer, std::move(bodies.looks)};
-  staged.no_spin = imposed.value("no_spin", false);
-  staged.gaze_latency_s = imposed.value("gaze_latency_ms", 0.0) / 1e3;
+  staged.step_hz = engine.step_hz;
+  staged.duration_s = scene.lasting_s(realised_s);
+  staged.contact_s = scene.meeting ? scene.meeting->lead_s : 0.0;
   staged.intended_hold_s = intended_s;
+  staged.no_spin = scene.no_spin();
   staged.realised_hold_s = realised_s;
   staged.region = region_of(engine, m_per_deg);
   staged.budget = budget_of(engine);
   staged.depends_on_gaze = depends_on_gaze(engine);
-  staged.scheduler = scheduler_of(engine);
-  staged.turn = {scene["viewer"]["azimuth_deg"].get<double>(),
-                 scene["viewer"].value("turn_deg_s", 0.0)};
+  staged.scheduler = engine.scheduler();
   staged.metric_options = metric_options_of(engine, m_per_deg);
-  staged.reduction = engine.value("contacts", json::object()).value("reduction", "");
-  set_timing(scene, staged);
+  staged.reduction = engine.contacts.reduction;
+  staged.turn = {scene.viewer.azimuth_deg, scene.viewer.turn_deg_s};
+  staged.gaze_latency_s = scene.imposed ? scene.imposed->gaze_latency_ms / 1e3 : 0.0;
   return staged;
 }
 
 }  // namespace
-
-const json& scene_schema() {
-  static const json schema = json::parse(kSceneSchemaText);
-  return schema;
-}
 
 const std::vector<FrameBoundValue>& frame_bound_values() {
   static const std::vector<FrameBoundValue> values{{"/meeting/lead_s", 1.0, false},
@@ -176,7 +174,7 @@ const std::vector<FrameBoundValue>& frame_bound_values() {
   return values;
 }
 
-StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double round_hold_to_hz,
                         ShapeLibrary& library, const std::string& start, std::uint64_t seed,
                         int deepest_level) {
   StagedScene staged =
@@ -185,12 +183,12 @@ StagedScene build_scene(const json& scene, const ScreenGeometry& screen, double 
   return staged;
 }
 
-bool crowd_has_room(const json& scene) {
+bool crowd_has_room(const Scene& scene) {
   constexpr int kRoot = 0;  // it holds the whole body
   ShapeLibrary library;
   const ScreenGeometry screen = screen_for_checks();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
-  const Viewer viewer = viewer_at(screen, scene["viewer"]["azimuth_deg"].get<double>());
+  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
   const SceneBodies bodies = bodies_of(scene, m_per_deg, library, kRoot);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
@@ -201,7 +199,7 @@ bool crowd_has_room(const json& scene) {
   return true;
 }
 
-StartingOverlaps starting_overlaps_of(const json& scene) {
+StartingOverlaps starting_overlaps_of(const Scene& scene) {
   ShapeLibrary library;
   const StagedScene staged = staged_scene(scene, screen_for_checks(), 0.0, library, "check",
                                           /*seed=*/1, kGreatestTreeDepth);

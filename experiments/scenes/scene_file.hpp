@@ -1,25 +1,17 @@
-// A scene's JSON and the world it becomes.
-//
-//   meeting   two bodies that approach along x and touch at the centre
-//   crowd     bodies alike, or figures alike, at random places within walls
-//   neither   bodies and figures with places and velocities of their own, within walls or without
-//
+// From a scene's settings to the world that is on show.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "experiments/record/staged_scene.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline scenes {
-
-/// The scene's JSON Schema (stimuli/scene.schema.json), as built into the program.
-const nlohmann::json& scene_schema();
 
 /// Values that must be whole numbers of the display's frames, by JSON Pointer, and the seconds in
 /// their unit. An imposed hold may be rounded to the grid where that is allowed; a lead may not.
@@ -38,15 +30,14 @@ inline constexpr double kUnroundedHold = 0.0;
 /// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
 /// the same start. `seed` is the trial's: random spin and distractors are drawn with it. No tree is
 /// built beyond `deepest_level`, for whoever knows that nothing will reach it.
-/// Precondition: `scene` is valid by schema and scene_problems() is empty.
-StagedScene build_scene(const nlohmann::json& scene, const ScreenGeometry& screen,
-                        double round_hold_to_hz, ShapeLibrary& library,
-                        const std::string& start = "preview", std::uint64_t seed = 1,
-                        int deepest_level = kGreatestTreeDepth);
+/// Precondition: scene_problems() is empty.
+StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double round_hold_to_hz,
+                        ShapeLibrary& library, const std::string& start = "preview",
+                        std::uint64_t seed = 1, int deepest_level = kGreatestTreeDepth);
 
 /// Whether a crowd, of figures too, finds room to start in, ten times out of ten. Precondition: the
 /// scene has a crowd and an enclosure.
-bool crowd_has_room(const nlohmann::json& scene);
+bool crowd_has_room(const Scene& scene);
 
 /// What a scene's start has that it should not have.
 struct StartingOverlaps {
@@ -59,6 +50,6 @@ struct StartingOverlaps {
 /// The pairs of named bodies and figures' parts, and of these and walls, that overlap at the start,
 /// at the coarsest level at which the schedule may leave them; not those that a figure's own rules
 /// leave out. Precondition: as for build_scene().
-StartingOverlaps starting_overlaps_of(const nlohmann::json& scene);
+StartingOverlaps starting_overlaps_of(const Scene& scene);
 
 }  // namespace impetus::inline scenes

@@ -4,15 +4,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <vector>
-
-#include "experiments/scenes/scene_checks.hpp"
+#include "experiments/scenes/scene.hpp"
 
 namespace impetus::inline scenes {
 
-/// Each with its limit and what was there, in metres, kilograms and seconds. Precondition: the
-/// scene is valid by the schema, and its shapes are solids.
-std::vector<SceneProblem> limit_problems(const nlohmann::json& scene);
+/// Adds each with its limit and what was there, in metres, kilograms and seconds. Precondition: the
+/// scene's shapes are solids.
+void add_limit_problems(const Scene& scene, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

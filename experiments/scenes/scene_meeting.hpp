@@ -7,23 +7,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "experiments/scenes/scene_bodies.hpp"
-#include "experiments/scenes/scene_checks.hpp"
 
 namespace impetus::inline scenes {
 
 /// Gives the two bodies the shells that leave the scene's gap between what is drawn, as `viewer`
-/// sees it; nothing where it asks for none. Precondition: meeting_problems() is empty.
-void add_shells(const nlohmann::json& scene, const Viewer& viewer, SceneBodies& bodies);
+/// sees it; nothing where it asks for none. Precondition: add_touching_problems() adds none.
+void add_shells(const Scene& scene, const Viewer& viewer, SceneBodies& bodies);
 
 /// Where both start, and how fast (`bodies` after add_shells()).
-std::vector<BodyState> meeting_states(const nlohmann::json& scene, const Viewer& viewer,
+std::vector<BodyState> meeting_states(const Scene& scene, const Viewer& viewer,
                                       const SceneBodies& bodies);
 
-/// What is wrong with offset and gap beyond the schema; all else about the meeting is right.
-std::vector<SceneProblem> meeting_problems(const nlohmann::json& scene);
+/// Adds what is wrong with offset and gap beyond the schema; all else about the meeting is right.
+void add_touching_problems(const Scene& scene, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

@@ -10,7 +10,6 @@
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/readable_file.hpp"
-#include "experiments/scenes/figures/figure_files.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -28,27 +27,23 @@ json content_of(const TriangleMesh& mesh) {
 
 }  // namespace
 
-bool is_mesh(const json& shape) { return shape["kind"].get_ref<const std::string&>() == "mesh"; }
-
-std::vector<MeshFile> mesh_files_of(const json& scene) {
+std::vector<MeshFile> named_mesh_files(const Scene& scene) {
   std::vector<MeshFile> files;
-  const auto add = [&](const json& shape, const std::string& place) {
-    if (is_mesh(shape) && shape.contains("file")) {
-      files.push_back({place + "/file", shape["file"].get<std::string>()});
+  const auto add = [&](const ShapeSettings& shape, const std::string& place) {
+    if (shape.kind == ShapeKind::kMesh && shape.file) {
+      files.push_back({place + "/file", *shape.file});
     }
   };
-  if (scene.contains("crowd")) {
-    add(scene["crowd"]["shape"], "/crowd/shape");
+  if (scene.crowd) {
+    add(scene.crowd->shape, "/crowd/shape");
   }
-  const std::size_t bodies = scene.contains("bodies") ? scene["bodies"].size() : 0;
-  for (std::size_t i = 0; i < bodies; ++i) {
-    add(scene["bodies"][i]["shape"], "/bodies/" + std::to_string(i) + "/shape");
+  const auto bodies = scene.named_bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    add(bodies[i].shape, "/bodies/" + std::to_string(i) + "/shape");
   }
-  const json figures = scene.value("figure_files", json::object());
-  for (auto figure = figures.begin(); figure != figures.end(); ++figure) {
-    const json& parts = figure.value()["parts"];
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      add(parts[i]["shape"], part_place(figure.key(), i) + "/shape");
+  for (const auto& [file, figure] : scene.figure_files) {
+    for (std::size_t i = 0; i < figure.parts.size(); ++i) {
+      add(figure.parts[i].shape, part_place(file, i) + "/shape");
     }
   }
   return files;
@@ -75,16 +70,14 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
   return "";
 }
 
-TriangleMesh mesh_content(const json& meshes, const std::string& file) {
-  const json& content = meshes.at(file);
-  const std::string bytes = bytes_from_base64(content["base64"].get_ref<const std::string&>());
+TriangleMesh mesh_content(const Meshes& meshes, const std::string& file) {
+  const MeshSettings& content = meshes.at(file);
+  const std::string bytes = bytes_from_base64(content.base64);
   ByteReader reader(bytes);
-  TriangleMesh mesh = take_mesh(reader, {content["vertices"].get<std::uint64_t>(),
-                                         content["triangles"].get<std::uint64_t>()});
+  TriangleMesh mesh = take_mesh(reader, {content.vertices, content.triangles});
   const std::string hash = content_hash(mesh);
-  const auto stated = content["hash"].get<std::string>();
-  if (hash != stated || reader.left() > 0) {
-    throw std::runtime_error("expected a mesh with the hash " + stated + ", got " + hash);
+  if (hash != content.hash || reader.left() > 0) {
+    throw std::runtime_error("expected a mesh with the hash " + content.hash + ", got " + hash);
   }
   return mesh;
 }

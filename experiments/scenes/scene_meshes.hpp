@@ -15,12 +15,9 @@
 #include <vector>
 
 #include "engine/shapes/triangle_mesh.hpp"
-#include "experiments/scenes/scene_checks.hpp"
+#include "experiments/scenes/scene.hpp"
 
 namespace impetus::inline scenes {
-
-/// Whether a shape is a mesh from a file.
-bool is_mesh(const nlohmann::json& shape);
 
 /// A shape of the scene that names a mesh file.
 struct MeshFile {
@@ -29,8 +26,7 @@ struct MeshFile {
 };
 
 /// Those that the scene names, in its order, and those that the figures it holds name.
-/// Precondition: valid by the schemas of scenes and figures.
-std::vector<MeshFile> mesh_files_of(const nlohmann::json& scene);
+std::vector<MeshFile> named_mesh_files(const Scene& scene);
 
 /// Puts the content of `file` into the scene's "meshes", unless it is there; `folder` is the
 /// scene's. Returns what is wrong in words, "" when nothing is: the path leaves the folder, the
@@ -40,6 +36,6 @@ std::string hold_mesh(nlohmann::json& scene, const std::string& file,
 
 /// The mesh that `meshes` holds for a file, in the file's own units. Throws std::runtime_error
 /// (expected ..., got ...) when the content is not what it says.
-TriangleMesh mesh_content(const nlohmann::json& meshes, const std::string& file);
+TriangleMesh mesh_content(const Meshes& meshes, const std::string& file);
 
 }  // namespace impetus::inline scenes

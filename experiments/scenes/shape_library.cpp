@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
 #include "engine/shapes/solids/ring_meshes.hpp"
@@ -12,12 +13,9 @@
 #include "engine/trees/builders/swept_tree.hpp"
 #include "experiments/scenes/coarser_meshes.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
-#include "experiments/scenes/swept_shape.hpp"
 
 namespace impetus::inline scenes {
 namespace {
-
-using nlohmann::json;
 
 BodyShape sphere_shape(double radius_m) {
   const VolumeTree tree = single_node_tree(Sphere{Vector3::Zero(), radius_m});
@@ -42,30 +40,53 @@ bool builds_at_once(const TriangleMesh& mesh, const TreeSettings& tree) {
 
 /// The mesh of any kind but a sphere, a swept volume or a file. Resolution counts the sides of a
 /// torus' or a knot's tube and a quarter of the cells along a creature's length.
-TriangleMesh mesh_of(const json& shape, double metres_per_degree) {
-  const auto length_m = [&](const char* key) {
-    return shape[key].get<double>() * metres_per_degree;
+TriangleMesh solid_mesh(const ShapeSettings& shape, double metres_per_degree) {
+  const auto length_m = [&](const std::optional<double>& measure_deg) {
+    return *measure_deg * metres_per_degree;
   };
-  const auto resolution = [&](int usual) { return shape.value("resolution", usual); };
-  const auto kind = shape["kind"].get<std::string>();
-  if (kind == "box") {
-    return box_mesh({length_m("width_deg"), length_m("height_deg"), length_m("depth_deg")});
+  switch (shape.kind) {
+    case ShapeKind::kBox:
+      return box_mesh({length_m(shape.width), length_m(shape.height), length_m(shape.depth)});
+    case ShapeKind::kPlate:
+      return box_mesh({length_m(shape.width), length_m(shape.height), length_m(shape.thickness)});
+    case ShapeKind::kTorus: {
+      const int sides = shape.resolution.value_or(10);
+      return torus_mesh(length_m(shape.radius), length_m(shape.tube), 3 * sides, sides);
+    }
+    case ShapeKind::kKnot: {
+      const int sides = shape.resolution.value_or(8);
+      return knot_mesh(length_m(shape.radius), length_m(shape.tube), 8 * sides, sides);
+    }
+    case ShapeKind::kCreature:
+      return creature_mesh(length_m(shape.length), 4 * shape.resolution.value_or(4));
+    default:
+      return l_block_mesh(length_m(shape.arm), length_m(shape.thickness));
   }
-  if (kind == "plate") {
-    return box_mesh({length_m("width_deg"), length_m("height_deg"), length_m("thickness_deg")});
+}
+
+/// A sphere swept along a line or a rectangle, the limbs and trunks of figures: the volume about
+/// the origin, and the mesh inscribed in it.
+struct SweptShape {
+  TriangleMesh mesh;
+  Volume volume;
+};
+
+SweptShape swept_shape(const ShapeSettings& shape, double metres_per_degree) {
+  const auto half_m = [&](const std::optional<double>& measure_deg) {
+    return 0.5 * *measure_deg * metres_per_degree;
+  };
+  const double radius_m = 2.0 * half_m(shape.radius);
+  const int cells = 2 * shape.resolution.value_or(4) - 3;
+  if (shape.kind == ShapeKind::kLineSwept) {
+    const double half_y_m = half_m(shape.length);
+    return {swept_mesh(0.0, half_y_m, radius_m, cells),
+            LineSwept{Vector3::Zero(), half_y_m * Vector3::UnitY(), radius_m}};
   }
-  if (kind == "torus") {
-    const int sides = resolution(10);
-    return torus_mesh(length_m("radius_deg"), length_m("tube_deg"), 3 * sides, sides);
-  }
-  if (kind == "knot") {
-    const int sides = resolution(8);
-    return knot_mesh(length_m("radius_deg"), length_m("tube_deg"), 8 * sides, sides);
-  }
-  if (kind == "creature") {
-    return creature_mesh(length_m("length_deg"), 4 * resolution(4));
-  }
-  return l_block_mesh(length_m("arm_deg"), length_m("thickness_deg"));
+  const double half_x_m = half_m(shape.width);
+  const double half_y_m = half_m(shape.height);
+  return {swept_mesh(half_x_m, half_y_m, radius_m, cells),
+          RectangleSwept{Vector3::Zero(), half_x_m * Vector3::UnitX(), half_y_m * Vector3::UnitY(),
+                         radius_m}};
 }
 
 /// The mesh with its longest side as long as `size_m`.
@@ -92,40 +113,40 @@ BodyShape ShapeLibrary::mesh_shape(const TriangleMesh& solid, const TreeSettings
   return shape_of_mesh(mesh, tree_of(mesh, tree));
 }
 
-BodyShape ShapeLibrary::swept_body(const json& description, const ShapeFrame& frame) const {
+BodyShape ShapeLibrary::swept_body(const ShapeSettings& description,
+                                   const ShapeFrame& frame) const {
   const SweptShape swept = swept_shape(description, frame.metres_per_degree);
+  const SweptLevels levels{description.sphere_first.value_or(false),
+                           description.deeper.value_or(false)};
   const TriangleMesh mesh = about_centre_of_mass(swept.mesh);
   std::optional<VolumeTree> finer;
-  if (const auto settings = finer_settings(swept.levels, frame.tree)) {
+  if (const auto settings = finer_settings(levels, frame.tree)) {
     finer = tree_of(mesh, *settings);
   }
   return shape_of_mesh(
-      mesh, swept_tree(mesh, swept.volume, swept.levels, frame.tree, finer ? &*finer : nullptr));
+      mesh, swept_tree(mesh, swept.volume, levels, frame.tree, finer ? &*finer : nullptr));
 }
 
-BodyShape ShapeLibrary::built(const json& description, const json& meshes,
+BodyShape ShapeLibrary::built(const ShapeSettings& description, const Meshes& meshes,
                               const ShapeFrame& frame) const {
-  if (is_mesh(description)) {
-    const double size_m = description["size_deg"].get<double>() * frame.metres_per_degree;
-    const auto file = description["file"].get<std::string>();
-    return mesh_shape(scaled_to(size_m, mesh_content(meshes, file)), frame.tree);
+  if (description.kind == ShapeKind::kMesh) {
+    const double size_m = *description.size * frame.metres_per_degree;
+    return mesh_shape(scaled_to(size_m, mesh_content(meshes, *description.file)), frame.tree);
   }
-  if (description["kind"].get<std::string>() == "sphere") {
-    return sphere_shape(description["radius_deg"].get<double>() * frame.metres_per_degree);
+  if (description.kind == ShapeKind::kSphere) {
+    return sphere_shape(*description.radius * frame.metres_per_degree);
   }
-  if (is_swept(description)) {
+  if (description.is_swept()) {
     return swept_body(description, frame);
   }
-  return mesh_shape(mesh_of(description, frame.metres_per_degree), frame.tree);
+  return mesh_shape(solid_mesh(description, frame.metres_per_degree), frame.tree);
 }
 
-const BodyShape& ShapeLibrary::shape(const json& description, const json& meshes,
+const BodyShape& ShapeLibrary::shape(const ShapeSettings& description, const Meshes& meshes,
                                      const ShapeFrame& frame) {
-  std::string what = description.dump();
-  if (is_mesh(description)) {
-    what += meshes[description["file"].get<std::string>()]["hash"].get<std::string>();
-  }
-  const Key key{what,
+  const bool is_mesh = description.kind == ShapeKind::kMesh;
+  const Key key{description,
+                is_mesh ? meshes.at(*description.file).hash : "",
                 frame.metres_per_degree,
                 frame.tree.kind,
                 frame.tree.depth,

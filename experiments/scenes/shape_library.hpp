@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "engine/trees/volume_tree.hpp"
 #include "experiments/models/tree_cache.hpp"
 #include "experiments/record/staged_scene.hpp"
+#include "experiments/scenes/shape_settings.hpp"
 
 namespace impetus::inline scenes {
 
@@ -41,9 +41,9 @@ class ShapeLibrary {
   /// From now on `progress` hears of what takes long, shape by shape.
   void tell(Progress progress) { progress_ = std::move(progress); }
 
-  /// The shape of a scene's body; `meshes` is the scene's. Both are valid by the scene's schema and
-  /// checks.
-  const BodyShape& shape(const nlohmann::json& description, const nlohmann::json& meshes,
+  /// The shape of a scene's body, its measures in degrees; `meshes` is the scene's. Precondition:
+  /// add_shape_problems() adds none.
+  const BodyShape& shape(const ShapeSettings& description, const Meshes& meshes,
                          const ShapeFrame& frame);
 
   /// The meshes to draw in place of a shape's mesh where there is a crowd of it.
@@ -52,13 +52,13 @@ class ShapeLibrary {
  private:
   /// Description and hash of a mesh, metres per degree; kind, depth, branching and levels built of
   /// the tree.
-  using Key = std::tuple<std::string, double, TreeKind, int, int, int>;
+  using Key = std::tuple<ShapeSettings, std::string, double, TreeKind, int, int, int>;
 
-  [[nodiscard]] BodyShape built(const nlohmann::json& description, const nlohmann::json& meshes,
+  [[nodiscard]] BodyShape built(const ShapeSettings& description, const Meshes& meshes,
                                 const ShapeFrame& frame) const;
   [[nodiscard]] VolumeTree tree_of(const TriangleMesh& mesh, const TreeSettings& tree) const;
   [[nodiscard]] BodyShape mesh_shape(const TriangleMesh& solid, const TreeSettings& tree) const;
-  [[nodiscard]] BodyShape swept_body(const nlohmann::json& description,
+  [[nodiscard]] BodyShape swept_body(const ShapeSettings& description,
                                      const ShapeFrame& frame) const;
 
   TreeCache cache_;

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/protocol/deepest_level.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
-#include "experiments/protocol/trial_scene.hpp"
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
 #include "experiments/store/step_rows.hpp"
 
 namespace impetus::inline commands {

@@ -1,4 +1,5 @@
-// Whether a design's adaptive levels can be chosen at all; each refusal is one sentence.
+// Whether a design's adaptive levels can be chosen at all, and their threshold be found; each
+// refusal is one sentence.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,5 +10,11 @@ namespace impetus::inline protocol {
 /// The adaptive factor has levels in order, one method chooses them, staircases start at one of
 /// them, and answers that are positive or negative are asked for. Throws InputError.
 void check_adaptive(const JsonDocument& protocol);
+
+/// A staircase settles above the share that guessing reaches. The psychometric functions that
+/// QUEST+ chooses among rise from a guess rate to above it, are defined at every level, have their
+/// thresholds between the levels, and are few enough. Precondition: check_adaptive(). Throws
+/// InputError.
+void check_thresholds(const JsonDocument& protocol);
 
 }  // namespace impetus::inline protocol

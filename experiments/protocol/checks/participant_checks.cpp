@@ -9,8 +9,9 @@
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/record/shown_letters.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/settings/schema_check.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {

@@ -8,12 +8,7 @@
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/blocks.hpp"
 #include "experiments/protocol/checks/adaptive_checks.hpp"
-#include "experiments/protocol/checks/block_checks.hpp"
-#include "experiments/protocol/checks/catch_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/checks/resume_checks.hpp"
-#include "experiments/protocol/checks/threshold_checks.hpp"
-#include "experiments/protocol/checks/training_checks.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
@@ -121,6 +116,114 @@ void check_questions(const JsonDocument& protocol) {
         refuse(protocol, place + "/maximum",
                "expected more than the minimum " + entries[i]["minimum"].dump() + ", got " +
                    entries[i]["maximum"].dump());
+      }
+    }
+  }
+}
+
+/// Blocks are made of factors of the design.
+void check_blocks(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  if (!design.contains("blocks")) {
+    return;
+  }
+  const json& names = design["blocks"]["factors"];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string place = "/design/blocks/factors/" + std::to_string(i);
+    const auto name = names[i].get<std::string>();
+    if (!has_factor(design, name)) {
+      refuse(protocol, place, "expected the name of a factor, got " + names[i].dump());
+    }
+    if (design.contains("adaptive") && design["adaptive"]["factor"].get<std::string>() == name) {
+      refuse(protocol, place,
+             "expected a factor whose levels are known beforehand, got " + names[i].dump() +
+                 ", which is adaptive");
+    }
+  }
+}
+
+/// Only a design that has blocks, and whose levels do not follow from answers that would be set
+/// aside, is resumed at a block's start.
+void check_resume(const JsonDocument& protocol) {
+  const json session = protocol.value.value("session", json::object());
+  if (!session.contains("resume") || session["resume"]["at"].get<std::string>() != "block") {
+    return;
+  }
+  const json& design = protocol.value["design"];
+  if (!design.contains("blocks")) {
+    refuse(protocol, "/session/resume/at",
+           "expected \"trial\" where /design has no blocks, got \"block\"");
+  }
+  if (design.contains("adaptive")) {
+    refuse(protocol, "/session/resume/at",
+           "expected \"trial\" where levels are adaptive (they followed from the answers that "
+           "would be set aside), got \"block\"");
+  }
+}
+
+/// As many right answers fit into the trials that are looked at as train_until asks for, and these
+/// into the most that there are.
+void check_training_criterion(const JsonDocument& protocol) {
+  const json& design = protocol.value["design"];
+  if (!design.contains("train_until")) {
+    return;
+  }
+  const std::string place = "/design/train_until";
+  const json& rule = design["train_until"];
+  if (rule["right"].get<std::int64_t>() > rule["of"].get<std::int64_t>()) {
+    refuse(protocol, place + "/right",
+           "expected at most the " + rule["of"].dump() + " trials that are looked at, got " +
+               rule["right"].dump());
+  }
+  if (rule["of"].get<std::int64_t>() > rule["most_trials"].get<std::int64_t>()) {
+    refuse(protocol, place + "/of",
+           "expected at most the " + rule["most_trials"].dump() +
+               " trials that there are (most_trials), got " + rule["of"].dump());
+  }
+}
+
+const char* words_of_type(const json& value) {
+  return value.is_string() ? "a text" : value.is_boolean() ? "a boolean" : "a number";
+}
+
+bool is_alike(const json& a, const json& b) {
+  return a.is_number() ? b.is_number() : a.type() == b.type();
+}
+
+void check_catch_condition(const JsonDocument& protocol, const std::string& place,
+                           const json& condition) {
+  const json& design = protocol.value["design"];
+  for (const json& factor : design["factors"]) {
+    const auto name = factor["name"].get<std::string>();
+    if (!condition.contains(name)) {
+      refuse(protocol, place, "expected a level for every factor, but \"" + name + "\" has none");
+    }
+    const json& own = factor["levels"].front();
+    if (!is_alike(own, condition[name])) {
+      refuse(protocol, place + "/" + name,
+             std::string("expected ") + words_of_type(own) +
+                 ", as the factor's own levels are, got " + condition[name].dump());
+    }
+  }
+  for (auto level = condition.begin(); level != condition.end(); ++level) {
+    if (!has_factor(design, level.key())) {
+      refuse(protocol, place,
+             "expected only factors of the design, got " + json(level.key()).dump());
+    }
+  }
+}
+
+/// Every catch trial has a level for every factor, of the same type as the factor's own, and no two
+/// kinds are alike.
+void check_catch_trials(const JsonDocument& protocol) {
+  const json kinds = protocol.value["design"].value("catch_trials", json::array());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const json& condition = kinds[i]["condition"];
+    check_catch_condition(protocol, item("/design/catch_trials", i) + "/condition", condition);
+    for (std::size_t before = 0; before < i; ++before) {
+      if (kinds[before]["condition"] == condition) {
+        refuse(protocol, item("/design/catch_trials", i) + "/condition",
+               "expected a condition of its own, got " + condition.dump() + " again");
       }
     }
   }

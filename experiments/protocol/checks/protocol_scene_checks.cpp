@@ -8,8 +8,8 @@
 #include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
 
 namespace impetus::inline protocol {
 namespace {
@@ -132,6 +132,23 @@ void check_levels(const Protocol& protocol) {
       refuse(protocol.document, "/design/factors",
              problems.front().pointer + " of the scene under " + to_json(cell).dump() + ": " +
                  problems.front().message);
+    }
+  }
+}
+
+void check_catch_scenes(const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.design.catch_trials.size(); ++i) {
+    for (const FactorLevel& level : protocol.design.catch_trials[i].condition) {
+      const std::string message = complaint(scene_under(protocol, {level}));
+      if (!message.empty()) {
+        refuse(protocol.document,
+               item("/design/catch_trials", i) + "/condition" + "/" + level.factor, message);
+      }
+    }
+    const std::string message =
+        complaint(scene_under(protocol, protocol.design.catch_trials[i].condition));
+    if (!message.empty()) {
+      refuse(protocol.document, item("/design/catch_trials", i) + "/condition", message);
     }
   }
 }

@@ -18,6 +18,9 @@ std::string complaint(const nlohmann::json& scene);
 /// InputError.
 void check_levels(const Protocol& protocol);
 
+/// Every catch trial leaves a scene that can be shown. Throws InputError.
+void check_catch_scenes(const Protocol& protocol);
+
 /// Every demonstration's scene can be shown and needs no gaze. Throws InputError.
 void check_demonstrations(const Protocol& protocol);
 

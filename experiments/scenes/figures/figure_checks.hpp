@@ -1,23 +1,19 @@
-// What a figure must fulfil beyond its schema: a tree of hinges whose angles, names and motions
-// fit. SPDX-License-Identifier: MIT
+// What the figures of a scene, and their files, must fulfil beyond the schemas: trees of hinges
+// whose angles, names and motions fit, apart from all else at the start.
+// SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
-
-#include "experiments/scenes/scene_checks.hpp"
+#include "experiments/scenes/scene.hpp"
 
 namespace impetus::inline scenes {
 
-/// Adds what is wrong with the figure that the scene holds for `file`, each place once.
-/// Precondition: valid by the figure's schema.
-void add_figure_file_problems(const nlohmann::json& scene, const std::string& file,
-                              std::vector<SceneProblem>& problems);
+/// Adds what is wrong with the figures and their files, as far as it shows before any is built: in
+/// a scene that has figures.
+void add_figure_problems(const Scene& scene, SceneProblems& problems);
 
-/// What is wrong with the angle (degrees) of the joint called `name`, in words; "" when nothing is:
-/// the figure has none of the name, or the angle is beyond its limits.
-std::string problem_of_angle(const nlohmann::json& figure, const std::string& name,
-                             double angle_deg);
+/// Adds what is wrong with where a scene's named bodies and figures start: any that overlap, at the
+/// coarsest level at which they may stay, and parts that are folded onto their neighbours.
+/// Precondition: as for build_scene(), and no crowd.
+void add_overlap_problems(const Scene& scene, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

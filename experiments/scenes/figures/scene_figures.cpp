@@ -1,137 +1,146 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/figures/scene_figures.hpp"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 #include "engine/numerics/elementary_functions.hpp"
-#include "experiments/scenes/figures/figure_files.hpp"
-#include "experiments/scenes/figures/figure_motion.hpp"
-#include "experiments/scenes/figures/figure_parts.hpp"
-#include "experiments/scenes/scene_settings.hpp"
+#include "experiments/scenes/engine_setup.hpp"
+#include "experiments/scenes/figures/figure_making.hpp"
 
 namespace impetus::inline scenes {
 namespace {
 
-using nlohmann::json;
-
-/// What is made of one entry: a named figure, or each of a crowd.
-struct FigureTraits {
-  std::string name;
-  std::vector<std::string> colours;
-  int material{0};
-};
-
-/// A figure of which all scenes' keys are known: "figure", "height_deg", "density_kg_m3", ...
+/// Makes figures of one file and height: a named one, or each of a crowd.
 class FigureMaker {
  public:
-  FigureMaker(const json& scene, const json& entry, const ShapeFrame& frame, ShapeLibrary& library)
-      : entry_(&entry),
-        figure_(&figure_content(scene, entry["figure"].get<std::string>())),
-        meshes_(scene.value("meshes", json::object())),
+  FigureMaker(const Scene& scene, const FigureMaking& making, const ShapeFrame& frame,
+              ShapeLibrary& library)
+      : scene_(&scene),
+        making_(&making),
+        settings_(&scene.figure_files.at(making.figure)),
         frame_(frame),
         library_(&library) {}
 
-  void add(const FigureTraits& traits, SceneBodies& bodies) const {
+  /// `traits` are those of all parts but their names and colours.
+  Figure& add(const BodyTraits& traits, const std::vector<Colour>& colours,
+              SceneBodies& bodies) const {
     Figure figure;
     figure.name = traits.name;
     figure.first_part = static_cast<std::int32_t>(bodies.models.size());
-    figure.part_count = static_cast<std::int32_t>((*figure_)["parts"].size());
-    for (std::size_t part = 0; part < (*figure_)["parts"].size(); ++part) {
-      add_part(part, traits, bodies);
+    figure.part_count = static_cast<std::int32_t>(settings_->parts.size());
+    for (std::size_t part = 0; part < settings_->parts.size(); ++part) {
+      add_part(settings_->parts[part], traits, colours, bodies);
       if (part > 0) {
-        figure.hinges.push_back(part_hinge(*figure_, part, figure.first_part, height_m()));
+        figure.hinges.push_back(part_hinge(*settings_, part, figure.first_part, height_m()));
       }
     }
-    const json self = entry_->value("self_collision", json::object());
-    figure.self_collision.others = self.value("others", figure.self_collision.others);
-    figure.self_collision.neighbours = self.value("neighbours", figure.self_collision.neighbours);
-    if (entry_->contains("motion")) {
-      figure.driven = motion();
-    }
+    figure.self_collision = making_->self_collision;
     bodies.figures.push_back(std::move(figure));
+    return bodies.figures.back();
   }
 
- private:
-  [[nodiscard]] double height_m() const {
-    return (*entry_)["height_deg"].get<double>() * frame_.metres_per_degree;
-  }
-
-  void add_part(std::size_t index, const FigureTraits& traits, SceneBodies& bodies) const {
-    const json& part = (*figure_)["parts"][index];
-    const json shape = part_shape(part, (*entry_)["height_deg"].get<double>(),
-                                  entry_->value("coarsest", std::string()));
-    const auto name = part["name"].get<std::string>();
-    const std::size_t colour = part.value("colour", std::size_t{0}) % traits.colours.size();
-    add_body(
-        {traits.name + "/" + name, traits.colours[colour], (*entry_)["density_kg_m3"].get<double>(),
-         traits.material},
-        library_->shape(shape, meshes_, {frame_.metres_per_degree, part_tree(part, frame_.tree)}),
-        name, bodies);
-  }
-
-  [[nodiscard]] JointMotion motion() const {
-    const std::vector<double> angles =
-        joint_angles(*figure_, entry_->value("angles_deg", json::object()));
-    JointMotion motion =
-        figure_motion(*figure_, (*entry_)["motion"].get<std::string>(), height_m(), angles);
-    motion.root.start = {vector_of(*entry_, "position_deg", frame_.metres_per_degree),
-                         orientation_of(*entry_)};
-    motion.root.velocity_m_s = vector_of(*entry_, "path_deg_s", frame_.metres_per_degree);
+  [[nodiscard]] JointMotion motion(const NamedFigure& entry) const {
+    JointMotion motion = joint_motion(*settings_, settings_->motions->at(*entry.motion), height_m(),
+                                      joint_angles(*settings_, entry.angles_deg));
+    motion.root.start = {frame_.metres_per_degree * entry.position_deg, entry.orientation};
+    motion.root.velocity_m_s =
+        frame_.metres_per_degree * entry.path_deg_s.value_or(Vector3(Vector3::Zero()));
     return motion;
   }
 
-  const json* entry_;
-  const json* figure_;
-  json meshes_;
+ private:
+  [[nodiscard]] double height_m() const { return making_->height_deg * frame_.metres_per_degree; }
+
+  void add_part(const PartSettings& part, BodyTraits traits, const std::vector<Colour>& colours,
+                SceneBodies& bodies) const {
+    traits.name += "/" + part.name;
+    traits.colour = colours[part.colour % colours.size()];
+    const ShapeSettings shape = part_shape(part, making_->height_deg, making_->sphere_first);
+    add_body(traits,
+             library_->shape(shape, scene_->meshes,
+                             {frame_.metres_per_degree, part_tree(part, frame_.tree)}),
+             part.name, bodies);
+  }
+
+  const Scene* scene_;
+  const FigureMaking* making_;
+  const FigureSettings* settings_;
   ShapeFrame frame_;
   ShapeLibrary* library_;
 };
 
 }  // namespace
 
-void add_figures(const json& scene, const ShapeFrame& frame, ShapeLibrary& library,
+void add_figures(const Scene& scene, const ShapeFrame& frame, ShapeLibrary& library,
                  SceneBodies& bodies) {
-  if (scene.contains("figure_crowd")) {
-    const json& crowd = scene["figure_crowd"];
-    const FigureMaker maker(scene, crowd, frame, library);
-    const json& colours = crowd["colours"];
-    for (std::size_t i = 0; i < crowd["count"].get<std::size_t>(); ++i) {
-      maker.add({std::to_string(i + 1),
-                 {colours[i % colours.size()].get<std::string>()},
-                 material_of(scene, crowd)},
-                bodies);
+  if (scene.figure_crowd) {
+    const FigureCrowd& crowd = *scene.figure_crowd;
+    const FigureMaker maker(scene, crowd.making, frame, library);
+    BodyTraits traits{"", {}, crowd.density_kg_m3, material_number(scene, crowd.material)};
+    for (std::size_t i = 0; i < crowd.count; ++i) {
+      traits.name = std::to_string(i + 1);
+      maker.add(traits, {crowd.colours[i % crowd.colours.size()]}, bodies);
     }
   }
-  const std::size_t named = scene.contains("figures") ? scene["figures"].size() : 0;
-  for (std::size_t i = 0; i < named; ++i) {
-    const json& entry = scene["figures"][i];
-    FigureMaker(scene, entry, frame, library)
-        .add({entry["name"].get<std::string>(), entry["colours"].get<std::vector<std::string>>(),
-              material_of(scene, entry)},
-             bodies);
+  for (const NamedFigure& entry : scene.named_figures()) {
+    const FigureMaker maker(scene, entry.making, frame, library);
+    Figure& figure =
+        maker.add({entry.name, {}, entry.density_kg_m3, material_number(scene, entry.material)},
+                  entry.colours, bodies);
+    if (entry.motion) {
+      figure.driven = maker.motion(entry);
+    }
   }
 }
 
-std::vector<BodyState> figure_states(const json& scene, const SceneBodies& bodies,
+std::vector<BodyState> figure_states(const Scene& scene, const SceneBodies& bodies,
                                      double metres_per_degree, double step_s) {
+  const Vector3 none = Vector3::Zero();
   std::vector<BodyState> states;
-  const std::size_t named = scene.contains("figures") ? scene["figures"].size() : 0;
-  for (std::size_t i = 0; i < named; ++i) {
-    const json& entry = scene["figures"][i];
+  const auto named = scene.named_figures();
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const NamedFigure& entry = named[i];
     const Figure& figure = bodies.figures[i];
     std::vector<BodyState> parts;
     if (figure.driven) {
       parts = driven_states(figure, bodies.models, 0.0, step_s);
     } else {
-      const Pose root{vector_of(entry, "position_deg", metres_per_degree), orientation_of(entry)};
-      const json& content = figure_content(scene, entry["figure"].get<std::string>());
+      const Pose root{metres_per_degree * entry.position_deg, entry.orientation};
       const std::vector<double> angles =
-          joint_angles(content, entry.value("angles_deg", json::object()));
+          joint_angles(scene.figure_files.at(entry.making.figure), entry.angles_deg);
       parts = states_of(figure, bodies.models, poses_of(figure, root, angles),
-                        vector_of(entry, "velocity_deg_s", metres_per_degree),
-                        vector_of(entry, "spin_deg_s", kRadiansPerDegree));
+                        metres_per_degree * entry.velocity_deg_s.value_or(none),
+                        kRadiansPerDegree * entry.spin_deg_s.value_or(none));
     }
     states.insert(states.end(), parts.begin(), parts.end());
   }
   return states;
+}
+
+bool are_neighbours(const Figure& figure, std::int32_t a, std::int32_t b) {
+  return std::any_of(figure.hinges.begin(), figure.hinges.end(), [&](const Hinge& hinge) {
+    return (hinge.child == a && hinge.parent == b) || (hinge.child == b && hinge.parent == a);
+  });
+}
+
+bool leaves_out(const Figure& figure, std::int32_t a, std::int32_t b) {
+  return figure.has_part(a) && figure.has_part(b) &&
+         (!figure.self_collision.others || are_neighbours(figure, a, b));
+}
+
+const Hinge* folded_hinge(const Figure& figure, const std::vector<Pose>& poses) {
+  if (!figure.self_collision.neighbours) {
+    return nullptr;
+  }
+  const auto pose = [&](std::int32_t body) -> const Pose& {
+    return poses[static_cast<std::size_t>(body - figure.first_part)];
+  };
+  const auto found = std::find_if(
+      figure.hinges.begin(), figure.hinges.end(),
+      [&](const Hinge& hinge) { return is_folded(hinge, pose(hinge.child), pose(hinge.parent)); });
+  return found == figure.hinges.end() ? nullptr : &*found;
 }
 
 }  // namespace impetus::inline scenes

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "experiments/gaze/region_source.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::scene_options_test {

@@ -1,6 +1,5 @@
 // Trees are built as deep as any condition of a protocol can reach, and no deeper.
 // SPDX-License-Identifier: MIT
-#include "experiments/protocol/deepest_level.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +7,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_schedule.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::deepest_level_test {

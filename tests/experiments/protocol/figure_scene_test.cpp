@@ -7,7 +7,7 @@
 
 #include "engine/volumes/volume.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/scenes/figures/figure_starts.hpp"
+#include "experiments/scenes/figures/scene_figures.hpp"
 #include "tests/experiments/figure_scenes.hpp"
 
 namespace impetus::figure_scene_test {

@@ -10,7 +10,7 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
-#include "experiments/scenes/scene_tree.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::scene_mesh_test {

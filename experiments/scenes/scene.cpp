@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/scenes/scene.hpp"
+
+#include <cstdlib>
+
+#include "engine/numerics/elementary_functions.hpp"
+
+namespace impetus::inline scenes {
+namespace {
+
+using nlohmann::json;
+
+Colour parse_colour(const json& text) {
+  const auto number = static_cast<unsigned>(
+      std::strtoul(text.get_ref<const std::string&>().c_str() + 1, nullptr, 16));
+  const auto channel = [number](unsigned shift) {
+    return static_cast<float>((number >> shift) & 0xffU) / 255.0F;
+  };
+  return {channel(16), channel(8), channel(0)};
+}
+
+Kind<Colour> colour_kind() {
+  return defined("colour", Kind<Colour>{described("sRGB, #rrggbb", text_like("^#[0-9a-fA-F]{6}$")),
+                                        parse_colour});
+}
+
+Kind<std::vector<Colour>> colours_kind() { return list(colour_kind(), {1, -1}); }
+
+/// A turn about one of the world's axes.
+struct Turn {
+  int axis{0};
+  double angle_deg{0.0};
+};
+
+Quaternion turned(const std::vector<Turn>& turns) {
+  Quaternion orientation = Quaternion::Identity();
+  for (const Turn& turn : turns) {
+    orientation = turn_about(turn.axis, turn.angle_deg) * orientation;
+  }
+  return orientation;
+}
+
+/// One after the other.
+Kind<Quaternion> turns_kind() {
+  const Kind<std::vector<Turn>> turns = list(
+      object<Turn>("", {required("axis", &Turn::axis, choice<int>({{"x", 0}, {"y", 1}, {"z", 2}})),
+                        required("angle_deg", &Turn::angle_deg, number({-360, 360}))}),
+      {});
+  return {turns, [read = turns.read](const json& value) { return turned(read(value)); }};
+}
+
+Kind<Vector3> vector_kind() {
+  return defined("vector", vector({-10000, 10000}), "Right, up, towards the viewer at azimuth 0.");
+}
+
+Kind<double> density_kind() { return defined("density", number(above(0, 1e6))); }
+
+Kind<MeshSettings> mesh_kind() {
+  using M = MeshSettings;
+  const Kind<std::string> hash{{{{"type", "string"}, {"minLength", 32}, {"maxLength", 32}}},
+                               any_text().read};
+  return object<M>("", {required("vertices", &M::vertices, whole<std::uint64_t>({1, 1e8})),
+                        required("triangles", &M::triangles, whole<std::uint64_t>({1, 1e8})),
+                        required("hash", &M::hash, hash),
+                        required("base64", &M::base64, any_text(),
+                                 "Coordinates (metres of the file, 64-bit floating point), then "
+                                 "three vertices a triangle (32 bits), little-endian.")});
+}
+
+Kind<ViewerSettings> viewer_kind() {
+  using V = ViewerSettings;
+  return object<V>(
+      "", {required("azimuth_deg", &V::azimuth_deg, number({-90, 90}),
+                    "Angle between the line of approach (the x axis) and the image plane."),
+           row("turn_deg_s", &V::turn_deg_s, number({-360, 360}),
+               "The eye goes round the vertical at this rate, from azimuth_deg, anticlockwise seen "
+               "from above; 0 when left out.")});
+}
+
+Kind<BodySettings> body_kind() {
+  using B = BodySettings;
+  return object<B>(
+      "",
+      {required("name", &B::name, text()), required("shape", &B::shape, scene_shape_kind()),
+       row("orientation", &B::orientation, turns_kind(),
+           "Turns about the world's axes, one after the other."),
+       row("position_deg", &B::position_deg, vector_kind(),
+           "Of the centre of mass at the start; left out where the bodies meet."),
+       row("velocity_deg_s", &B::velocity_deg_s, vector_kind()),
+       row("spin_deg_s", &B::spin_deg_s, vector_kind(), "Angular velocity about the world's axes."),
+       required("density_kg_m3", &B::density_kg_m3, density_kind()),
+       row("fixed", &B::fixed, flag(),
+           "Nothing moves or turns it; bodies that are fixed may overlap each other and the "
+           "enclosure."),
+       row("material", &B::material, material_kind()),
+       required("colour", &B::colour, colour_kind())});
+}
+
+/// How fast a crowd moves, and where it starts.
+std::vector<Row<CrowdSettings>> rows_of_start() {
+  using C = CrowdSettings;
+  return {required("speed_deg_s", &C::speed_deg_s, number({0, 1000})),
+          required("spin_deg_s", &C::spin_deg_s, number({0, 10000})),
+          row("start", &C::start, whole<std::uint64_t>({0, 1e6}),
+              "Another number, another random start; 1 when left out.")};
+}
+
+template <typename Crowd>
+void append_start(std::vector<Row<Crowd>>& rows) {
+  const auto start = rows_of_start();
+  rows.insert(rows.end(), start.begin(), start.end());
+}
+
+Kind<BodyCrowd> crowd_kind() {
+  using C = BodyCrowd;
+  std::vector<Row<C>> rows{required("count", &C::count, whole<std::size_t>({1, 1000})),
+                           required("shape", &C::shape, scene_shape_kind()),
+                           required("density_kg_m3", &C::density_kg_m3, density_kind()),
+                           row("material", &C::material, material_kind()),
+                           required("colours", &C::colours, colours_kind(), "Taken in turn.")};
+  append_start(rows);
+  return object<C>(
+      "Bodies alike but for their colour, at random places within the enclosure, with "
+      "random directions and orientations; the same for every participant.",
+      rows);
+}
+
+Kind<std::string> figure_file_kind() {
+  return defined("figure_file", text(),
+                 "A file with figure.schema.json, seen from the scene's folder and within it.");
+}
+
+Kind<double> figure_height_kind() {
+  return defined("figure_height", number(above(0, 45)), "What the figure's lengths are shares of.");
+}
+
+Kind<bool> figure_coarsest_kind() {
+  return defined("figure_coarsest", choice<bool>({{"volume", false}, {"sphere", true}}),
+                 "What its swept parts are at level 0 of their trees, where the figure does not "
+                 "say: volume, when left out, or sphere.");
+}
+
+Kind<SelfCollision> self_collision_kind() {
+  using C = SelfCollision;
+  return defined(
+      "self_collision",
+      object<C>("Which parts of one figure may collide with each other; both true when left out.",
+                {row("others", &C::others, flag(), "Parts that no hinge joins."),
+                 row("neighbours", &C::neighbours, flag(),
+                     "Parts that a hinge joins, where it is folded past its threshold.")}));
+}
+
+Kind<NamedFigure> named_figure_kind() {
+  using F = NamedFigure;
+  using M = FigureMaking;
+  return object<F>(
+      "", {required("name", &F::name, text()),
+           required("figure", &F::making, &M::figure, figure_file_kind()),
+           required("height_deg", &F::making, &M::height_deg, figure_height_kind()),
+           required("density_kg_m3", &F::density_kg_m3, density_kind()),
+           row("material", &F::material, material_kind()),
+           required("colours", &F::colours, colours_kind(),
+                    "Of its parts, by their numbers in the figure."),
+           row("coarsest", &F::making, &M::sphere_first, figure_coarsest_kind()),
+           required("position_deg", &F::position_deg, vector_kind(),
+                    "Of the root's centre of mass at the start."),
+           row("orientation", &F::orientation, defined("turns", turns_kind()),
+               "Of the root: turns about the world's axes, one after the other."),
+           row("velocity_deg_s", &F::velocity_deg_s, vector_kind(),
+               "Of a figure that moves freely, at its root."),
+           row("spin_deg_s", &F::spin_deg_s, vector_kind(),
+               "Of a figure that moves freely, as one rigid body at the start, about the world's "
+               "axes."),
+           row("angles_deg", &F::angles_deg, by_name(number({-180, 180})),
+               "By joint, where it does not start at its rest angle."),
+           row("motion", &F::motion, text(),
+               "One of the figure's motions, which nothing disturbs; left out: it moves freely, as "
+               "collisions and its hinges make it."),
+           row("path_deg_s", &F::path_deg_s, vector_kind(),
+               "Beside motion: the steady velocity of its root."),
+           row("self_collision", &F::making, &M::self_collision, self_collision_kind())});
+}
+
+Kind<FigureCrowd> figure_crowd_kind() {
+  using C = FigureCrowd;
+  using M = FigureMaking;
+  std::vector<Row<C>> rows{required("figure", &C::making, &M::figure, figure_file_kind()),
+                           required("count", &C::count, whole<std::size_t>({1, 100})),
+                           required("height_deg", &C::making, &M::height_deg, figure_height_kind()),
+                           required("density_kg_m3", &C::density_kg_m3, density_kind()),
+                           row("material", &C::material, material_kind()),
+                           required("colours", &C::colours, colours_kind(),
+                                    "Taken in turn, one for all parts of a figure."),
+                           row("coarsest", &C::making, &M::sphere_first, figure_coarsest_kind())};
+  append_start(rows);
+  rows.push_back(row("self_collision", &C::making, &M::self_collision, self_collision_kind()));
+  return object<C>(
+      "Figures alike but for their colour, that move freely: at random places within the "
+      "enclosure, with random directions, orientations and joint angles; the same for every "
+      "participant. They are called 1, 2, ...",
+      rows);
+}
+
+const Names<EnclosureKind>& enclosure_names() {
+  static const Names<EnclosureKind> names{{"closed-cube", EnclosureKind::kClosedCube},
+                                          {"view-frustum", EnclosureKind::kViewFrustum}};
+  return names;
+}
+
+Kind<EnclosureSettings> enclosure_kind() {
+  using E = EnclosureSettings;
+  return object<E>(
+      "Walls that keep the bodies inside: a closed cube about the origin, or what the viewer sees "
+      "through the screen.",
+      {row("kind", &E::kind, choice(enclosure_names()),
+           "closed-cube, when left out, needs edge_deg; view-frustum front_deg and back_deg."),
+       row("material", &E::material, material_kind()),
+       row("front_deg", &E::front_deg, number({0, 50}),
+           "Of a view frustum: how far it reaches from the screen towards the eye, which is at "
+           "57."),
+       row("back_deg", &E::back_deg, number(above(0, 90)),
+           "Of a view frustum: how far it reaches behind the screen."),
+       row("edge_deg", &E::edge_deg, number(above(0, 90)), "Of a closed cube."),
+       row("edge_at_count", &E::edge_at_count, whole<double>({1, 1000}),
+           "The edge is for a crowd of so many and grows with the cube root of the count: density "
+           "stays.")});
+}
+
+Kind<MeetingSettings> meeting_kind() {
+  using M = MeetingSettings;
+  return object<M>(
+      "The two bodies approach along x, each at this speed, and touch at the centre after lead_s.",
+      {required("speed_deg_s", &M::speed_deg_s, number(above(0, 1000))),
+       row("speed_percent", &M::speed_percent, number(above(0, 1000)),
+           "Scales speed_deg_s; 100 when left out."),
+       row("offset_deg", &M::offset_deg, several<2>(number({-45, 45})),
+           "Up and towards the viewer at azimuth 0: how far the second body's line of approach "
+           "lies from the first's; both lie about the meeting point. 0 and 0 when left out."),
+       row("at_deg", &M::at_deg,
+           screen_place_kind("Where on the screen they meet; its centre when left out.")),
+       row("gap_arcmin", &M::gap_arcmin, number({0, 600}),
+           "Of two spheres: they meet an invisible shell, and turn back with a gap between the "
+           "drawn surfaces that the viewer sees under this angle. 0 when left out."),
+       required("lead_s", &M::lead_s, number(above(0, 60)),
+                "From onset to contact: a whole number of steps and of frames."),
+       required("follow_s", &M::follow_s, number(above(0, 60)),
+                "From release to the end of the stimulus.")});
+}
+
+Kind<DistractorSettings> distractors_kind() {
+  using D = DistractorSettings;
+  return object<D>(
+      "Beside two bodies that meet: others like them, that move straight on at their speed in the "
+      "plane of the screen and touch nothing; where, is drawn with each trial's seed.",
+      {required("count", &D::count, whole<std::size_t>({0, 100})),
+       required("apart_deg", &D::apart_deg, number(above(0, 45)),
+                "At least between any two surfaces, as they are drawn, at any time."),
+       required("within_deg", &D::within_deg, several<2>(number(above(0, 90))),
+                "Their centres stay so far from the screen's centre, at most, to the sides and up "
+                "and down.")});
+}
+
+Kind<RandomSpin> random_spin_kind() {
+  using R = RandomSpin;
+  using L = SpinLimits;
+  const Kind<L> limits =
+      defined("spin_limits", object<L>("Radians per second about the world's axes.",
+                                       {required("least_rad_s", &L::least_rad_s, vector_kind()),
+                                        required("most_rad_s", &L::most_rad_s, vector_kind())}));
+  return object<R>(
+      "Of two bodies that meet at one level: a random change of angular velocity at their "
+      "collision, each component uniform between two limits; drawn with each trial's seed, and "
+      "logged.",
+      {required("on", &R::on, flag(), "false: nothing is added."),
+       required("at_level", &R::at_level, level_kind(),
+                "Only collisions handled at this level get it."),
+       required("a", &R::a, limits, "Of the first body."), required("b", &R::b, limits)});
+}
+
+Kind<ImposedSettings> imposed_kind() {
+  using I = ImposedSettings;
+  return object<I>(
+      "Manipulations that are not physics; recorded as such with each collision.",
+      {row("contact_hold_ms", &I::contact_hold_ms, number({0, 60000}),
+           "Both bodies freeze where they touch for this long: a whole number of frames."),
+       row("random_spin", &I::random_spin, random_spin_kind()),
+       row("gaze_latency_ms", &I::gaze_latency_ms, number({0, 10000}),
+           "Samples of the gaze younger than this are not used yet; added to the protocol's "
+           "extra_latency_ms."),
+       row("no_spin", &I::no_spin, flag(),
+           "Inverse inertia zero: contacts off the centre turn no body.")});
+}
+
+/// A figure's content is judged by a schema of its own.
+Kind<FigureSettings> figure_content_kind() {
+  return {{OrderedJson{{"type", "object"}}}, figure_kind().read};
+}
+
+const Kind<Scene>& scene_kind() {
+  using S = Scene;
+  static const Kind<S> kind = object<S>(
+      "", rows_of_file<S>(
+              {required("engine", &S::engine, engine_kind()),
+               row("meshes", &S::meshes, by_name(mesh_kind()),
+                   "The content of mesh files, by file: put in when a scene is read, so that a "
+                   "recording holds all that it needs. A file that is here is not read."),
+               required("viewer", &S::viewer, viewer_kind()),
+               row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
+                   "Named one by one: two that meet, or any number with positions of their own."),
+               row("crowd", &S::crowd, crowd_kind()),
+               row("figures", &S::figures, list(named_figure_kind(), {1, 100}),
+                   "Articulated figures, beside bodies or alone: each part is a body, called "
+                   "FIGURE/PART."),
+               row("figure_crowd", &S::figure_crowd, figure_crowd_kind()),
+               row("figure_files", &S::figure_files, by_name(figure_content_kind()),
+                   "The content of figure files, by file: put in when a scene is read, so that a "
+                   "recording holds all that it needs. A file that is here is not read."),
+               row("enclosure", &S::enclosure, enclosure_kind()),
+               row("duration_s", &S::duration_s, number(above(0, 3600)),
+                   "Of the stimulus, where nothing meets."),
+               row("meeting", &S::meeting, meeting_kind()),
+               row("distractors", &S::distractors, distractors_kind()),
+               row("imposed", &S::imposed, imposed_kind())}));
+  return kind;
+}
+
+}  // namespace
+
+Scene::Scene(const json& valid) : Scene(scene_kind().read(valid)) {}
+
+OrderedJson scene_file_schema() {
+  return file_schema("Impetus scene",
+                     "What is on show, in degrees of visual angle at the screen's centre. A "
+                     "protocol's factors override any value by JSON Pointer.",
+                     scene_kind());
+}
+
+const json& scene_schema() {
+  static const json schema = scene_file_schema();
+  return schema;
+}
+
+const std::vector<WithKey>& scene_with_keys() { return scene_kind().with; }
+
+std::vector<FigureFile> named_figure_files(const Scene& scene) {
+  std::vector<FigureFile> files;
+  if (scene.figure_crowd) {
+    files.push_back({"/figure_crowd/figure", scene.figure_crowd->making.figure});
+  }
+  const auto figures = scene.named_figures();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    files.push_back({"/figures/" + std::to_string(i) + "/figure", figures[i].making.figure});
+  }
+  return files;
+}
+
+Quaternion turn_about(int axis, double angle_deg) {
+  const SineCosine half = sine_cosine_deg(0.5 * angle_deg);
+  Vector3 sines = Vector3::Zero();
+  sines[axis] = half.sine;
+  return {half.cosine, sines.x(), sines.y(), sines.z()};
+}
+
+const std::string& name_of(EnclosureKind kind) { return word_for(kind, enclosure_names()); }
+
+}  // namespace impetus::inline scenes

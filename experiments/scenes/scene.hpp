@@ -1,0 +1,213 @@
+// What a scene file says, as structs: read once from JSON that is valid, then passed on.
+//
+//   scene.json ─schema─> JSON, with a trial's levels put in ──> Scene ──> scene_problems(),
+//   build_scene()
+//
+//   meeting   two bodies that approach along x and touch at the centre
+//   crowd     bodies alike, or figures alike, at random places within walls
+//   neither   bodies and figures with places and velocities of their own, within walls or without
+//
+// Each member is a row of scene.cpp (see settings/setting_rows.hpp). What a file may leave out, and
+// what is asked whether it was said, is optional. Lengths are degrees at the screen's centre.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/figures/figure.hpp"
+#include "experiments/scenes/engine_settings.hpp"
+#include "experiments/scenes/figures/figure_settings.hpp"
+#include "experiments/scenes/shape_settings.hpp"
+
+namespace impetus::inline scenes {
+
+using Colour = std::array<float, 3>;  ///< sRGB, 0–1
+
+/// Where the viewer looks from.
+struct ViewerSettings {
+  double azimuth_deg{0.0};
+  double turn_deg_s{0.0};
+};
+
+/// A body that is named.
+struct BodySettings {
+  std::string name;
+  ShapeSettings shape;
+  Quaternion orientation{Quaternion::Identity()};
+  std::optional<Vector3> position_deg;
+  std::optional<Vector3> velocity_deg_s;
+  std::optional<Vector3> spin_deg_s;
+  double density_kg_m3{1000.0};
+  std::optional<bool> fixed;
+  std::string material;  ///< "": none
+  Colour colour{};
+};
+
+/// What crowds of bodies and of figures have alike.
+struct CrowdSettings {
+  std::size_t count{1};
+  double density_kg_m3{1000.0};
+  std::string material;
+  std::vector<Colour> colours;
+  double speed_deg_s{0.0};
+  double spin_deg_s{0.0};
+  std::uint64_t start{1};
+};
+
+struct BodyCrowd : CrowdSettings {
+  ShapeSettings shape;
+};
+
+/// Which figure it is, and how it is made.
+struct FigureMaking {
+  std::string figure;  ///< its file
+  double height_deg{1.0};
+  std::optional<bool> sphere_first;  ///< "coarsest" of its swept parts
+  SelfCollision self_collision{};
+};
+
+struct FigureCrowd : CrowdSettings {
+  FigureMaking making;
+};
+
+/// A figure that is named.
+struct NamedFigure {
+  std::string name;
+  FigureMaking making;
+  double density_kg_m3{1000.0};
+  std::string material;
+  std::vector<Colour> colours;
+  Vector3 position_deg{Vector3::Zero()};
+  Quaternion orientation{Quaternion::Identity()};
+  std::optional<Vector3> velocity_deg_s;
+  std::optional<Vector3> spin_deg_s;
+  AnglesByJoint angles_deg;
+  std::optional<std::string> motion;
+  std::optional<Vector3> path_deg_s;
+};
+
+enum class EnclosureKind {
+  kClosedCube,   ///< about the origin
+  kViewFrustum,  ///< what the viewer sees through the screen
+};
+
+struct EnclosureSettings {
+  EnclosureKind kind{EnclosureKind::kClosedCube};
+  std::string material;
+  std::optional<double> front_deg;
+  std::optional<double> back_deg;
+  std::optional<double> edge_deg;
+  std::optional<double> edge_at_count;
+};
+
+struct MeetingSettings {
+  double speed_deg_s{0.0};
+  double speed_percent{100.0};
+  std::optional<std::array<double, 2>> offset_deg;
+  std::optional<ScreenPlace> at_deg;
+  double gap_arcmin{0.0};
+  double lead_s{0.0};
+  double follow_s{0.0};
+};
+
+struct DistractorSettings {
+  std::size_t count{0};
+  double apart_deg{0.0};
+  std::array<double, 2> within_deg{};
+};
+
+/// Between which a spin is drawn, component by component.
+struct SpinLimits {
+  Vector3 least_rad_s{Vector3::Zero()};
+  Vector3 most_rad_s{Vector3::Zero()};
+};
+
+struct RandomSpin {
+  bool on{false};
+  int at_level{0};
+  SpinLimits a;
+  SpinLimits b;
+};
+
+/// Manipulations that are not physics.
+struct ImposedSettings {
+  std::optional<double> contact_hold_ms;
+  std::optional<RandomSpin> random_spin;
+  double gaze_latency_ms{0.0};
+  std::optional<bool> no_spin;
+};
+
+struct Scene {
+  Scene() = default;
+  /// Precondition: valid by the schemas of scenes and of figures.
+  Scene(const nlohmann::json& valid);  // NOLINT(google-explicit-constructor)
+
+  EngineSettings engine;
+  Meshes meshes;
+  ViewerSettings viewer;
+  std::optional<std::vector<BodySettings>> bodies;
+  std::optional<BodyCrowd> crowd;
+  std::optional<std::vector<NamedFigure>> figures;
+  std::optional<FigureCrowd> figure_crowd;
+  std::map<std::string, FigureSettings> figure_files;
+  std::optional<EnclosureSettings> enclosure;
+  std::optional<double> duration_s;
+  std::optional<MeetingSettings> meeting;
+  std::optional<DistractorSettings> distractors;
+  std::optional<ImposedSettings> imposed;
+
+  [[nodiscard]] bool has_crowd() const { return crowd || figure_crowd; }
+  [[nodiscard]] bool has_figures() const { return figures || figure_crowd; }
+  /// The crowd, of bodies or of figures. Precondition: has_crowd().
+  [[nodiscard]] const CrowdSettings& any_crowd() const {
+    return crowd ? static_cast<const CrowdSettings&>(*crowd) : *figure_crowd;
+  }
+  /// None where there are none.
+  [[nodiscard]] std::span<const BodySettings> named_bodies() const {
+    return bodies ? std::span(*bodies) : std::span<const BodySettings>();
+  }
+  [[nodiscard]] std::span<const NamedFigure> named_figures() const {
+    return figures ? std::span(*figures) : std::span<const NamedFigure>();
+  }
+  [[nodiscard]] bool no_spin() const { return imposed && imposed->no_spin.value_or(false); }
+  /// For how long two bodies are held at contact, seconds.
+  [[nodiscard]] double intended_hold_s() const {
+    return imposed ? imposed->contact_hold_ms.value_or(0.0) / 1e3 : 0.0;
+  }
+  /// From onset to the end of the stimulus, seconds, with a hold of `hold_s`.
+  [[nodiscard]] double lasting_s(double hold_s) const {
+    return meeting ? meeting->lead_s + hold_s + meeting->follow_s : *duration_s;
+  }
+};
+
+/// The scene's JSON Schema: stimuli/scene.schema.json, as an output of the rows.
+OrderedJson scene_file_schema();
+/// The same, for validation.
+const nlohmann::json& scene_schema();
+
+/// All settings that `replay --with` may change, by their pointers into a scene, in the rows'
+/// order.
+const std::vector<WithKey>& scene_with_keys();
+
+/// A place of the scene that names a figure file.
+struct FigureFile {
+  std::string pointer;  ///< to "figure"
+  std::string file;
+};
+
+/// Those that the scene names, in its order.
+std::vector<FigureFile> named_figure_files(const Scene& scene);
+
+/// A turn about one of the world's axes: 0 is x, 1 y, 2 z.
+Quaternion turn_about(int axis, double angle_deg);
+
+/// The word for an enclosure's kind.
+const std::string& name_of(EnclosureKind kind);
+
+}  // namespace impetus::inline scenes
