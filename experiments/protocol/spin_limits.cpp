@@ -6,12 +6,13 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "engine/scheduling/work_meter.hpp"
 #include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/scenes/random_places.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_file.hpp"
@@ -55,8 +56,8 @@ void jitter(const json& entry, double size_deg, RandomStream& stream, Scene& sce
 
 /// How the collision changed both angular velocities, over all its contacts; none without one.
 std::optional<ImposedSpin> spin_change(StagedScene scene) {
-  World& world = scene.world;
-  FixedWork meter(kUnlimitedTests);
+  SceneRun run(std::move(scene));
+  const World& world = run.world();
   std::array<Quaternion, kBodies> at_contact;
   std::array<Vector3, kBodies> momentum{world.states()[0].angular_momentum,
                                         world.states()[1].angular_momentum};
@@ -65,8 +66,7 @@ std::optional<ImposedSpin> spin_change(StagedScene scene) {
     if (last_contact >= 0 ? step - last_contact > kClearSteps : step > 2 * kLeadSteps) {
       break;
     }
-    const StepReport& report = world.step({1.0 / scene.step_hz, scene.viewer}, meter);
-    if (!report.collisions.empty()) {
+    if (!run.step_whole().collisions.empty()) {
       for (std::size_t body = 0; body < kBodies && last_contact < 0; ++body) {
         at_contact[body] = world.states()[body].pose.orientation;
       }

@@ -6,8 +6,8 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/live_run.hpp"
-#include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/engine_setup.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::deepest_level_test {

@@ -8,9 +8,9 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
-#include "experiments/scenes/engine_setup.hpp"
 #include "tests/experiments/refusals.hpp"
 
 namespace impetus::scene_mesh_test {
