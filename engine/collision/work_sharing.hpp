@@ -66,6 +66,7 @@ class WaitingPairs {
   void remove_next();
 
  private:
+  /// A pair by its rank, and how urgent its next block of work is.
   struct Waiting {
     double urgency;
     std::size_t index;

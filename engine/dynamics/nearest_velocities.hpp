@@ -90,6 +90,7 @@ class GramFactor {
   std::size_t size_{0};
 };
 
+/// Whether the constrained problem was solved, or its passes ran out before.
 enum class Projection { kSolved, kGaveUp };
 
 /// Rows of unit length, what their lengths were (none: 0) and their bounds before they were made

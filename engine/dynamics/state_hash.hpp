@@ -16,6 +16,7 @@
 
 namespace impetus::inline dynamics {
 
+/// The parts of a body's state, as a divergence names them.
 enum class StateField { kPosition, kOrientation, kLinearMomentum, kAngularMomentum };
 inline constexpr std::size_t kStateFieldCount = 4;
 

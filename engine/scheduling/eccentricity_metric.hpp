@@ -29,6 +29,7 @@ inline double relative_acuity(double eccentricity_deg) {
   return kHalfAcuity_deg / (eccentricity_deg + kHalfAcuity_deg);
 }
 
+/// Measures how far from the point of gaze a collision is seen (degrees).
 class EccentricityMetric final : public PriorityMetric {
  public:
   explicit EccentricityMetric(std::optional<ScreenPoint> point)

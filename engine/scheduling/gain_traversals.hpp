@@ -27,6 +27,7 @@
 
 namespace impetus::inline scheduling {
 
+/// Takes the pair whose next level removes most of the visible gap for its work.
 class BestFirst final : public Traversal {
  public:
   [[nodiscard]] unsigned terms() const override { return kProgressTerm | kEyeDistanceTerm; }
@@ -44,6 +45,7 @@ class BestFirst final : public Traversal {
   }
 };
 
+/// Takes the pair of which finer levels remove most of what shows to the eye for their work.
 class VisibleFirst final : public Traversal {
  public:
   [[nodiscard]] unsigned terms() const override {

@@ -43,6 +43,7 @@ inline double spanned_by_length_deg(double length_m, const Vector3& place, const
   return degrees(2.0 * atan2_rad(0.5 * length_m, distance_m));
 }
 
+/// Measures the visual angle that two bounds may reach beyond their surfaces.
 class ProjectedGapMetric final : public PriorityMetric {
  public:
   ProjectedGapMetric() : PriorityMetric(Urgent::kLarge) {}

@@ -51,6 +51,7 @@ enum ListTerm : unsigned {
   kRegionTerm = 2,    ///< ListInput::region
 };
 
+/// Decides which priority list a pair is put into.
 class ListRule {
  public:
   virtual ~ListRule() = default;

@@ -36,6 +36,7 @@ Metric made(const MetricOptions& options) {
   }
 }
 
+/// A metric by its name, and how one is made.
 struct NamedMetric {
   std::string_view name;
   Metric (*make)(const MetricOptions&);

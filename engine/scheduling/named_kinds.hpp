@@ -22,8 +22,10 @@ inline std::string list_names(const std::vector<std::string_view>& names) {
 }
 
 template <typename Kind>
+/// The shared objects of one kind of thing, such as traversals, by their names.
 class NamedKinds {
  public:
+  /// One of them.
   struct Row {
     std::string_view name;
     std::shared_ptr<const Kind> kind;

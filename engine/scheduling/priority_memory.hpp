@@ -17,6 +17,7 @@
 
 namespace impetus::inline scheduling {
 
+/// Remembers how urgent pairs were that touched, so that they keep it for a while.
 class PriorityMemory {
  public:
   /// To be called once in every step. Gives each of `pairs` that touched when the step before ended
@@ -31,6 +32,7 @@ class PriorityMemory {
  private:
   static constexpr std::int64_t kNever = -1;
 
+  /// When a pair was last in each list.
   struct Remembered {
     BodyPair pair;
     std::array<std::int64_t, kMostLists> last_in{};  ///< step in which it was measured in each list

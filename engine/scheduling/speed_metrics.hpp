@@ -13,6 +13,7 @@ inline double mean_seen_speed_deg_s(const PairBounds& bounds, const Viewer& view
                 angular_speed_deg_s(viewer, bounds.b.centre, bounds.velocity_b));
 }
 
+/// Measures the mean speed of both bodies across the screen (degrees a second).
 class VelocityMetric final : public PriorityMetric {
  public:
   VelocityMetric() : PriorityMetric(Urgent::kSmall) {}

@@ -24,6 +24,7 @@ class WeightedMetric final : public PriorityMetric {
                                const Fixation& fixation) const override;
 
  private:
+  /// A metric, its weight, and between which values it falls from 1 to 0.
   struct Term {
     std::shared_ptr<const PriorityMetric> metric;
     double weight;

@@ -20,6 +20,7 @@
 
 namespace impetus::inline scheduling {
 
+/// Grants a step its work, in as many requests as the step likes.
 class WorkMeter {
  public:
   virtual ~WorkMeter() = default;

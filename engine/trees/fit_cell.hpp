@@ -15,6 +15,7 @@ namespace impetus::inline trees {
 /// (given by two opposite corners), or a ball inside it (given by its centre). All are convex, so
 /// the distance to one is greatest at a corner of whatever is convex too.
 struct Anchor {
+  /// Which of the three an anchor is.
   enum class Kind { kBall, kTriangle, kBox };
 
   Kind kind{Kind::kBall};

@@ -68,6 +68,7 @@ struct LevelPop {
   double size_deg{0.0};  ///< visual angle of what its bounds grew by
 };
 
+/// All that a step tells of itself.
 struct StepReport {
   std::vector<CollisionReport> collisions;
   std::int64_t work_granted{0};  ///< units of work (WorldSettings::costs); a replay grants the same

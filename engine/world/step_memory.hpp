@@ -113,6 +113,7 @@ class ModelledCollisions {
   std::size_t taken_{0};  ///< contacts that are of a collision
 };
 
+/// What the phases of a step hand on to each other; kept between steps only to allocate nothing.
 struct StepMemory {
   StepMemory() = default;
   StepMemory(const StepMemory& /*other*/) : StepMemory() {}

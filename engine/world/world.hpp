@@ -24,6 +24,7 @@ inline constexpr int kRecordingFormat = 2;
 /// unless a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
 inline constexpr int kOldestRecordingFormat = 1;
 
+/// Bodies that move, collide and respond, step by step.
 class World {
  public:
   /// `states` are the bodies' states at time zero, one per model. Throws std::invalid_argument on

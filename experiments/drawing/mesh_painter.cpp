@@ -79,6 +79,7 @@ constexpr double kHardEdgeDeg = 30.0;
 /// Where few triangles stand for a round surface, they meet at greater angles.
 constexpr double kHardCoarseEdgeDeg = 60.0;
 
+/// A body, and where it is from the eye.
 struct SeenBody {
   const PosedBody* body{nullptr};
   Vector3 from_eye{Vector3::Zero()};

@@ -121,6 +121,7 @@ std::optional<ImageBounds> image_bounds(const Vector3& p_EC, double radius_m, do
 /// The spheres that can be seen, farthest first: a blended edge needs what is behind it.
 std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& spheres,
                                          const Viewer& viewer) {
+  /// A sphere to draw, and how far it is.
   struct Seen {
     double distance_m;
     SphereInstance instance;

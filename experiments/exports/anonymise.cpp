@@ -66,6 +66,7 @@ void give_new_codes(SQLite::Database& study) {
 /// A protocol may name the participant whose gaze it borrows.
 void rename_in_protocols(SQLite::Database& study, const std::map<std::string, std::string>& codes,
                          const ProtocolHash& hash) {
+  /// A protocol that names participants anew, and its new hash.
   struct Changed {
     std::int64_t id;
     std::string protocol;

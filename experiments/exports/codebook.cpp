@@ -11,6 +11,7 @@
 namespace impetus::inline exports {
 namespace {
 
+/// How a column's name ends, and the unit that this says.
 struct Suffix {
   std::string_view ending;
   const char* unit;

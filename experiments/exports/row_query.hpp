@@ -43,6 +43,7 @@ class RowQuery {
   [[nodiscard]] std::string text(int column) const { return std::string(bytes(column)); }
 
  private:
+  /// Lets go of a statement.
   struct Finalise {
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
   };

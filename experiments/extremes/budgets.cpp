@@ -66,6 +66,7 @@ Breaches step_within(World world, int steps, const BudgetOf& budget_of) {
   return breaches;
 }
 
+/// A step may do nothing, one unit of work, or too little for one.
 enum class Budget { kNone, kOne, kOneTooFew };
 
 Breaches worst_of(Budget budget, Length length, std::vector<PriorityList> lists) {

@@ -19,6 +19,7 @@ struct SolidBall {
   double radius_m{0.1};
 };
 
+/// A block about its centre.
 struct SolidBlock {
   Vector3 edges_m{0.1, 0.1, 0.1};
 };

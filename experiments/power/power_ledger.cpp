@@ -21,6 +21,7 @@ constexpr int kPatience_ms = 60000;         // for another process that writes
 /// Number, participants, with the effect or without.
 using DoneStudies = std::set<std::tuple<std::int64_t, std::int64_t, bool>>;
 
+/// A column of the ledger's question, what it is in words, and where it stands in the struct.
 struct Column {
   const char* name;
   const char* words;

@@ -13,6 +13,7 @@
 
 namespace impetus::inline protocol {
 
+/// A protocol, read and checked: its design, its script, and the scene of its trials.
 struct Protocol {
   std::string name;
   std::string title;

@@ -24,6 +24,7 @@ std::string start_of(const PlannedTrial& trial);
 /// or demonstration can reach: no tree need be deeper.
 int deepest_level_of(const Protocol& protocol);
 
+/// Stages the scenes of a protocol's trials.
 class ProtocolScenes final : public Scenes {
  public:
   /// `protocol` must outlive this. `round_hold_to_hz` > 0 rounds imposed holds to that grid.

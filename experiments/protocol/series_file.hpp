@@ -8,6 +8,7 @@
 
 namespace impetus::inline protocol {
 
+/// Protocols that one participant runs one after the other.
 struct Series {
   std::string name;  ///< "": a single protocol
   std::string title;

@@ -17,6 +17,7 @@ namespace impetus::inline protocol {
 /// Changes a scene's "engine"; `value` may be of any type.
 using PutSetting = void (*)(nlohmann::json& engine, const nlohmann::json& value);
 
+/// A name by which a setting of the engine is changed.
 struct SettingKey {
   std::string name;
   std::string pointer;  ///< the place, or the place above all that it changes
@@ -27,6 +28,7 @@ struct SettingKey {
 /// All that a key can be, in alphabetical order: the rows of a scene that say so.
 const std::vector<SettingKey>& setting_keys();
 
+/// One setting of the engine, changed.
 struct SettingChange {
   std::string given;  ///< "scheduler=distance"
   std::string pointer;

@@ -24,6 +24,7 @@ struct Choice {
 
 /// One thing to fill in; always optional.
 struct Field {
+  /// What may be filled in: a number, one of several options, or words.
   enum class Kind { kNumber, kChoice, kText };
   std::string id;
   std::string label;

@@ -114,6 +114,7 @@ Posture moved(const Figure& figure, const std::vector<BodyModel>& models, const 
   return posture_of(figure, models, std::move(poses));
 }
 
+/// Draws figures' postures and finds places for them in which nothing overlaps.
 class Placer {
  public:
   Placer(const std::vector<BodyModel>& models, const Enclosure& enclosure)

@@ -15,6 +15,7 @@
 
 namespace impetus::inline scenes {
 
+/// How a crowd starts: by which random stream, how large and how fast its bodies are.
 struct CrowdStart {
   std::uint64_t seed{1};
   std::string name;      ///< of the random stream: another name, another start

@@ -29,6 +29,7 @@ struct Leg {
   Vector3 velocity{Vector3::Zero()};
 };
 
+/// Where a body is during the stimulus, leg by leg, and how large it is.
 struct Path {
   double radius_m{0.0};
   std::vector<Leg> legs;

@@ -65,6 +65,7 @@ struct MaterialPair {
   double restitution{1.0};
 };
 
+/// How a scene's world is stepped, as its file says.
 struct EngineSettings {
   EngineSettings() = default;
   /// Precondition: valid by the scene's schema.

@@ -60,6 +60,7 @@ struct CrowdSettings {
   std::uint64_t start{1};
 };
 
+/// A crowd of bodies alike.
 struct BodyCrowd : CrowdSettings {
   ShapeSettings shape;
 };
@@ -72,6 +73,7 @@ struct FigureMaking {
   SelfCollision self_collision{};
 };
 
+/// A crowd of figures alike.
 struct FigureCrowd : CrowdSettings {
   FigureMaking making;
 };
@@ -97,6 +99,7 @@ enum class EnclosureKind {
   kViewFrustum,  ///< what the viewer sees through the screen
 };
 
+/// The walls about a scene.
 struct EnclosureSettings {
   EnclosureKind kind{EnclosureKind::kClosedCube};
   std::string material;
@@ -106,6 +109,7 @@ struct EnclosureSettings {
   std::optional<double> edge_at_count;
 };
 
+/// How two bodies meet: how fast, where, and how long before and after is shown.
 struct MeetingSettings {
   double speed_deg_s{0.0};
   double speed_percent{100.0};
@@ -116,6 +120,7 @@ struct MeetingSettings {
   double follow_s{0.0};
 };
 
+/// Further bodies beside the two that meet.
 struct DistractorSettings {
   std::size_t count{0};
   double apart_deg{0.0};
@@ -128,6 +133,7 @@ struct SpinLimits {
   Vector3 most_rad_s{Vector3::Zero()};
 };
 
+/// An imposed change of spin at contact, drawn within limits for each body.
 struct RandomSpin {
   bool on{false};
   int at_level{0};
@@ -143,6 +149,7 @@ struct ImposedSettings {
   std::optional<bool> no_spin;
 };
 
+/// All that a scene's file says.
 struct Scene {
   Scene() = default;
   /// Precondition: valid by the schemas of scenes and of figures.

@@ -76,6 +76,7 @@ void add_figure_size_problems(const Scene& scene, double m_per_deg, SceneProblem
   }
 }
 
+/// The lightest and the heaviest body.
 struct Weights {
   double least_kg{0.0};
   double most_kg{0.0};

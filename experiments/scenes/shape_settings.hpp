@@ -16,6 +16,7 @@
 
 namespace impetus::inline scenes {
 
+/// The shapes that a body can have.
 enum class ShapeKind {
   kSphere,
   kBox,

@@ -122,6 +122,7 @@ class Surveyor final : public json::json_sax_t {
   }
 
  private:
+  /// A list or object that is being read, and how far.
   struct Level {
     bool list{false};
     std::size_t index{0};

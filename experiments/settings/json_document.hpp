@@ -10,6 +10,7 @@
 
 namespace impetus::inline settings {
 
+/// A JSON file: what it is called, its text, and its value.
 struct JsonDocument {
   std::string name;  ///< as messages call it: the path that was given
   std::string text;

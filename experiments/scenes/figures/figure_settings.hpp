@@ -38,6 +38,7 @@ struct PartTree {
   int branching{TreeSettings{}.branching};
 };
 
+/// A part of a figure, as the figure's file says.
 struct PartSettings {
   std::string name;
   ShapeSettings shape;  ///< in shares of the figure's height
