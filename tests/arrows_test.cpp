@@ -42,7 +42,7 @@ const std::vector<Room> kRooms = {
     {"experiments/tables", {}, {"zlib"}},
     {"experiments/models", {"engine/world"}, {"assimp", "JSON"}},
     {"experiments/settings", {"experiments/models"}, {"JSON", "valijson"}},
-    {"experiments/design", {"experiments/settings"}, {"JSON"}},
+    {"experiments/design", {"experiments/settings"}, {}},
     {"experiments/record", {"experiments/design"}, {}},
     {"experiments/gaze", {"experiments/record"}, {}},
     {"experiments/questions", {"experiments/gaze"}, {"JSON"}},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/design/design.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <charconv>
 
@@ -21,16 +19,6 @@ std::vector<Condition> cells(const Design& design) {
     result = std::move(wider);
   }
   return result;
-}
-
-LevelValue level_value(const nlohmann::json& value) {
-  if (value.is_string()) {
-    return value.get<std::string>();
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>();
-  }
-  return value.get<double>();
 }
 
 std::string to_text(const LevelValue& value) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <variant>
@@ -99,9 +98,6 @@ struct Design {
 
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
-
-/// A factor's level as JSON has it.
-LevelValue level_value(const nlohmann::json& value);
 
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.
 std::string to_text(const LevelValue& value);

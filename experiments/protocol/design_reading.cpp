@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {

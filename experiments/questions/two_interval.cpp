@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/questions/level_value.hpp"
 
 #include <algorithm>
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/run/replay.hpp"
 #include "experiments/scenes/scene_file.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/store/adaptive_rows.hpp"
 
