@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/session/stimulus.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/gaze/region_source.hpp"
+#include "experiments/questions/response_kinds.hpp"
+#include "experiments/record/frame_grid.hpp"
+
+namespace impetus::inline session {
+namespace {
+
+template <typename T>
+void append(std::vector<T>& to, std::vector<T>& from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+  from.clear();
+}
+
+/// The scene, with the recorded gaze that a yoked trial's region follows.
+StagedScene staged(const PlannedTrial& trial, const Ports& ports) {
+  StagedScene scene = ports.scenes.stage(trial, ports.display.geometry());
+  if (trial.yoked_trial_id) {
+    const GazePath& path = ports.gaze_paths->at(*trial.yoked_trial_id);
+    scene.recorded_gaze = std::make_shared<const GazePath>(
+        path.seen_from(ports.display.geometry().viewing_distance_m));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Script& script,
+                   const SessionProgress& progress, const Ports& ports, GazeFollower& follower)
+    : interval_(interval),
+      script_(script),
+      progress_(progress),
+      ports_(ports),
+      follower_(follower),
+      live_(staged(shown, ports), shown.seed, ports.work_clock) {
+  record_.slot = shown.slot;
+  for (const BodyModel& body : scene().world.models()) {
+    record_.body_names.push_back(body.name);
+  }
+  record_.wall_naming = wall_naming(scene().world.settings().enclosure);
+  record_.intended_hold_s = scene().intended_hold_s;
+  record_.realised_hold_s = scene().realised_hold_s;
+  if (script.gaze && ports.gaze != nullptr) {
+    record_.gaze_source = ports.gaze->source();
+  }
+}
+
+double Stimulus::imposed_gaze_latency_s() const {
+  return script_.gaze ? script_.gaze->extra_latency_ms / 1e3 + scene().gaze_latency_s : 0.0;
+}
+
+Interruption Stimulus::show() {
+  if (show_fixation()) {
+    show_scene();
+  }
+  return interruption_;
+}
+
+bool Stimulus::show_fixation() {
+  Picture cross = blank();
+  cross.fixation_cross = true;
+  const std::int64_t frames =
+      whole_frames(script_.timing.fixation_ms / 1e3, ports_.display.refresh_hz());
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Stimulus::show_scene() {
+  const std::int64_t last_frame = whole_frames(scene().duration_s, ports_.display.refresh_hz());
+  fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
+  follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
+  if (takes_clicks(script_)) {
+    static_cast<void>(ports_.input.take_clicks());
+  }
+  for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
+    const double time_s = static_cast<double>(frame) / ports_.display.refresh_hz();
+    live_.look_at(follower_.look());
+    Picture picture = with_pointer(live_.poses_at(time_s), time_s);
+    picture.patch_code = patch_code(frame);
+    if (!show_timed(picture, FramePhase::kStimulus, time_s)) {
+      take_simulation(frame);
+      return false;
+    }
+    take_clicks();
+    if (frame == 0) {
+      record_.onset_ns = record_.frames.back().flip.flipped_ns;
+      record_.clicks.clear();  // made before there was anything to see
+    }
+  }
+  take_simulation(last_frame);
+  return true;
+}
+
+/// Shows and records one frame of a timed phase; false when that was interrupted.
+bool Stimulus::show_timed(const Picture& frame, FramePhase phase, double time_s) {
+  const Flip flip = ports_.display.show(frame);
+  interruption_ = ports_.input.interruption();
+  if (interruption_ != Interruption::kDisplayClosed) {  // else there was no flip
+    const auto number = static_cast<std::int64_t>(record_.frames.size());
+    record_.frames.push_back({number, phase, time_s, flip, interval_});
+    if (ports_.display.has_patch()) {
+      record_.frames.back().patch = frame.patch_code;
+    }
+    if (ports_.gaze != nullptr) {
+      ports_.gaze->shown(frame, flip);
+    }
+  }
+  return interruption_ == Interruption::kNone;
+}
+
+Picture Stimulus::with_pointer(const std::vector<Pose>& poses, double time_s) const {
+  Picture picture = picture_of(scene(), poses, time_s, progress_);
+  picture.pointer = script_.gaze && ports_.gaze != nullptr && ports_.gaze->is_pointer();
+  return picture;
+}
+
+void Stimulus::take_clicks() {
+  if (takes_clicks(script_)) {
+    for (ClickRecord& click : ports_.input.take_clicks()) {
+      click.interval = interval_;
+      record_.clicks.push_back(std::move(click));
+    }
+  }
+}
+
+void Stimulus::be_witnessed() {
+  ports_.input.witnessed(record_, scene());
+  take_clicks();
+}
+
+void Stimulus::take_simulation(std::int64_t last_frame_shown) {
+  record_.steps = live_.take_steps();
+  for (StepRecord& step : record_.steps) {
+    const std::int64_t first = first_frame(step.step, last_frame_shown);
+    step.shown_frame = first < 0 ? -1 : fixation_frames_ + first;
+    step.interval = interval_;
+  }
+  record_.collisions = live_.take_collisions();
+  for (CollisionRecord& collision : record_.collisions) {
+    collision.first_frame_shown = first_frame(collision.step, last_frame_shown);
+    collision.interval = interval_;
+  }
+  record_.gaze = follower_.take_samples();
+  for (GazeSample& sample : record_.gaze) {
+    sample.interval = interval_;
+  }
+  if (!record_.gaze_source.empty() && record_.onset_ns != 0) {
+    record_.gaze_lost_share = impetus::gaze_lost_share(record_.gaze, record_.onset_ns,
+                                                       record_.frames.back().flip.flipped_ns);
+  }
+  record_.region_covered_share = mean_covered_share(scene(), record_.steps);
+}
+
+/// Of the stimulus, the first frame that shows the step whole; −1 when none did.
+std::int64_t Stimulus::first_frame(std::int64_t step, std::int64_t last_shown) const {
+  const double frames_per_step = ports_.display.refresh_hz() / scene().step_hz;
+  const double frame = std::ceil(static_cast<double>(step) * frames_per_step - 1e-9);
+  return static_cast<std::int64_t>(frame) <= last_shown ? static_cast<std::int64_t>(frame) : -1;
+}
+
+void Stimulus::append_to(AttemptRecord& record) {
+  const auto shown_before = static_cast<std::int64_t>(record.frames.size());
+  for (FrameRecord& frame : record_.frames) {
+    frame.frame += shown_before;
+  }
+  for (StepRecord& step : record_.steps) {
+    step.shown_frame += step.shown_frame >= 0 ? shown_before : 0;
+  }
+  if (record.onset_ns == 0) {
+    record.onset_ns = record_.onset_ns;
+  }
+  if (record.body_names.size() < record_.body_names.size()) {
+    record.body_names = record_.body_names;
+  }
+  append(record.steps, record_.steps);
+  append(record.collisions, record_.collisions);
+  append(record.frames, record_.frames);
+  append(record.clicks, record_.clicks);
+  append(record.gaze, record_.gaze);
+}
+
+}  // namespace impetus::inline session
