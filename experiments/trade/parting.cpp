@@ -53,11 +53,7 @@ std::vector<TradeRow> parting_rows(const std::vector<PartedTrials>& partings,
       TradeRow row = row_of(of_setting, subject);
       row.measure = measure;
       row.unit = unit;
-      row.statistic = statistic;
-      row.n = estimate.n;
-      row.value = estimate.value;
-      row.low = estimate.low;
-      row.high = estimate.high;
+      row.set(statistic, estimate);
       rows.push_back(std::move(row));
     };
     add("first_parting", "s", "median", median_of(trials, &PartedTrial::first_s));

@@ -48,11 +48,7 @@ std::vector<TradeRow> run_rows(const std::string& title, const TradeOption& opti
     row.reduction = option.reduction;
     row.measure = "step_time";
     row.unit = "ms";
-    row.statistic = each.name;
-    row.n = found.n;
-    row.value = found.value;
-    row.low = found.low;
-    row.high = found.high;
+    row.set(each.name, found);
     row.by_clock = true;
   }
   return rows;
@@ -67,11 +63,7 @@ TradeRow row_of(const std::string& title, const char* measure, const char* stati
   row.subject = title;
   row.measure = measure;
   row.unit = "1";
-  row.statistic = statistic;
-  row.n = estimate.n;
-  row.value = estimate.value;
-  row.low = estimate.low;
-  row.high = estimate.high;
+  row.set(statistic, estimate);
   return row;
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/trade/estimate.hpp"
+
 namespace impetus::inline trade {
 
 /// One statistic of one measure under one setting. Texts that do not apply are empty, numbers that
@@ -35,6 +37,9 @@ struct TradeRow {
   double low{std::numeric_limits<double>::quiet_NaN()};
   double high{std::numeric_limits<double>::quiet_NaN()};
   bool by_clock{false};  ///< a time, or what follows from times
+
+  /// The statistic and what was found for it.
+  void set(const std::string& name, const Estimate& found);
 };
 
 /// The rows as CSV (RFC 4180) with a line of names first; numbers to nine digits, the same

@@ -90,11 +90,7 @@ class Rows {
     row.measure = measure;
     row.unit = unit;
     row.reference = reference;
-    row.statistic = statistic;
-    row.n = estimate.n;
-    row.value = estimate.value;
-    row.low = estimate.low;
-    row.high = estimate.high;
+    row.set(statistic, estimate);
     row.by_clock = by_clock;
     rows_.push_back(std::move(row));
   }

@@ -24,11 +24,7 @@ class RowMaker {
 
   RowMaker& add(const char* statistic, const Estimate& estimate) {
     TradeRow& row = rows_.emplace_back(shared_);
-    row.statistic = statistic;
-    row.n = estimate.n;
-    row.value = estimate.value;
-    row.low = estimate.low;
-    row.high = estimate.high;
+    row.set(statistic, estimate);
     return *this;
   }
 
