@@ -2,20 +2,54 @@
 #include "engine/scheduling/metrics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
-#include "engine/scheduling/distance_metric.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
 #include "engine/scheduling/named_kinds.hpp"
-#include "engine/scheduling/size_metric.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 #include "engine/scheduling/visible_frequency.hpp"
 #include "engine/scheduling/weighted_metric.hpp"
 
 namespace impetus::inline scheduling {
 namespace {
+
+/// Metres from the eye to the midpoint of the centres: near collisions first. (Dingliana 2002,
+/// sec. 5.2.1)
+class DistanceMetric final : public PriorityMetric {
+ public:
+  DistanceMetric() : PriorityMetric(Urgent::kSmall) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
+  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
+                               const Fixation& /*fixation*/) const override {
+    return (0.5 * (bounds.a.centre + bounds.b.centre) - viewer.eye).norm();
+  }
+};
+
+/// Degrees that the two bounds' diameters span at the eye, mean: large bodies first. (Dingliana
+/// 2002, sec. 5.2.1)
+class SizeMetric final : public PriorityMetric {
+ public:
+  SizeMetric() : PriorityMetric(Urgent::kLarge) {}
+  [[nodiscard]] unsigned terms() const override { return 0; }
+  [[nodiscard]] double measure(const PairBounds& bounds, const Viewer& viewer,
+                               const Fixation& /*fixation*/) const override {
+    return 0.5 * (spanned_deg(bounds.a, viewer) + spanned_deg(bounds.b, viewer));
+  }
+
+ private:
+  /// The angle between opposite tangents from the eye: 2 asin(R / d).
+  static double spanned_deg(const Sphere& sphere, const Viewer& viewer) {
+    const double square = (sphere.centre - viewer.eye).squaredNorm();
+    const double tangent_square = square - sphere.radius_m * sphere.radius_m;
+    return tangent_square > 0.0
+               ? degrees(2.0 * atan2_rad(sphere.radius_m, std::sqrt(tangent_square)))
+               : 180.0;
+  }
+};
 
 using Metric = std::shared_ptr<const PriorityMetric>;
 

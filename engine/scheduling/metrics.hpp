@@ -12,7 +12,7 @@
 //   visible-frequency  cycles per degree that can be seen there                  high first
 //   weighted           sum of weights, of others brought to [0, 1]               high first
 //
-// Each is a class in a file of this room and a line of the table in metrics.cpp.
+// Each is a class and a line of the table in metrics.cpp.
 // (Dingliana 2002, sec. 5.2.1; eq. 5.1, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -76,6 +76,11 @@ void hold_bodies(double hold_s, CollisionReport& collision, std::vector<BodyStat
   }
 }
 
+/// Changes the body's angular velocity by `spin_rad_s`; nothing where nothing turns it.
+void add_spin(const BodyModel& model, const Vector3& spin_rad_s, BodyState& state) {
+  state.angular_momentum += angular_momentum_at(model, state.pose.orientation, spin_rad_s);
+}
+
 /// Adds the spin at the first collision of bodies 0 and 1 that was responded to, if it is handled
 /// at the spin's level.
 void spin_bodies(const ImposedSpinRule& rule, CollisionReport& collision, WorldState& world) {

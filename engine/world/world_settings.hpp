@@ -9,7 +9,6 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/entry/time_of_entry.hpp"
-#include "engine/dynamics/imposed_spin.hpp"
 #include "engine/dynamics/impulse.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/restitution.hpp"
@@ -20,6 +19,23 @@
 #include "engine/volumes/enclosure.hpp"
 
 namespace impetus::inline world {
+
+/// Changes of angular velocity that are imposed on two bodies when they collide: added to those of
+/// both (rad/s, world). This is not physics. Linear momentum and its energy stay what the response
+/// made them. Angular momentum is not kept, about any point, and rotational energy is whatever the
+/// new spin has. (Dingliana 2002, sec. 6.2.2: at the lowest level bodies are spheres, whose
+/// collisions turn nothing)
+struct ImposedSpin {
+  Vector3 a{Vector3::Zero()};
+  Vector3 b{Vector3::Zero()};
+};
+
+/// When it is imposed: at the first contact that bodies 0 and 1 of the world respond to, if that
+/// was found at this level; once in a world's life.
+struct ImposedSpinRule {
+  int at_level{0};
+  ImposedSpin spin;
+};
 
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
