@@ -18,7 +18,7 @@ namespace impetus::inline models {
 /// All surfaces of the file as one mesh, in the file's own units taken as metres. Positions are
 /// single precision (assimp's). Throws std::runtime_error, in one sentence that names the file,
 /// when it is missing, unreadable, has no triangles, an index out of range or a coordinate that is
-/// not finite. Defects of the surface are not errors here: see describe_mesh().
+/// not finite. Defects of the surface are not errors here: see report_mesh().
 TriangleMesh load_mesh(const std::filesystem::path& file);
 
 }  // namespace impetus::inline models

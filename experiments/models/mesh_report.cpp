@@ -158,8 +158,6 @@ std::string describe(const MeshReport& report) {
   return out.str();
 }
 
-std::string describe_mesh(const TriangleMesh& mesh) { return describe(report_mesh(mesh)); }
-
 std::string refusal(const MeshReport& report) {
   if (report.usable()) {
     return "";

@@ -47,9 +47,6 @@ MeshReport report_mesh(const TriangleMesh& mesh);
 /// The report as lines of text, the last one ending in a newline.
 std::string describe(const MeshReport& report);
 
-/// describe(report_mesh(mesh))
-std::string describe_mesh(const TriangleMesh& mesh);
-
 /// Why the mesh cannot be a body, with the counts and no full stop; empty when it can.
 std::string refusal(const MeshReport& report);
 

@@ -61,11 +61,6 @@ const std::vector<std::string>& shape_names() {
   return kNames;
 }
 
-bool takes_resolution(const std::string& shape) {
-  const NamedShape* found = find_shape(shape);
-  return found != nullptr && found->usual_resolution > 0;
-}
-
 TriangleMesh shape_named(const std::string& name, std::optional<int> resolution) {
   const NamedShape* shape = find_shape(name);
   if (shape == nullptr) {

@@ -13,9 +13,6 @@ namespace impetus::inline models {
 /// sphere, box, l-block, plate, torus, knot, creature, line-swept, rectangle-swept.
 const std::vector<std::string>& shape_names();
 
-/// Whether the shape's fineness is a choice: sphere, torus, knot, creature and what is swept.
-bool takes_resolution(const std::string& shape);
-
 /// A closed mesh whose longest side is about a metre. `resolution`, 4 to 12, counts the sides of a
 /// torus' or a knot's tube and a quarter of the cells along a creature, rounds what is swept as in
 /// scenes, and gives four times the triangles of a sphere with every second step. Throws

@@ -215,11 +215,6 @@ double PreviewRun::freshness(const ShownContact& contact) const {
   return std::max(0.0, 1.0 - age_s / kContactInView_s);
 }
 
-std::optional<int> PreviewRun::level_in_use(std::int32_t body) const {
-  const BodyDetail detail = details()[static_cast<std::size_t>(body)];
-  return detail.level >= 0 ? std::optional<int>(detail.level) : std::nullopt;
-}
-
 std::vector<BodyDetail> PreviewRun::details() const {
   std::vector<BodyDetail> details = latest_.at(run_.number());
   for (BodyDetail& detail : details) {

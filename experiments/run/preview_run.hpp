@@ -93,10 +93,8 @@ class PreviewRun {
   [[nodiscard]] const std::deque<ShownContact>& node_contacts() const { return node_contacts_; }
   /// 1 for a contact of the last step, falling to 0 as it leaves the view.
   [[nodiscard]] double freshness(const ShownContact& contact) const;
-  /// The level of the body's last collision while that is in view; 0 while it is in a pair at all;
-  /// otherwise nothing.
-  [[nodiscard]] std::optional<int> level_in_use(std::int32_t body) const;
-  /// Of each body, that level, and the most urgent list that it has a pair in.
+  /// Of each body, the level of its last collision while that is in view; 0 while it is in a pair
+  /// at all; otherwise -1. And the most urgent list that it has a pair in.
   [[nodiscard]] std::vector<BodyDetail> details() const;
   /// The last few seconds, oldest first.
   [[nodiscard]] const std::deque<WorkOfStep>& work() const { return work_; }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <tuple>
 
 namespace impetus::inline trade {
@@ -56,21 +55,6 @@ std::vector<TradeOption> ranked(const std::vector<TradeOption>& options, double 
            std::make_tuple(y.error(), steps_of(y.mean_us));
   });
   return within;
-}
-
-std::vector<TradeOption> frontier_of(std::vector<TradeOption> options) {
-  std::stable_sort(options.begin(), options.end(), [](const TradeOption& x, const TradeOption& y) {
-    return std::make_tuple(x.mean_us, x.error()) < std::make_tuple(y.mean_us, y.error());
-  });
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<TradeOption> frontier;
-  for (const TradeOption& option : options) {
-    if (option.error() < least) {
-      least = option.error();
-      frontier.push_back(option);
-    }
-  }
-  return frontier;
 }
 
 }  // namespace impetus::inline trade

@@ -46,7 +46,4 @@ std::vector<TradeOption> trade_options(const ImpactMeasures& measures);
 std::vector<TradeOption> ranked(const std::vector<TradeOption>& options, double pairs,
                                 double budget_ms);
 
-/// Those that no other beats in both time and error, the quickest first.
-std::vector<TradeOption> frontier_of(std::vector<TradeOption> options);
-
 }  // namespace impetus::inline trade

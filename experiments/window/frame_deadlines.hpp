@@ -37,7 +37,6 @@ class FrameDeadlines {
 
   /// What a flip's stamp is anchored to, in words.
   [[nodiscard]] std::string anchor() const;
-  [[nodiscard]] std::int64_t last_flip_ns() const { return last_flip_ns_; }
 
  private:
   void wait_until(std::int64_t due_ns);

@@ -135,7 +135,7 @@ TEST_F(MeshFile, RefusesACoordinateThatIsNotFinite) {
 }
 
 TEST_F(MeshFile, AReportDescribesASolid) {
-  EXPECT_EQ(describe_mesh(load_mesh(write("cube.obj", cube_obj()))),
+  EXPECT_EQ(describe(report_mesh(load_mesh(write("cube.obj", cube_obj())))),
             "triangles     12\n"
             "vertices      8\n"
             "components    1\n"
@@ -154,7 +154,7 @@ TEST_F(MeshFile, AReportDescribesASolid) {
 
 TEST_F(MeshFile, AReportSaysWhyASurfaceIsNoSolid) {
   const std::string open = std::string(kCubeObj) + "f 1 3 4 2\n";
-  EXPECT_EQ(describe_mesh(load_mesh(write("open.obj", open))),
+  EXPECT_EQ(describe(report_mesh(load_mesh(write("open.obj", open)))),
             "triangles     2\n"
             "vertices      4\n"
             "components    1\n"
@@ -172,7 +172,8 @@ TEST_F(MeshFile, AReportSaysWhenASurfaceIsInsideOut) {
       std::string(kCubeObj) + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
   const TriangleMesh mesh = load_mesh(write("turned.obj", turned));
   EXPECT_FALSE(report_mesh(mesh).usable());
-  EXPECT_NE(describe_mesh(mesh).find("-8 m^3: the surface is inside out"), std::string::npos);
+  EXPECT_NE(describe(report_mesh(mesh)).find("-8 m^3: the surface is inside out"),
+            std::string::npos);
 }
 
 }  // namespace impetus::mesh_file_test

@@ -196,7 +196,7 @@ TEST(PreviewRun, AContactStaysInViewForAQuarterOfASecond) {
     run.step();
   }
   EXPECT_DOUBLE_EQ(run.freshness(run.contacts().back()), 1.0);
-  EXPECT_EQ(run.level_in_use(0), 4);
+  EXPECT_EQ(run.details()[0].level, 4);
   const std::int64_t last = run.contacts().back().step;
   for (int step = 0; step < 59; ++step) {
     run.step();
@@ -205,7 +205,7 @@ TEST(PreviewRun, AContactStaysInViewForAQuarterOfASecond) {
   run.step();
   EXPECT_EQ(run.step_number(), last + 60);
   EXPECT_TRUE(run.contacts().empty());
-  EXPECT_EQ(run.level_in_use(0), std::nullopt);
+  EXPECT_EQ(run.details()[0].level, -1);
 }
 
 TEST(PreviewRun, OfAPairThatStaysInContactTheNewestIsInView) {

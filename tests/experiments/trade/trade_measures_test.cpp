@@ -301,13 +301,4 @@ TEST(TradeOptions, TheBestWithinABudgetHasTheLeastProductOfErrorsAndOfEqualsIsTh
   EXPECT_TRUE(ranked(options, 100.0, 0.01).empty());
 }
 
-TEST(TradeOptions, TheFrontierHoldsWhatNothingBeats) {
-  std::vector<double> times;
-  for (const TradeOption& each : frontier_of({option_of(50, 1, 1), option_of(1, 20, 20),
-                                              option_of(60, 1, 2), option_of(5, 10, 10)})) {
-    times.push_back(each.mean_us);
-  }
-  EXPECT_EQ(times, (std::vector<double>{1, 5, 50}));
-}
-
 }  // namespace impetus::trade_measures_test
