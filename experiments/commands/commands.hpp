@@ -36,4 +36,8 @@ void add_timing(CLI::App& app, Command& chosen);
 void add_trade(CLI::App& app, Command& chosen);
 void add_verify(CLI::App& app, Command& chosen);
 
+/// The parts of `impetus tree`.
+void add_tree_build(CLI::App& tree, Command& chosen);
+void add_tree_show(CLI::App& tree, Command& chosen);
+
 }  // namespace impetus::inline commands

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string>
 
+#include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/sentences.hpp"
-#include "experiments/commands/tree_commands.hpp"
 #include "experiments/models/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/named_shape.hpp"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/commands/tree_commands.hpp"
+#include "experiments/commands/commands.hpp"
 #include "experiments/models/tree_file.hpp"
 #include "experiments/settings/input_error.hpp"
 

@@ -34,8 +34,8 @@ void main() {
 }
 )";
 
-/// Follows kLightingShader.
-constexpr const char* kSphereFragmentShader = R"(
+/// Follows kLightingShader: where the ray through a pixel passes the sphere.
+constexpr const char* kPassingRayShader = R"(
 in vec3 ray;
 flat in vec4 body;
 flat in vec3 paint;
@@ -46,39 +46,31 @@ void main() {
   float radius = body.w;
   float beside = length(cross(body.xyz, direction));  // of the ray from the centre
   float pixel = max(length(vec2(dFdx(beside), dFdy(beside))), 1e-9);
+  float along = dot(body.xyz, direction);
+  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
+)";
+
+/// Follows kPassingRayShader.
+constexpr const char* kSphereFragmentShader = R"(
   float covered = clamp(0.5 - (beside - radius) / pixel, 0.0, 1.0);
   if (covered <= 0.0) {
     discard;
   }
-  float along = dot(body.xyz, direction);
-  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
   vec3 normal = normalize(hit - body.xyz);
   seen = vec4(light(normal, -direction, paint), covered);
   gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
 }
 )";
 
-/// Follows kLightingShader: a translucent ball with a rim of a pixel or two.
+/// Follows kPassingRayShader: a translucent ball with a rim of a pixel or two.
 constexpr const char* kClearBallFragmentShader = R"(
-const float kInside = 0.09;
-const float kRim = 0.75;
-in vec3 ray;
-flat in vec4 body;
-flat in vec3 paint;
-out vec4 seen;
-
-void main() {
-  vec3 direction = normalize(ray);
-  float radius = body.w;
-  float beside = length(cross(body.xyz, direction));  // of the ray from the centre
-  float pixel = max(length(vec2(dFdx(beside), dFdy(beside))), 1e-9);
+  const float kInside = 0.09;
+  const float kRim = 0.75;
   float within = (radius - beside) / pixel;  // pixels from the rim
   if (within <= 0.0) {
     discard;
   }
   float rim = clamp(within, 0.0, 1.0) * clamp(2.2 - within, 0.0, 1.0);
-  float along = dot(body.xyz, direction);
-  vec3 hit = direction * (along - sqrt(max(radius * radius - beside * beside, 0.0)));
   seen = vec4(paint, mix(kInside, kRim, rim));
   gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
 }
@@ -158,7 +150,7 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
 SpherePainter::SpherePainter(BallKind kind)
     : kind_(kind),
       program_({kSphereVertexShader},
-               {kLightingShader,
+               {kLightingShader, kPassingRayShader,
                 kind == BallKind::kOpaque ? kSphereFragmentShader : kClearBallFragmentShader}) {
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);

@@ -51,8 +51,6 @@ fs::path without_last_slash(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-namespace fs = std::filesystem;
-
 /// A file beside another, empty, and removed again unless it was put in its place.
 class FileBeside {
  public:

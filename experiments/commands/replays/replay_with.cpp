@@ -15,6 +15,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/commands/replays/what_if_sums.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/tables/csv_line.hpp"
 
@@ -149,22 +150,29 @@ std::string what_if_words(const std::vector<ComparedStimulus>& compared) {
 
 json number_or_null(double value) { return !std::isnan(value) ? json(value) : json(); }
 
+/// What is told of a course, by the names that both kinds of file have, in the order of a table.
+std::vector<std::pair<std::string, json>> named_sums(const CourseSums& sums) {
+  return {{"collisions", sums.collisions},
+          {"mean_level", number_or_null(sums.mean(sums.levels))},
+          {"mean_visible_gap_arcmin", number_or_null(sums.mean(sums.visible_arcmin))},
+          {"mean_gap_at_gaze_arcmin", number_or_null(sums.mean(sums.at_gaze_arcmin))},
+          {"work_spent", sums.work_spent},
+          {"steps_over_budget", sums.steps_over_budget},
+          {"pops", sums.pops},
+          {"stopped_short", sums.stopped_short},
+          {"imposed_holds", sums.imposed_holds},
+          {"imposed_spins", sums.imposed_spins}};
+}
+
 json json_of(const CourseSums& sums) {
-  json levels = json::object();
+  json result = {{"collisions_by_level", json::object()}};
   for (const auto& [level, count] : sums.by_level) {
-    levels[std::to_string(level)] = count;
+    result["collisions_by_level"][std::to_string(level)] = count;
   }
-  return json::object({{"collisions", sums.collisions},
-                       {"collisions_by_level", levels},
-                       {"mean_level", number_or_null(sums.mean(sums.levels))},
-                       {"mean_visible_gap_arcmin", number_or_null(sums.mean(sums.visible_arcmin))},
-                       {"mean_gap_at_gaze_arcmin", number_or_null(sums.mean(sums.at_gaze_arcmin))},
-                       {"work_spent", sums.work_spent},
-                       {"steps_over_budget", sums.steps_over_budget},
-                       {"pops", sums.pops},
-                       {"stopped_short", sums.stopped_short},
-                       {"imposed_holds", sums.imposed_holds},
-                       {"imposed_spins", sums.imposed_spins}});
+  for (const auto& [name, value] : named_sums(sums)) {
+    result[name] = value;
+  }
+  return result;
 }
 
 json json_of(const MatchCounts& matches) {
@@ -247,14 +255,10 @@ Cells csv_cells(const ComparedStimulus& each) {
               std::to_string(matches.only_then),
               std::to_string(matches.only_now)};
   for (const WhatIfCourse* course : {&outcome.then, &outcome.now}) {
-    const CourseSums sums = sums_of(*course);
-    for (const std::string& cell :
-         {std::to_string(sums.collisions), csv_number(sums.mean(sums.levels)),
-          csv_number(sums.mean(sums.visible_arcmin)), csv_number(sums.mean(sums.at_gaze_arcmin)),
-          std::to_string(sums.work_spent), std::to_string(sums.steps_over_budget),
-          std::to_string(sums.pops), std::to_string(sums.stopped_short),
-          std::to_string(sums.imposed_holds), std::to_string(sums.imposed_spins)}) {
-      cells.push_back(cell);
+    for (const auto& [name, value] : named_sums(sums_of(*course))) {
+      cells.push_back(value.is_number_float() ? csv_number(value)
+                      : value.is_null()       ? ""
+                                              : value.dump());
     }
   }
   return cells;
@@ -263,11 +267,9 @@ Cells csv_cells(const ComparedStimulus& each) {
 Cells csv_names() {
   Cells names{"participant",   "trial",   "slot",         "attempt", "interval",  "condition",
               "gaze_recorded", "parts_s", "seen_apart_s", "matched", "only_then", "only_now"};
-  for (const char* when : {"then", "now"}) {
-    for (const char* what : {"collisions", "mean_level", "mean_visible_gap_arcmin",
-                             "mean_gap_at_gaze_arcmin", "work_spent", "steps_over_budget", "pops",
-                             "stopped_short", "imposed_holds", "imposed_spins"}) {
-      names.push_back(std::string(what) + "_" + when);
+  for (const char* const when : {"_then", "_now"}) {
+    for (const auto& [name, value] : named_sums({})) {
+      names.push_back(name + when);
     }
   }
   return names;
@@ -347,14 +349,6 @@ std::vector<ComparedStimulus> compare(ReplayLibrary& library,
   return all;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string words_of_setting_keys() {
@@ -382,7 +376,7 @@ int replay_with(StudyFile& study, const std::vector<StoredAttempt>& attempts,
   }
   std::int64_t diverged = 0;
   const std::vector<ComparedStimulus> all = compare(library, attempts, diverged);
-  std::printf("as recorded -> with %s\n%s", joined(options.with).c_str(),
+  std::printf("as recorded -> with %s\n%s", listed(options.with).c_str(),
               what_if_words(all).c_str());
   if (!options.csv_file.empty()) {
     write_whole_file(options.csv_file, what_if_csv(all));
