@@ -4,7 +4,8 @@
 //   pair_shares  its rank by the metric among the step's pairs, against limits
 //   region       whether it lies within the step's region
 //
-// Each is a class and a line of the table in list_rules.cpp: of one's own, a class alone. (Dingliana 2002, sec. 5.1.2 and 6.3.1)
+// Each is a class and a line of the table in list_rules.cpp: of one's own, a class alone.
+// (Dingliana 2002, sec. 5.1.2 and 6.3.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -6,7 +6,8 @@
 //   visible-first  where finer levels are expected to remove most of what the viewer could see, per
 //                  unit of work: gaps that only coarse bounds leave, where the eye resolves them
 //
-// Each is a class and a line of the table in traversals.cpp: of one's own, a class alone. Ties go to the pair of higher priority. (Dingliana 2002, fig. 5.1)
+// Each is a class and a line of the table in traversals.cpp: of one's own, a class alone. Ties
+// go to the pair of higher priority. (Dingliana 2002, fig. 5.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 
