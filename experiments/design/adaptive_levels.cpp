@@ -18,15 +18,6 @@ std::size_t index_of(const std::vector<LevelValue>& levels, const LevelValue& le
   return static_cast<std::size_t>(found - levels.begin());
 }
 
-std::vector<double> numbers(const std::vector<LevelValue>& levels) {
-  std::vector<double> numbers;
-  numbers.reserve(levels.size());
-  for (const LevelValue& level : levels) {
-    numbers.push_back(std::get<double>(level));
-  }
-  return numbers;
-}
-
 const FactorLevel* find(const std::vector<FactorLevel>& values, const std::string& name) {
   const auto found = std::find_if(values.begin(), values.end(),
                                   [&](const FactorLevel& one) { return one.factor == name; });

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/design/design.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 namespace impetus::inline design {
+
+const Factor* find_factor(const Design& design, const std::string& name) {
+  const auto found = std::find_if(design.factors.begin(), design.factors.end(),
+                                  [&](const Factor& factor) { return factor.name == name; });
+  return found == design.factors.end() ? nullptr : &*found;
+}
+
+std::vector<double> numbers(const std::vector<LevelValue>& levels) {
+  std::vector<double> numbers;
+  numbers.reserve(levels.size());
+  for (const LevelValue& level : levels) {
+    numbers.push_back(std::get<double>(level));
+  }
+  return numbers;
+}
 
 std::vector<Condition> cells(const Design& design) {
   std::vector<Condition> result{Condition{}};

@@ -27,6 +27,8 @@ using Condition = std::vector<FactorLevel>;
 struct Factor {
   std::string name;
   std::vector<LevelValue> levels;
+  std::string pointer{};  ///< JSON Pointer to the value of the scene that it overrides
+  std::string label{};    ///< for people
 };
 
 /// No more than `longest` trials in a row may have the same level of `factor`.
@@ -96,8 +98,14 @@ struct Design {
   std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
 
+/// The factor of this name; null when there is none.
+const Factor* find_factor(const Design& design, const std::string& name);
+
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
+
+/// Levels that are all numbers.
+std::vector<double> numbers(const std::vector<LevelValue>& levels);
 
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.
 std::string to_text(const LevelValue& value);

@@ -116,11 +116,11 @@ std::string gaze(const GazeTask& task) {
         " times at most, then the experimenter decides. At breaks one point is checked: above " +
         number(calibration.drift_limit_deg) + "° it is calibrated again.\n";
   }
-  if (task.loss && task.loss->policy != GazeLossRule::Policy::kKeep) {
-    const bool repeated = task.loss->policy == GazeLossRule::Policy::kRepeat;
+  if (task.loss.policy != GazeLossRule::Policy::kKeep) {
+    const bool repeated = task.loss.policy == GazeLossRule::Policy::kRepeat;
     page += "- A trial in which the gaze was lost for more than " +
-            number(100.0 * task.loss->most_lost_share) + " % of the stimulus is " +
-            (repeated ? "shown again, " + std::to_string(task.loss->most_repeats) +
+            number(100.0 * task.loss.most_lost_share) + " % of the stimulus is " +
+            (repeated ? "shown again, " + std::to_string(task.loss.most_repeats) +
                             " times at most, then kept and marked.\n"
                       : "marked.\n");
   }

@@ -96,8 +96,11 @@ int deepest_level_of(const Protocol& protocol) {
 }
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
-                     start_of(trial), trial.seed, deepest_level_);
+  StagedScene staged = build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
+                                   start_of(trial), trial.seed, deepest_level_);
+  const auto& gaze = protocol_->script.gaze;
+  staged.gaze_latency_s += gaze ? gaze->extra_latency_ms / 1e3 : 0.0;
+  return staged;
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,

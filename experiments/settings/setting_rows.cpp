@@ -75,6 +75,9 @@ Form list_form(const Form& item, ListLength length) {
   if (length.most >= 0) {
     form.schema["maxItems"] = length.most;
   }
+  if (length.is_set) {
+    form.schema["uniqueItems"] = true;
+  }
   form.schema["items"] = item.schema;
   return form;
 }
