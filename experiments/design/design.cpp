@@ -7,10 +7,19 @@
 
 namespace impetus::inline design {
 
-const Factor* find_factor(const Design& design, const std::string& name) {
+std::size_t factor_place(const Design& design, const std::string& name) {
   const auto found = std::find_if(design.factors.begin(), design.factors.end(),
                                   [&](const Factor& factor) { return factor.name == name; });
-  return found == design.factors.end() ? nullptr : &*found;
+  return static_cast<std::size_t>(found - design.factors.begin());
+}
+
+const Factor* find_factor(const Design& design, const std::string& name) {
+  const std::size_t place = factor_place(design, name);
+  return place < design.factors.size() ? &design.factors[place] : nullptr;
+}
+
+bool has_level(const Factor& factor, const LevelValue& level) {
+  return std::find(factor.levels.begin(), factor.levels.end(), level) != factor.levels.end();
 }
 
 std::vector<double> numbers(const std::vector<LevelValue>& levels) {

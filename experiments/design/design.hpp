@@ -98,11 +98,16 @@ struct Design {
   std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
 
-/// The factor of this name; null when there is none.
+/// The place of the factor of this name among the design's, or one past the last.
+std::size_t factor_place(const Design& design, const std::string& name);
+/// That factor; null when there is none.
 const Factor* find_factor(const Design& design, const std::string& name);
 
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
+
+/// Whether it is one of the factor's.
+bool has_level(const Factor& factor, const LevelValue& level);
 
 /// Levels that are all numbers.
 std::vector<double> numbers(const std::vector<LevelValue>& levels);

@@ -17,7 +17,7 @@ LevelValue level_value(const json& value) {
   return value.get<double>();
 }
 
-Kind<LevelValue> level_kind() {
+Kind<LevelValue> factor_level_kind() {
   const OrderedJson types{{"type", {"number", "string", "boolean"}}};
   return defined("level", Kind<LevelValue>{{types}, level_value});
 }
@@ -30,7 +30,7 @@ Kind<Condition> condition_kind() {
     }
     return condition;
   };
-  return defined("condition", Kind<Condition>{by_name_form(level_kind()), read},
+  return defined("condition", Kind<Condition>{by_name_form(factor_level_kind()), read},
                  "A level for every factor, by name.");
 }
 
@@ -50,12 +50,31 @@ json to_json(const Condition& condition) {
   return object;
 }
 
+Condition condition_from_json(const json& object, const Design& design) {
+  Condition condition;
+  for (const Factor& factor : design.factors) {
+    if (object.contains(factor.name)) {
+      condition.push_back({factor.name, level_value(object.at(factor.name))});
+    }
+  }
+  return condition;
+}
+
 std::string list_text(const std::vector<LevelValue>& levels) {
   json list = json::array();
   for (const LevelValue& level : levels) {
     list.push_back(to_json(level));
   }
   return list.dump();
+}
+
+const Factor& named_factor(const JsonDocument& protocol, const std::string& place,
+                           const Design& design, const std::string& name) {
+  const Factor* factor = find_factor(design, name);
+  if (factor == nullptr) {
+    refuse(protocol, place, "expected the name of a factor, got " + json_text(name));
+  }
+  return *factor;
 }
 
 }  // namespace impetus::inline questions

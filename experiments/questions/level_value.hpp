@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "experiments/design/design.hpp"
+#include "experiments/settings/json_document.hpp"
 #include "experiments/settings/setting_rows.hpp"
 
 namespace impetus::inline questions {
 
 /// A word, true or false, or else a number.
 LevelValue level_value(const nlohmann::json& value);
-Kind<LevelValue> level_kind();
+Kind<LevelValue> factor_level_kind();
 
 /// A level for every factor, {"delay_ms": 100, ...}, in the order of the names.
 Kind<Condition> condition_kind();
@@ -20,8 +21,16 @@ Kind<Condition> condition_kind();
 nlohmann::json to_json(const LevelValue& value);
 nlohmann::json to_json(const Condition& condition);
 
+/// The condition back. It lacks what the object lacks: an adaptive level that is not chosen yet.
+Condition condition_from_json(const nlohmann::json& object, const Design& design);
+
 /// The levels as a file lists them, for messages.
 std::string list_text(const std::vector<LevelValue>& levels);
+
+/// The factor of this name. Throws InputError when the design has none; `place` is where the
+/// protocol names it.
+const Factor& named_factor(const JsonDocument& protocol, const std::string& place,
+                           const Design& design, const std::string& name);
 
 /// A value in quotes or a number, as a file has it, for messages.
 inline std::string json_text(const LevelValue& value) { return to_json(value).dump(); }

@@ -26,6 +26,20 @@ const Kinds& listed_kinds() {
   return listed;
 }
 
+std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant) {
+  std::vector<std::string> keys;
+  for (const ResponseKind& kind : listed_kinds()) {
+    if (is_meant(kind)) {
+      keys.push_back("\"" + kind.protocol_key + "\"");
+    }
+  }
+  std::string list;
+  for (const std::string& key : keys) {
+    list += (list.empty() ? "" : &key == &keys.back() ? " or " : ", ") + key;
+  }
+  return list;
+}
+
 const ResponseKind* find_kind(const std::string& name) {
   const auto found = std::find_if(response_kinds().begin(), response_kinds().end(),
                                   [&](const ResponseKind& kind) { return kind.name == name; });

@@ -114,6 +114,9 @@ const std::vector<std::reference_wrapper<const ResponseKind>>& response_kinds();
 /// The same in the order in which words list them: what is asked after the stimulus comes first.
 const std::vector<std::reference_wrapper<const ResponseKind>>& listed_kinds();
 
+/// `"rating", "yes_no" or "clicks"`: the keys of the kinds of which `is_meant` is true.
+std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant);
+
 /// The kind of this name; null when there is none.
 const ResponseKind* find_kind(const std::string& name);
 

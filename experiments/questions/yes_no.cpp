@@ -36,16 +36,12 @@ class YesNoQuestion final : public Question {
       return;
     }
     const std::string place = "/yes_no/right_when/factor";
-    const std::string name = json_text(*right_factor_);
-    const Factor* factor = find_factor(design, *right_factor_);
-    if (factor == nullptr) {
-      refuse(protocol, place, "expected the name of a factor, got " + name);
-    }
-    for (const LevelValue& level : factor->levels) {
+    const Factor& factor = named_factor(protocol, place, design, *right_factor_);
+    for (const LevelValue& level : factor.levels) {
       if (!std::holds_alternative<double>(level)) {
         refuse(protocol, place,
-               "expected a factor whose levels are numbers, got " + name + ", which has " +
-                   json_text(level));
+               "expected a factor whose levels are numbers, got " + json_text(factor.name) +
+                   ", which has " + json_text(level));
       }
     }
   }

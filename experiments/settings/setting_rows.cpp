@@ -126,7 +126,9 @@ OrderedJson file_schema(const std::string& title, const std::string& sentence, c
   for (const char* key : {"type", "additionalProperties", "required"}) {
     schema[key] = object.schema[key];
   }
-  schema["definitions"] = object.definitions;
+  if (!object.definitions.empty()) {
+    schema["definitions"] = object.definitions;
+  }
   schema["properties"] = object.schema["properties"];
   return schema;
 }
