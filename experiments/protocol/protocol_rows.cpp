@@ -210,12 +210,14 @@ std::vector<Row<Text>> text_rows() {
           required("paragraphs", &Text::paragraphs, list(text(), {}))};
 }
 
-/// Title and paragraphs among the rows of what they belong to.
+/// Title and paragraphs between other rows of what they belong to.
 template <typename Struct>
-std::vector<Row<Struct>> rows_with_text(Text Struct::*page, std::vector<Row<Struct>> rows) {
+std::vector<Row<Struct>> rows_with_text(std::vector<Row<Struct>> rows, Text Struct::*page,
+                                        const std::vector<Row<Struct>>& more) {
   for (const Row<Text>& each : text_rows()) {
     rows.push_back(row_within(page, each));
   }
+  rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 
@@ -235,11 +237,9 @@ Kind<Field> field_kind() {
 
 Kind<Demonstration> demonstration_kind() {
   using D = Demonstration;
-  return object<D>(
-      "", rows_with_text<D>(&D::text, {required("id", &D::id, id_kind()),
-                                       required("set", &D::set, by_name(factor_level_kind()),
-                                                "Values of the scene by JSON "
-                                                "Pointer.")}));
+  return object<D>("", rows_with_text<D>({required("id", &D::id, id_kind())}, &D::text,
+                                         {required("set", &D::set, by_name(factor_level_kind()),
+                                                   "Values of the scene by JSON Pointer.")}));
 }
 
 Kind<ResumeRule> resume_kind() {
@@ -260,7 +260,7 @@ Row<S> session_row() {
       "session",
       {required("welcome", &S::welcome, page_kind()),
        group<S>("consent",
-                rows_with_text<S>(&S::consent,
+                rows_with_text<S>({}, &S::consent,
                                   {required("statement", &S::consent_statement, text(),
                                             "What is agreed to, or not: shown apart, and stored "
                                             "with the answer.")}))
@@ -270,9 +270,9 @@ Row<S> session_row() {
        required("instructions", &S::instructions, list(page_kind(), {})),
        row("demonstrations", &S::demonstrations, list(demonstration_kind(), {0, 100}),
            "Scenes shown before practice, each named first; not recorded as trials."),
-       group<S>("breaks",
-                rows_with_text<S>(&S::break_text, {required("every", &S::break_every, count(1),
-                                                            "Main trials between breaks.")})),
+       group<S>("breaks", rows_with_text<S>({required("every", &S::break_every, count(1),
+                                                      "Main trials between breaks.")},
+                                            &S::break_text, {})),
        row("resume", &S::resume, resume_kind()),
        row("questions", &S::questions, list(question, {}),
            "Asked after the last trial; answered in free text."),
@@ -293,8 +293,6 @@ Row<S> timing_row() {
 const Kind<P>& protocol_kind() {
   static const Kind<P> kind = [] {
     std::vector<Row<P>> rows{
-        required("name", &P::name, text_like("^[a-z][a-z0-9-]*$"),
-                 "Short and stable: the order of trials and the analysis go by it."),
         required("scene", &P::scene_file, text(),
                  "The scene's file, seen from this one, within the folder above this one's; links "
                  "are followed."),
@@ -310,7 +308,11 @@ const Kind<P>& protocol_kind() {
     for (const Row<S>& each : script) {
       rows.push_back(row_within(&P::script, each));
     }
-    return object<P>("", rows_of_file<P>(rows, required("title", &P::title, text())));
+    return object<P>(
+        "", rows_of_file<P>(rows, {required("name", &P::name, text_like("^[a-z][a-z0-9-]*$"),
+                                            "Short and stable: the order of trials and the "
+                                            "analysis go by it."),
+                                   required("title", &P::title, text())}));
   }();
   return kind;
 }

@@ -12,13 +12,12 @@ const Kind<Series>& series_kind() {
   const Kind<std::string> name = text();
   const Kind<std::filesystem::path> file{name, name.read};
   static const Kind<Series> kind = object<Series>(
-      "",
-      rows_of_file<Series>({required("series", &Series::name, text_like("^[a-z][a-z0-9-]*$"),
-                                     "Short and stable; it stands beside every session."),
-                            required("protocols", &Series::protocols, list(file, {2, 20, true}),
-                                     "Files, seen from this one, within the folder above its own; "
-                                     "links are followed.")},
-                           required("title", &Series::title, text())));
+      "", rows_of_file<Series>({required("protocols", &Series::protocols, list(file, {2, 20, true}),
+                                         "Files, seen from this one, within the folder above its "
+                                         "own; links are followed.")},
+                               {required("series", &Series::name, text_like("^[a-z][a-z0-9-]*$"),
+                                         "Short and stable; it stands beside every session."),
+                                required("title", &Series::title, text())}));
   return kind;
 }
 

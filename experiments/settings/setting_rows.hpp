@@ -276,15 +276,16 @@ Row<Struct> group(const std::string& key, const std::vector<Row<Struct>>& rows,
 OrderedJson file_schema(const std::string& title, const std::string& sentence, const Form& object);
 
 /// The rows that every file begins with: which schema it goes by, and for people its title and
-/// where it comes from.
+/// where it comes from. `first` may have the title among rows of the struct.
 template <typename Struct>
-std::vector<Row<Struct>> rows_of_file(std::vector<Row<Struct>> more,
-                                      const Row<Struct>& title = unread<Struct>("title", text(),
-                                                                                true)) {
+std::vector<Row<Struct>> rows_of_file(const std::vector<Row<Struct>>& more,
+                                      const std::vector<Row<Struct>>& first = {
+                                          unread<Struct>("title", text(), true)}) {
   std::vector<Row<Struct>> rows{
       unread<Struct>("$schema", any_text()),
-      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}, /*is_required=*/true), title,
-      unread<Struct>("source", any_text())};
+      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}, /*is_required=*/true)};
+  rows.insert(rows.end(), first.begin(), first.end());
+  rows.push_back(unread<Struct>("source", any_text()));
   rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
