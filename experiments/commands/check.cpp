@@ -11,7 +11,6 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
-#include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
@@ -34,8 +33,7 @@ struct CheckOptions {
 void print_factors(const Protocol& protocol) {
   for (const Factor& factor : protocol.design.factors) {
     std::printf("  factor       %s = %s\n", factor.name.c_str(), level_list(factor).c_str());
-    std::printf("               %s; overrides %s\n", protocol.labels.at(factor.name).c_str(),
-                protocol.pointers.at(factor.name).c_str());
+    std::printf("               %s; overrides %s\n", factor.label.c_str(), factor.pointer.c_str());
   }
 }
 
@@ -94,7 +92,7 @@ void print_design(const Protocol& protocol) {
                 scale->low_anchor.c_str(), static_cast<long long>(scale->maximum),
                 scale->high_anchor.c_str());
   }
-  if (has_participants(protocol.document.value)) {
+  if (protocol.has_participants) {
     std::printf("  duration     about %.0f minutes, at %.1f s for an answer\n",
                 std::ceil(expected_minutes(protocol, plan)), kAssumedAnswer_s);
   } else {

@@ -7,24 +7,9 @@
 namespace impetus::inline design {
 namespace {
 
-std::size_t place_of(const std::vector<Factor>& factors, const std::string& name) {
-  const auto found = std::find_if(factors.begin(), factors.end(),
-                                  [&](const Factor& factor) { return factor.name == name; });
-  return static_cast<std::size_t>(found - factors.begin());
-}
-
 std::size_t index_of(const std::vector<LevelValue>& levels, const LevelValue& level) {
   const auto found = std::find(levels.begin(), levels.end(), level);
   return static_cast<std::size_t>(found - levels.begin());
-}
-
-std::vector<double> numbers(const std::vector<LevelValue>& levels) {
-  std::vector<double> numbers;
-  numbers.reserve(levels.size());
-  for (const LevelValue& level : levels) {
-    numbers.push_back(std::get<double>(level));
-  }
-  return numbers;
 }
 
 const FactorLevel* find(const std::vector<FactorLevel>& values, const std::string& name) {
@@ -85,7 +70,7 @@ std::vector<FactorLevel> AdaptiveTrack::state() const {
 
 std::vector<TrackPlan> adaptive_tracks(const Design& design) {
   Design others = design;
-  const std::size_t place = place_of(design.factors, design.adaptive->factor);
+  const std::size_t place = factor_place(design, design.adaptive->factor);
   others.factors.erase(others.factors.begin() + static_cast<std::ptrdiff_t>(place));
   std::vector<TrackPlan> tracks;
   for (const Condition& cell : cells(others)) {
@@ -104,7 +89,7 @@ AdaptiveLevels::AdaptiveLevels(const Design& design) : design_(design) {
   if (!design.adaptive) {
     return;
   }
-  factor_ = place_of(design.factors, design.adaptive->factor);
+  factor_ = factor_place(design, design.adaptive->factor);
   const std::vector<LevelValue>& levels = design.factors[factor_].levels;
   std::shared_ptr<const PsychometricTable> table;
   if (const auto* quest_plus = std::get_if<QuestPlus>(&design.adaptive->method)) {

@@ -1,10 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/design/design.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 namespace impetus::inline design {
+
+std::size_t factor_place(const Design& design, const std::string& name) {
+  const auto found = std::find_if(design.factors.begin(), design.factors.end(),
+                                  [&](const Factor& factor) { return factor.name == name; });
+  return static_cast<std::size_t>(found - design.factors.begin());
+}
+
+const Factor* find_factor(const Design& design, const std::string& name) {
+  const std::size_t place = factor_place(design, name);
+  return place < design.factors.size() ? &design.factors[place] : nullptr;
+}
+
+bool has_level(const Factor& factor, const LevelValue& level) {
+  return std::find(factor.levels.begin(), factor.levels.end(), level) != factor.levels.end();
+}
+
+std::vector<double> numbers(const std::vector<LevelValue>& levels) {
+  std::vector<double> numbers;
+  numbers.reserve(levels.size());
+  for (const LevelValue& level : levels) {
+    numbers.push_back(std::get<double>(level));
+  }
+  return numbers;
+}
 
 std::vector<Condition> cells(const Design& design) {
   std::vector<Condition> result{Condition{}};

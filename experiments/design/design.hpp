@@ -27,6 +27,8 @@ using Condition = std::vector<FactorLevel>;
 struct Factor {
   std::string name;
   std::vector<LevelValue> levels;
+  std::string pointer{};  ///< JSON Pointer to the value of the scene that it overrides
+  std::string label{};    ///< for people
 };
 
 /// No more than `longest` trials in a row may have the same level of `factor`.
@@ -96,8 +98,19 @@ struct Design {
   std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
 
+/// The place of the factor of this name among the design's, or one past the last.
+std::size_t factor_place(const Design& design, const std::string& name);
+/// That factor; null when there is none.
+const Factor* find_factor(const Design& design, const std::string& name);
+
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
+
+/// Whether it is one of the factor's.
+bool has_level(const Factor& factor, const LevelValue& level);
+
+/// Levels that are all numbers.
+std::vector<double> numbers(const std::vector<LevelValue>& levels);
 
 /// "5", "0.5", "tracked", "true": a level as it is printed and stored.
 std::string to_text(const LevelValue& value);

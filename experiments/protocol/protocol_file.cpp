@@ -9,57 +9,51 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
-#include "experiments/protocol/design_reading.hpp"
-#include "experiments/protocol/embedded_schema.hpp"
+#include "experiments/protocol/protocol_rows.hpp"
 #include "experiments/protocol/scene_loading.hpp"
-#include "experiments/protocol/script_reading.hpp"
 #include "experiments/protocol/solved_values.hpp"
-#include "experiments/questions/response_kinds.hpp"
+#include "experiments/questions/two_interval.hpp"
 #include "experiments/settings/named_file.hpp"
-#include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
 
-const json& protocol_schema() {
-  static const json schema = json::parse(kProtocolSchemaText);
-  return schema;
-}
-
 /// The mesh and figure files that factors and demonstrations put into the scene.
-MoreFiles files_of_design(const json& protocol) {
+MoreFiles files_of_design(const Protocol& protocol) {
   MoreFiles files;
-  const auto add = [&](const std::string& pointer, const json& value) {
-    if (pointer.ends_with("/shape/file") && value.is_string()) {
-      files.meshes.push_back(value.get<std::string>());
+  const auto add = [&](const std::string& pointer, const LevelValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    if (name != nullptr && pointer.ends_with("/shape/file")) {
+      files.meshes.push_back(*name);
     }
-    if (pointer.ends_with("/figure") && value.is_string()) {
-      files.figures.push_back(value.get<std::string>());
+    if (name != nullptr && pointer.ends_with("/figure")) {
+      files.figures.push_back(*name);
     }
   };
-  for (const json& factor : protocol["design"]["factors"]) {
-    for (const json& level : factor["levels"]) {
-      add(factor["pointer"].get<std::string>(), level);
+  std::vector<Condition> beside;  // what is shown besides the design's own levels
+  for (const CatchTrials& kind : protocol.design.catch_trials) {
+    beside.push_back(kind.condition);
+  }
+  if (const TwoIntervalQuestion* question = find_two_interval(protocol.script)) {
+    beside.push_back(question->standard_levels());
+  }
+  for (const Factor& factor : protocol.design.factors) {
+    for (const LevelValue& level : factor.levels) {
+      add(factor.pointer, level);
     }
-    const auto name = factor["name"].get<std::string>();
-    for (const json& kind : protocol["design"].value("catch_trials", json::array())) {
-      if (kind["condition"].contains(name)) {
-        add(factor["pointer"].get<std::string>(), kind["condition"][name]);
-      }
-    }
-    for (const json& levels : levels_of_questions(protocol)) {
-      if (levels.contains(name)) {
-        add(factor["pointer"].get<std::string>(), levels[name]);
+    for (const Condition& condition : beside) {
+      for (const FactorLevel& level : condition) {
+        if (level.factor == factor.name) {
+          add(factor.pointer, level.value);
+        }
       }
     }
   }
-  const json entries =
-      protocol.value("session", json::object()).value("demonstrations", json::array());
-  for (const json& entry : entries) {
-    for (auto value = entry["set"].begin(); value != entry["set"].end(); ++value) {
-      add(value.key(), value.value());
+  for (const Demonstration& demonstration : protocol.script.demonstrations) {
+    for (const auto& [pointer, value] : demonstration.set) {
+      add(pointer, value);
     }
   }
   return files;
@@ -79,68 +73,46 @@ std::string hash_of(const json& protocol, const json& scene) {
 json scene_under(const Protocol& protocol, const Condition& condition) {
   json scene = protocol.scene.value;
   for (const FactorLevel& level : condition) {
-    scene[json::json_pointer(protocol.pointers.at(level.factor))] = to_json(level.value);
+    const Factor& factor = *find_factor(protocol.design, level.factor);
+    scene[json::json_pointer(factor.pointer)] = to_json(level.value);
   }
   return scene;
 }
 
-json demonstration_scene(const Protocol& protocol, const std::string& id) {
+json demonstration_scene(const Protocol& protocol, const Demonstration& demonstration) {
   json scene = protocol.scene.value;
-  for (const json& entry : protocol.document.value["session"]["demonstrations"]) {
-    if (entry["id"].get<std::string>() == id) {
-      const json& values = entry["set"];
-      for (auto value = values.begin(); value != values.end(); ++value) {
-        scene[json::json_pointer(value.key())] = value.value();
-      }
-    }
+  for (const auto& [pointer, value] : demonstration.set) {
+    scene[json::json_pointer(pointer)] = to_json(value);
   }
   return scene;
 }
 
 Protocol make_protocol(JsonDocument document, JsonDocument scene) {
-  require_schema(document, protocol_schema());
-  check_participants(document);
+  Protocol protocol = read_protocol(std::move(document));
+  check_participants(protocol);
   require_scene(scene);
-  Protocol protocol;
-  protocol.name = document.value["name"].get<std::string>();
-  protocol.title = document.value["title"].get<std::string>();
-  protocol.hash = hash_of(document.value, scene.value);
-  protocol.document = std::move(document);
+  protocol.hash = hash_of(protocol.document.value, scene.value);
   protocol.scene = std::move(scene);
-
-  const json& design = protocol.document.value["design"];
-  check_design(protocol.document, protocol.scene);
-  check_responses(protocol.document);
-  protocol.design = design_from(design);
-  for (const json& factor : design["factors"]) {
-    const auto name = factor["name"].get<std::string>();
-    protocol.pointers[name] = factor["pointer"].get<std::string>();
-    protocol.labels[name] = factor.value("label", name);
-  }
+  check_design(protocol);
+  check_responses(protocol);
   check_solve(protocol);
   check_levels(protocol);
   check_catch_scenes(protocol);
-  check_practice(protocol.document);
-  check_practice_rule(protocol.document);
-  protocol.script = script_from(protocol.document.value);
+  check_practice(protocol);
+  check_practice_rule(protocol);
   check_training(protocol);
   check_demonstrations(protocol);
   check_gaze(protocol);
-  for (const json& condition : design.value("practice", json::array())) {
-    protocol.design.practice.push_back(condition_from_json(condition, protocol.design));
-  }
   check_standard(protocol);
   check_yoking(protocol);
   return protocol;
 }
 
 Protocol load_protocol(const std::filesystem::path& path) {
-  JsonDocument document = read_json(path);
-  require_schema(document, protocol_schema());
-  check_texts(document);
-  const std::filesystem::path scene = named_file(document, path, "/scene", "a file");
-  const MoreFiles files = files_of_design(document.value);
-  return make_protocol(std::move(document), read_scene(scene, files));
+  Protocol protocol = read_protocol(read_json(path));
+  check_texts(protocol.document);
+  const std::filesystem::path scene = named_file(protocol.document, path, "/scene", "a file");
+  return make_protocol(std::move(protocol.document), read_scene(scene, files_of_design(protocol)));
 }
 
 }  // namespace impetus::inline protocol

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
@@ -17,11 +16,11 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(double value) { return design::to_text(LevelValue{value}); }
+std::string number_words(double value) { return design::to_text(LevelValue{value}); }
 
 std::string heading(const std::string& words) { return "\n## " + words + "\n\n"; }
 
-std::string row(const std::vector<std::string>& cells) {
+std::string table_row(const std::vector<std::string>& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) {
     line += " " + cell + " |";
@@ -30,7 +29,7 @@ std::string row(const std::vector<std::string>& cells) {
 }
 
 std::string table_head(const std::vector<std::string>& names) {
-  return row(names) + row(std::vector<std::string>(names.size(), "---"));
+  return table_row(names) + table_row(std::vector<std::string>(names.size(), "---"));
 }
 
 std::string summary(const Protocol& protocol, const Plan& plan) {
@@ -39,7 +38,7 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
     return trial.phase == TrialPhase::kMain;
   });
   std::string words = std::to_string(main) + (main == 1 ? " trial" : " trials");
-  if (!has_participants(protocol.document.value)) {
+  if (!protocol.has_participants) {
     return words +
            ", simulated without a display: nobody takes part. Everything below is read "
            "from `" +
@@ -48,7 +47,7 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
   if (practice > 0) {
     words += " after " + std::to_string(practice) + " of practice";
   }
-  return words + ", about " + number(std::ceil(expected_minutes(protocol, plan))) +
+  return words + ", about " + number_words(std::ceil(expected_minutes(protocol, plan))) +
          " minutes. Everything below is read from `" + protocol.name +
          ".json` and its scene; a change there changes the study.\n";
 }
@@ -57,9 +56,8 @@ std::string factors(const Protocol& protocol) {
   std::string page = heading("What is varied");
   page += table_head({"factor", "levels", "meaning", "value of the scene"});
   for (const Factor& factor : protocol.design.factors) {
-    page += row({"`" + factor.name + "`", markdown_text(level_list(factor)),
-                 markdown_text(protocol.labels.at(factor.name)),
-                 markdown_code(protocol.pointers.at(factor.name))});
+    page += table_row({"`" + factor.name + "`", markdown_text(level_list(factor)),
+                       markdown_text(factor.label), markdown_code(factor.pointer)});
   }
   return page;
 }
@@ -79,20 +77,20 @@ std::string trial(const Protocol& protocol) {
   const StimulusLength length = stimulus_length(protocol);
   std::string page = heading("One trial");
   page += table_head({"for", "what"});
-  page += row({"at least " + number(script.timing.interval_ms) + " ms",
-               "blank; the trial before is saved"});
-  page += row({number(script.timing.fixation_ms) + " ms", "fixation cross"});
+  page += table_row({"at least " + number_words(script.timing.interval_ms) + " ms",
+                     "blank; the trial before is saved"});
+  page += table_row({number_words(script.timing.fixation_ms) + " ms", "fixation cross"});
   const TwoIntervalQuestion* two = find_two_interval(script);
-  std::string what =
-      two != nullptr ? "two stimuli, in random order, " + number(two->between_ms()) + " ms apart"
-                     : "the stimulus";
+  std::string what = two != nullptr ? "two stimuli, in random order, " +
+                                          number_words(two->between_ms()) + " ms apart"
+                                    : "the stimulus";
   std::string questions;
   for (const auto& question : script.asked) {
     const std::string words = question->explanation(markdown_text);
     if (question->kind().during_stimulus) {
       what += "; " + words;
     } else {
-      questions += row({"then", words});
+      questions += table_row({"then", words});
     }
   }
   if (script.gaze) {
@@ -100,9 +98,9 @@ std::string trial(const Protocol& protocol) {
   }
   const std::string span =
       length.shortest_s == length.longest_s
-          ? number(length.longest_s) + " s"
-          : number(length.shortest_s) + " to " + number(length.longest_s) + " s";
-  return page + row({span, what}) + questions;
+          ? number_words(length.longest_s) + " s"
+          : number_words(length.shortest_s) + " to " + number_words(length.longest_s) + " s";
+  return page + table_row({span, what}) + questions;
 }
 
 std::string gaze(const GazeTask& task) {
@@ -112,19 +110,21 @@ std::string gaze(const GazeTask& task) {
     page +=
         "- Calibrated by nine points before practice, then validated; repeated when the mean "
         "distance is above " +
-        number(calibration.accuracy_limit_deg) + "°, " + std::to_string(calibration.most_tries) +
+        number_words(calibration.accuracy_limit_deg) + "°, " +
+        std::to_string(calibration.most_tries) +
         " times at most, then the experimenter decides. At breaks one point is checked: above " +
-        number(calibration.drift_limit_deg) + "° it is calibrated again.\n";
+        number_words(calibration.drift_limit_deg) + "° it is calibrated again.\n";
   }
-  if (task.loss && task.loss->policy != GazeLossRule::Policy::kKeep) {
-    const bool repeated = task.loss->policy == GazeLossRule::Policy::kRepeat;
+  if (task.loss.policy != GazeLossRule::Policy::kKeep) {
+    const bool repeated = task.loss.policy == GazeLossRule::Policy::kRepeat;
     page += "- A trial in which the gaze was lost for more than " +
-            number(100.0 * task.loss->most_lost_share) + " % of the stimulus is " +
-            (repeated ? "shown again, " + std::to_string(task.loss->most_repeats) +
+            number_words(100.0 * task.loss.most_lost_share) + " % of the stimulus is " +
+            (repeated ? "shown again, " + std::to_string(task.loss.most_repeats) +
                             " times at most, then kept and marked.\n"
                       : "marked.\n");
   }
-  page += "- Imposed latency: " + number(task.extra_latency_ms) + " ms, and what the scene adds.\n";
+  page += "- Imposed latency: " + number_words(task.extra_latency_ms) +
+          " ms, and what the scene adds.\n";
   if (task.yoked_to) {
     page +=
         "- Recorded regions follow the gaze of another participant: " +
@@ -159,7 +159,7 @@ std::string resuming(const Script& script) {
                   "which were done are kept, set aside, and shown again."
                 : "It goes on at the next trial.";
   if (script.resume.refuse_after_h > 0.0) {
-    page += " More than " + number(script.resume.refuse_after_h) +
+    page += " More than " + number_words(script.resume.refuse_after_h) +
             " hours after anything was last recorded it is refused.";
   }
   return page + " Instructions are shown again" +
@@ -213,7 +213,7 @@ std::string recorded(const Protocol& protocol) {
     for (const DeclaredValue& value : kind.recorded) {
       values += (values.empty() ? "`" : ", `") + value.name + "`";
     }
-    page += row({kind.name, kind.when, values});
+    page += table_row({kind.name, kind.when, values});
   }
   return page;
 }
@@ -224,7 +224,7 @@ constexpr const char* kPrintedP =
     "its family of tests; what it says to be found rests on the corrected one.\n";
 
 std::string commands(const Protocol& protocol) {
-  const bool people = has_participants(protocol.document.value);
+  const bool people = protocol.has_participants;
   return heading("How to run it") + "```sh\nbuild/impetus run protocols/" + protocol.name +
          ".json --db study.sqlite" + (people ? " --participant P01" : "") +
          "\nbuild/impetus replay study.sqlite\n"
@@ -242,7 +242,7 @@ std::string protocol_page(const Protocol& protocol) {
     page += markdown_text(document["source"].get<std::string>()) + ".\n\n";
   }
   page += summary(protocol, plan) + factors(protocol) + order(protocol);
-  if (has_participants(document)) {
+  if (protocol.has_participants) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
     page += resuming(protocol.script) + words_shown(protocol.script);

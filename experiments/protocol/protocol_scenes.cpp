@@ -34,7 +34,7 @@ class Engine {
 int deepest_level_under(const Protocol& protocol, const Condition& condition) {
   Engine engine(protocol.scene.value);
   for (const FactorLevel& level : condition) {
-    engine.put(protocol.pointers.at(level.factor), to_json(level.value));
+    engine.put(find_factor(protocol.design, level.factor)->pointer, to_json(level.value));
   }
   return engine.deepest_level();
 }
@@ -42,21 +42,16 @@ int deepest_level_under(const Protocol& protocol, const Condition& condition) {
 /// The cells of the factors that change the engine: of the others any will do.
 std::vector<Condition> cells_of_engine(const Protocol& protocol) {
   Design design = protocol.design;
-  std::erase_if(design.factors, [&](const Factor& factor) {
-    return !is_of_engine(protocol.pointers.at(factor.name));
-  });
+  std::erase_if(design.factors, [](const Factor& factor) { return !is_of_engine(factor.pointer); });
   return cells(design);
 }
 
 int deepest_of_demonstrations(const Protocol& protocol) {
   int deepest = 0;
-  const json session = protocol.document.value.value("session", json::object());
-  const json demonstrations = session.value("demonstrations", json::array());
-  for (const json& entry : demonstrations) {
+  for (const Demonstration& demonstration : protocol.script.demonstrations) {
     Engine engine(protocol.scene.value);
-    const json& values = entry["set"];
-    for (auto value = values.begin(); value != values.end(); ++value) {
-      engine.put(value.key(), value.value());
+    for (const auto& [pointer, value] : demonstration.set) {
+      engine.put(pointer, to_json(value));
     }
     deepest = std::max(deepest, engine.deepest_level());
   }
@@ -96,13 +91,19 @@ int deepest_level_of(const Protocol& protocol) {
 }
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
-                     start_of(trial), trial.seed, deepest_level_);
+  StagedScene staged = build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
+                                   start_of(trial), trial.seed, deepest_level_);
+  const auto& gaze = protocol_->script.gaze;
+  staged.gaze_latency_s += gaze ? gaze->extra_latency_ms / 1e3 : 0.0;
+  return staged;
 }
 
 StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
                                                 const ScreenGeometry& screen) const {
-  return build_scene(demonstration_scene(*protocol_, id), screen, round_hold_to_hz_, *shapes_,
+  const std::vector<Demonstration>& all = protocol_->script.demonstrations;
+  const auto shown =
+      std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.id == id; });
+  return build_scene(demonstration_scene(*protocol_, *shown), screen, round_hold_to_hz_, *shapes_,
                      "demonstration", /*seed=*/1, deepest_level_);
 }
 

@@ -1,46 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/series_file.hpp"
 
-#include "experiments/protocol/checks/participant_checks.hpp"
-#include "experiments/protocol/embedded_series_schema.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/named_file.hpp"
 #include "experiments/settings/schema_check.hpp"
 
 namespace impetus::inline protocol {
-
-using nlohmann::json;
-
 namespace {
 
+const Kind<Series>& series_kind() {
+  const Kind<std::string> name = text();
+  const Kind<std::filesystem::path> file{name, name.read};
+  static const Kind<Series> kind = object<Series>(
+      "", rows_of_file<Series>({required("protocols", &Series::protocols, list(file, {2, 20, true}),
+                                         "Files, seen from this one, within the folder above its "
+                                         "own; links are followed.")},
+                               {required("series", &Series::name, text_like("^[a-z][a-z0-9-]*$"),
+                                         "Short and stable; it stands beside every session."),
+                                required("title", &Series::title, text())}));
+  return kind;
+}
+
 /// A series is one person's: a protocol in which nobody takes part has no place in it.
-void check_people_take_part(const JsonDocument& series, std::size_t place,
+void check_people_take_part(const JsonDocument& series, const std::string& place,
                             const std::filesystem::path& protocol) {
-  if (!has_participants(read_json(protocol).value)) {
-    refuse(series, "/protocols/" + std::to_string(place),
-           "expected a protocol in which people take part, got \"" +
-               series.value["protocols"][place].get<std::string>() + "\", in which nobody does");
+  if (read_json(protocol).value.contains("participants")) {
+    refuse(series, place,
+           "expected a protocol in which people take part, got " +
+               series.value[nlohmann::json::json_pointer(place)].dump() + ", in which nobody does");
   }
 }
 
 }  // namespace
 
+OrderedJson series_file_schema() {
+  return file_schema("Impetus series",
+                     "Protocols that the same participant goes through in this order, in one "
+                     "sitting or several.",
+                     series_kind());
+}
+
 Series load_series(const std::filesystem::path& path) {
   const JsonDocument document = read_json(path);
-  if (!document.value.is_object() || !document.value.contains("series")) {
+  if (!document.value.contains("series")) {
     return {"", "", {path}};
   }
-  if (const auto problem = find_schema_problem(json::parse(kSeriesSchemaText), document.value)) {
-    refuse(document, problem->pointer, problem->message);
-  }
-  Series series{
-      document.value["series"].get<std::string>(), document.value["title"].get<std::string>(), {}};
-  const json& files = document.value["protocols"];
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::filesystem::path file =
-        named_file(document, path, "/protocols/" + std::to_string(i), "a protocol's file");
-    check_people_take_part(document, i, file);
-    series.protocols.push_back(file);
+  require_schema(document, series_file_schema());
+  Series series = series_kind().read(document.value);
+  for (std::size_t i = 0; i < series.protocols.size(); ++i) {
+    const std::string place = item("/protocols", i);
+    series.protocols[i] = named_file(document, path, place, "a protocol's file");
+    check_people_take_part(document, place, series.protocols[i]);
   }
   return series;
 }

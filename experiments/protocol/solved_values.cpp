@@ -8,9 +8,9 @@
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/solved_thresholds.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/spin_limits.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
@@ -23,77 +23,82 @@ using nlohmann::json;
 
 constexpr const char* kSpinPointer = "/imposed/random_spin";
 
-const std::vector<std::string>& keys_of(const std::string& kind) {
-  static const std::vector<std::string> spin{"accurate_level", "runs", "turn_deg", "size_share",
-                                             "percentiles"};
-  static const std::vector<std::string> lists{"share", "within", "pilot_s"};
-  return kind == "equal-lists" ? lists : spin;
+constexpr const char* kEqualLists = "equal-lists";
+
+std::vector<Row<SolveEntry>> equal_lists_rows() {
+  using E = SolveEntry;
+  return {row("share", &E::share, number({0, 1}), "Of the first list."),
+          row("within", &E::within, number(above(0, 1)), "The share may miss by so much."),
+          row("pilot_s", &E::pilot_s, number(above(0, 3600)),
+              "Simulated time of the pilot, whose random start is its own.")};
 }
 
-void check_solve_keys(const JsonDocument& document, const json& entry, const std::string& place) {
-  const auto kind = entry["kind"].get<std::string>();
-  const std::vector<std::string>& own = keys_of(kind);
-  for (const std::string& key : own) {
-    if (!entry.contains(key)) {
+std::vector<Row<SolveEntry>> rows_of_kind(const std::string& kind) {
+  return kind == kEqualLists ? equal_lists_rows() : spin_limits_rows();
+}
+
+/// An entry has the keys of its kind and none of the other's.
+void check_solve_keys(const JsonDocument& document, const std::string& kind,
+                      const std::string& place) {
+  const json& entry = document.value[json::json_pointer(place)];
+  for (const auto& each : rows_of_kind(kind)) {
+    if (!entry.contains(each.key)) {
       refuse(document, place,
-             "expected the key \"" + key + "\" for kind " + kind + ", which is missing");
+             "expected the key \"" + each.key + "\" for kind " + kind + ", which is missing");
     }
   }
+  const auto others = kind == kEqualLists ? spin_limits_rows() : equal_lists_rows();
   for (auto key = entry.begin(); key != entry.end(); ++key) {
-    const bool shared = key.key() == "kind" || key.key() == "pointer" || key.key() == "for_each";
-    if (!shared && std::find(own.begin(), own.end(), key.key()) == own.end()) {
+    if (std::any_of(others.begin(), others.end(),
+                    [&](const auto& each) { return each.key == key.key(); })) {
       refuse(document, place + "/" + key.key(), "expected none for kind " + kind);
     }
   }
 }
 
-void check_solve_factors(const Protocol& protocol, const json& entry, const std::string& place) {
-  const json names = entry.value("for_each", json::array());
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto& factors = protocol.design.factors;
-    if (std::none_of(factors.begin(), factors.end(), [&](const Factor& factor) {
-          return factor.name == names[i].get<std::string>();
-        })) {
-      refuse(protocol.document, place + "/for_each/" + std::to_string(i),
-             "expected the name of a factor, got " + names[i].dump());
-    }
-    const auto& adaptive = protocol.design.adaptive;
-    if (adaptive && adaptive->factor == names[i].get<std::string>()) {
+void check_solve_factors(const Protocol& protocol, const SolveEntry& entry,
+                         const std::string& place) {
+  for (std::size_t i = 0; i < entry.for_each.size(); ++i) {
+    const std::string& name = entry.for_each[i];
+    named_factor(protocol.document, item(place + "/for_each", i), protocol.design, name);
+    if (protocol.design.adaptive && protocol.design.adaptive->factor == name) {
       refuse(
-          protocol.document, place + "/for_each/" + std::to_string(i),
-          "expected a factor whose levels are planned, got the adaptive one, " + names[i].dump());
+          protocol.document, item(place + "/for_each", i),
+          "expected a factor whose levels are planned, got the adaptive one, " + json_text(name));
     }
   }
 }
 
-void check_spin(const Protocol& protocol, const json& entry, const std::string& place) {
-  const json& scene = protocol.scene.value;
-  if (entry["pointer"].get<std::string>() != std::string(kSpinPointer)) {
+void check_pointer(const Protocol& protocol, const SolveEntry& entry, const std::string& place,
+                   const std::string& solved) {
+  if (entry.pointer != solved) {
     refuse(protocol.document, place + "/pointer",
-           "expected \"" + std::string(kSpinPointer) + "\", got " + entry["pointer"].dump());
+           "expected \"" + solved + "\", got " + json_text(entry.pointer));
   }
+}
+
+void check_spin(const Protocol& protocol, const SolveEntry& entry, const std::string& place) {
+  const json& scene = protocol.scene.value;
+  const std::string has_none = ", but " + protocol.scene.name + " has none";
+  check_pointer(protocol, entry, place, kSpinPointer);
   if (!scene.contains(json::json_pointer(kSpinPointer))) {
     refuse(protocol.document, place + "/pointer",
-           "expected a scene with " + std::string(kSpinPointer) + ", but " + protocol.scene.name +
-               " has none");
+           "expected a scene with " + std::string(kSpinPointer) + has_none);
   }
   if (!scene["engine"].contains("level")) {
-    refuse(protocol.document, place,
-           "expected a scene with /engine/level, but " + protocol.scene.name + " has none");
+    refuse(protocol.document, place, "expected a scene with /engine/level" + has_none);
   }
-  if (!(entry["percentiles"][0] < entry["percentiles"][1])) {
-    refuse(protocol.document, place + "/percentiles",
-           "expected the lower first, got " + entry["percentiles"].dump());
+  if (!(entry.percentiles[0] < entry.percentiles[1])) {
+    refuse(
+        protocol.document, place + "/percentiles",
+        "expected the lower first, got " + list_text({entry.percentiles[0], entry.percentiles[1]}));
   }
 }
 
-void check_lists(const Protocol& protocol, const json& entry, const std::string& place) {
+void check_lists(const Protocol& protocol, const SolveEntry& entry, const std::string& place) {
   const json& scene = protocol.scene.value;
   const std::string threshold = "/engine/schedule/thresholds/0";
-  if (entry["pointer"].get<std::string>() != threshold) {
-    refuse(protocol.document, place + "/pointer",
-           "expected \"" + threshold + "\", got " + entry["pointer"].dump());
-  }
+  check_pointer(protocol, entry, place, threshold);
   const bool two_lists =
       names_single_value(scene, threshold) && scene["engine"]["schedule"]["lists"].size() == 2;
   if (!two_lists) {
@@ -151,32 +156,29 @@ std::string parted(double share) { return percent(share) + " to " + percent(1.0 
 std::vector<SolvedValue> solve_equal_lists(const SolveTask& task, ShapeLibrary& shapes,
                                            const Progress& progress) {
   constexpr int kMostPilots = 6;
-  const auto share = task.entry["share"].get<double>();
-  const auto within = task.entry["within"].get<double>();
-  const auto pilot_s = task.entry["pilot_s"].get<double>();
-  const auto pointer = task.entry["pointer"].get<std::string>();
+  const double share = task.entry.share;
   Scene scene = task.scene;
   int number = 0;  // of pilots that are done
   const Progress tell_pilot = [&](double done) { progress((number + done) / kMostPilots); };
-  Pilot pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
+  Pilot pilot = run_pilot(scene, task.entry.pilot_s, shapes, tell_pilot);
   for (number = 1; number < kMostPilots && !pilot.measures.empty(); ++number) {
     const double threshold = threshold_of(scene.engine, share, pilot.measures);
     scene.engine.schedule->limits["thresholds"].front() = threshold;
-    pilot = run_pilot(scene, pilot_s, shapes, tell_pilot);
-    if (!pilot.measures.empty() && std::abs(pilot.share - share) <= within) {
-      return {{pointer, threshold}};
+    pilot = run_pilot(scene, task.entry.pilot_s, shapes, tell_pilot);
+    if (!pilot.measures.empty() && std::abs(pilot.share - share) <= task.entry.within) {
+      return {{task.entry.pointer, threshold}};
     }
   }
   refuse(*task.document, task.place,
          "expected a threshold that parts the pilot's collisions " + parted(share) + " within " +
-             percent(within) + " %, but under " + to_json(task.condition).dump() +
+             percent(task.entry.within) + " %, but under " + to_json(task.condition).dump() +
              (pilot.measures.empty() ? " no two bodies collide in the pilot"
                                      : " the best found parts them " + parted(pilot.share)));
 }
 
 /// Every combination of the levels of the factors that an entry is solved for.
-std::vector<Condition> conditions_of(const Protocol& protocol, const json& entry) {
-  const auto names = entry.value("for_each", std::vector<std::string>{});
+std::vector<Condition> conditions_of(const Protocol& protocol, const SolveEntry& entry) {
+  const std::vector<std::string>& names = entry.for_each;
   Design part;
   for (const Factor& factor : protocol.design.factors) {
     if (std::find(names.begin(), names.end(), factor.name) != names.end()) {
@@ -194,34 +196,51 @@ bool has_levels(const Condition& condition, const Condition& levels) {
 
 std::vector<SolvedValue> solve_one(const SolveTask& task, ShapeLibrary& shapes,
                                    const Progress& progress) {
-  return task.entry["kind"].get<std::string>() == std::string("equal-lists")
-             ? solve_equal_lists(task, shapes, progress)
-             : solve_spin_limits(task, shapes, progress);
+  return task.entry.kind == kEqualLists ? solve_equal_lists(task, shapes, progress)
+                                        : solve_spin_limits(task, shapes, progress);
 }
 
 }  // namespace
 
+Kind<SolveEntry> solve_kind() {
+  using E = SolveEntry;
+  std::vector<Row<E>> rows{
+      required("kind", &E::kind, one_of({"random-spin-limits", kEqualLists}),
+               "random-spin-limits: the limits of /imposed/random_spin, percentiles of the changes "
+               "of angular velocity in accurate collisions of the same bodies from starts that are "
+               "slightly turned and shifted; needs accurate_level, runs, turn_deg, size_share and "
+               "percentiles. equal-lists: the threshold between two priority lists that parts a "
+               "pilot's collisions of bodies in this share; needs share, within and pilot_s."),
+      required("pointer", &E::pointer, any_text(), "JSON Pointer into the scene: what is solved."),
+      row("for_each", &E::for_each, list(any_text(), {0, -1, /*is_set=*/true}),
+          "Factors at each of whose levels it is solved anew; the others stay as they are in the "
+          "scene.")};
+  for (const auto& own : {spin_limits_rows(), equal_lists_rows()}) {
+    rows.insert(rows.end(), own.begin(), own.end());
+  }
+  return object<E>("", rows);
+}
+
 void check_solve(const Protocol& protocol) {
-  const json entries = protocol.document.value.value("solve", json::array());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string place = "/solve/" + std::to_string(i);
-    check_solve_keys(protocol.document, entries[i], place);
-    check_solve_factors(protocol, entries[i], place);
-    if (entries[i]["kind"].get<std::string>() == std::string("equal-lists")) {
-      check_lists(protocol, entries[i], place);
+  for (std::size_t i = 0; i < protocol.solve.size(); ++i) {
+    const SolveEntry& entry = protocol.solve[i];
+    const std::string place = item("/solve", i);
+    check_solve_keys(protocol.document, entry.kind, place);
+    check_solve_factors(protocol, entry, place);
+    if (entry.kind == kEqualLists) {
+      check_lists(protocol, entry, place);
     } else {
-      check_spin(protocol, entries[i], place);
+      check_spin(protocol, entry, place);
     }
   }
 }
 
 std::vector<SolvedFor> solve(const Protocol& protocol, ShapeLibrary& shapes,
                              const Progress& progress) {
-  const json entries = protocol.document.value.value("solve", json::array());
   std::vector<SolveTask> tasks;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    for (const Condition& condition : conditions_of(protocol, entries[i])) {
-      tasks.push_back({&protocol.document, "/solve/" + std::to_string(i), entries[i], condition,
+  for (std::size_t i = 0; i < protocol.solve.size(); ++i) {
+    for (const Condition& condition : conditions_of(protocol, protocol.solve[i])) {
+      tasks.push_back({&protocol.document, item("/solve", i), protocol.solve[i], condition,
                        scene_under(protocol, condition)});
     }
   }

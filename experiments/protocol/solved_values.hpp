@@ -23,7 +23,7 @@ namespace impetus::inline protocol {
 struct SolveTask {
   const JsonDocument* document;  ///< the protocol's, for refusals
   std::string place;             ///< JSON Pointer to the entry
-  nlohmann::json entry;
+  SolveEntry entry;
   Condition condition;
   Scene scene;  ///< under the condition
 };
@@ -33,6 +33,9 @@ struct SolvedFor {
   Condition condition;
   std::vector<SolvedValue> values;
 };
+
+/// One entry of a protocol's "solve".
+Kind<SolveEntry> solve_kind();
 
 /// Kinds have their keys, pointers lead to what they solve, factors exist. Whether there is a
 /// solution shows when it is looked for. Throws InputError.

@@ -10,8 +10,8 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
-#include "experiments/protocol/design_reading.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/scenes/random_places.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
@@ -19,8 +19,6 @@
 
 namespace impetus::inline protocol {
 namespace {
-
-using nlohmann::json;
 
 constexpr std::size_t kBodies = 2;
 /// From the start to the collision, and after its last contact.
@@ -31,7 +29,7 @@ constexpr int kMostSteps = 2000;
 /// The scene with accurate collisions that begin soon, nothing imposed, and nobody looking on.
 Scene accurate_scene(const SolveTask& task) {
   Scene scene = task.scene;
-  scene.engine.level = task.entry["accurate_level"].get<int>();
+  scene.engine.level = task.entry.accurate_level;
   scene.imposed->random_spin->on = false;
   scene.imposed->contact_hold_ms = 0.0;
   scene.meeting->lead_s = kLeadSteps / scene.engine.step_hz;
@@ -39,17 +37,16 @@ Scene accurate_scene(const SolveTask& task) {
   return scene;
 }
 
-void jitter(const json& entry, double size_deg, RandomStream& stream, Scene& scene) {
-  const auto turn_deg = entry["turn_deg"].get<double>();
+void jitter(const SolveEntry& entry, double size_deg, RandomStream& stream, Scene& scene) {
   for (std::size_t body = 0; body < kBodies; ++body) {
     Quaternion& orientation = (*scene.bodies)[body].orientation;
     for (int axis = 0; axis < 3; ++axis) {
-      orientation = turn_about(axis, turn_deg * draw_symmetric(stream)) * orientation;
+      orientation = turn_about(axis, entry.turn_deg * draw_symmetric(stream)) * orientation;
     }
   }
   auto offset_deg = scene.meeting->offset_deg.value_or(std::array<double, 2>{});
   for (double& component : offset_deg) {
-    component += entry["size_share"].get<double>() * size_deg * draw_symmetric(stream);
+    component += entry.size_share * size_deg * draw_symmetric(stream);
   }
   scene.meeting->offset_deg = offset_deg;
 }
@@ -93,7 +90,7 @@ Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progres
   const ScreenGeometry screen = assumed_screen();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const double size_deg = 2.0 * bodies_of(base, m_per_deg, shapes).shapes[0]->radius_m / m_per_deg;
-  const auto runs = task.entry["runs"].get<std::size_t>();
+  const std::size_t runs = task.entry.runs;
   RandomStream stream(1, "random spin limits");
   Components components;
   for (std::size_t start = 0; start < 2 * runs && components[0].size() < runs; ++start) {
@@ -117,6 +114,19 @@ Components changes_of(const SolveTask& task, ShapeLibrary& shapes, const Progres
 
 }  // namespace
 
+std::vector<Row<SolveEntry>> spin_limits_rows() {
+  using E = SolveEntry;
+  return {row("accurate_level", &E::accurate_level, whole<int>({0, 6}),
+              "The level of accurate collisions."),
+          row("runs", &E::runs, whole<std::size_t>({20, 100000})),
+          row("turn_deg", &E::turn_deg, number({0, 180}),
+              "Each start is turned about each axis by up to so much."),
+          row("size_share", &E::size_share, number({0, 1}),
+              "And shifted up or down, and to and fro, by up to this share of a body's size."),
+          row("percentiles", &E::percentiles, several<2>(number({0, 100})),
+              "The lower limit and the upper.")};
+}
+
 double percentile(std::vector<double> values, double percent) {
   std::sort(values.begin(), values.end());
   const double place = percent / 100.0 * static_cast<double>(values.size() - 1);
@@ -128,16 +138,13 @@ double percentile(std::vector<double> values, double percent) {
 std::vector<SolvedValue> solve_spin_limits(const SolveTask& task, ShapeLibrary& shapes,
                                            const Progress& progress) {
   const Components components = changes_of(task, shapes, progress);
-  const json& percentiles = task.entry["percentiles"];
-  const auto pointer = task.entry["pointer"].get<std::string>();
+  const auto& [low, high] = task.entry.percentiles;
   std::vector<SolvedValue> values;
   for (std::size_t i = 0; i < components.size(); ++i) {
-    const std::string body = pointer + (i < 3 ? "/a/" : "/b/");
+    const std::string body = task.entry.pointer + (i < 3 ? "/a/" : "/b/");
     const std::string component = "/" + std::to_string(i % 3);
-    values.push_back({body + "least_rad_s" + component,
-                      percentile(components[i], percentiles[0].get<double>())});
-    values.push_back(
-        {body + "most_rad_s" + component, percentile(components[i], percentiles[1].get<double>())});
+    values.push_back({body + "least_rad_s" + component, percentile(components[i], low)});
+    values.push_back({body + "most_rad_s" + component, percentile(components[i], high)});
   }
   return values;
 }

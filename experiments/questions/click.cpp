@@ -35,8 +35,13 @@ const ResponseKind& click_kind() {
       .protocol_key = "clicks",
       .when = "during the stimulus",
       .table = "click",
-      .parameters = {{"merge_within_ms",
-                      "for the analysis: events of one kind closer than this are one"}},
+      .block = block<ClickTask>(
+          "Clicks (mouse, or the space bar) during the stimulus, all kept raw.",
+          {unread<ClickTask>(
+              "merge_within_ms",
+              described("For the analysis: collisions of one kind closer than this are one event.",
+                        number({0, 10000})),
+              /*is_required=*/true)}),
       .recorded = {{"number", "from 1"},
                    {"device", "mouse, key or simulated"},
                    {"arrived_ns", "own stamp when the event was taken from the queue"},
@@ -44,10 +49,7 @@ const ResponseKind& click_kind() {
                    {"interval", "of a two-interval trial, during its first or second stimulus"}},
       .event = "A click during the stimulus",
       .tested_as = "clicks",
-      .during_stimulus = true,
-      .read = [](const nlohmann::json&) -> std::shared_ptr<const Question> {
-        return std::make_shared<ClickTask>();
-      }};
+      .during_stimulus = true};
   return kind;
 }
 

@@ -11,8 +11,11 @@ namespace {
 /// A question above a text box.
 class FreeTextQuestion final : public Question {
  public:
-  explicit FreeTextQuestion(const nlohmann::json& block)
-      : question_(block["question"].get<std::string>()) {}
+  static Kind<std::shared_ptr<const Question>> rows() {
+    using F = FreeTextQuestion;
+    return block<F>("Asked after every stimulus, and answered in free words.",
+                    {required("question", &F::question_, text())});
+  }
 
   [[nodiscard]] const ResponseKind& kind() const override { return free_text_kind(); }
 
@@ -45,18 +48,14 @@ class FreeTextQuestion final : public Question {
 }  // namespace
 
 const ResponseKind& free_text_kind() {
-  static const ResponseKind kind{
-      .name = "free_text",
-      .protocol_key = "free_text",
-      .when = "after the stimulus",
-      .table = "response",
-      .parameters = {{"question", "the words above the text box"}},
-      .recorded = {},
-      .event = "Free words were asked for",
-      .is_typed = true,
-      .read = [](const nlohmann::json& block) -> std::shared_ptr<const Question> {
-        return std::make_shared<FreeTextQuestion>(block);
-      }};
+  static const ResponseKind kind{.name = "free_text",
+                                 .protocol_key = "free_text",
+                                 .when = "after the stimulus",
+                                 .table = "response",
+                                 .block = FreeTextQuestion::rows(),
+                                 .recorded = {},
+                                 .event = "Free words were asked for",
+                                 .is_typed = true};
   return kind;
 }
 

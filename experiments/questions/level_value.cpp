@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/level_value.hpp"
 
-#include <string>
+#include <cmath>
 
 namespace impetus::inline questions {
 
-LevelValue level_value(const nlohmann::json& value) {
+using nlohmann::json;
+
+LevelValue level_value(const json& value) {
   if (value.is_string()) {
     return value.get<std::string>();
   }
@@ -13,6 +15,66 @@ LevelValue level_value(const nlohmann::json& value) {
     return value.get<bool>();
   }
   return value.get<double>();
+}
+
+Kind<LevelValue> factor_level_kind() {
+  const OrderedJson types{{"type", {"number", "string", "boolean"}}};
+  return defined("level", Kind<LevelValue>{{types}, level_value});
+}
+
+Kind<Condition> condition_kind() {
+  const auto read = [](const json& levels) {
+    Condition condition;
+    for (auto level = levels.begin(); level != levels.end(); ++level) {
+      condition.push_back({level.key(), level_value(level.value())});
+    }
+    return condition;
+  };
+  return defined("condition", Kind<Condition>{by_name_form(factor_level_kind()), read},
+                 "A level for every factor, by name.");
+}
+
+json to_json(const LevelValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    const bool whole = std::floor(*number) == *number && std::abs(*number) < 1e15;
+    return whole ? json(static_cast<std::int64_t>(*number)) : json(*number);
+  }
+  return std::visit([](const auto& any) { return json(any); }, value);
+}
+
+json to_json(const Condition& condition) {
+  json object = json::object();
+  for (const FactorLevel& level : condition) {
+    object[level.factor] = to_json(level.value);
+  }
+  return object;
+}
+
+Condition condition_from_json(const json& object, const Design& design) {
+  Condition condition;
+  for (const Factor& factor : design.factors) {
+    if (object.contains(factor.name)) {
+      condition.push_back({factor.name, level_value(object.at(factor.name))});
+    }
+  }
+  return condition;
+}
+
+std::string list_text(const std::vector<LevelValue>& levels) {
+  json list = json::array();
+  for (const LevelValue& level : levels) {
+    list.push_back(to_json(level));
+  }
+  return list.dump();
+}
+
+const Factor& named_factor(const JsonDocument& protocol, const std::string& place,
+                           const Design& design, const std::string& name) {
+  const Factor* factor = find_factor(design, name);
+  if (factor == nullptr) {
+    refuse(protocol, place, "expected the name of a factor, got " + json_text(name));
+  }
+  return *factor;
 }
 
 }  // namespace impetus::inline questions

@@ -7,20 +7,6 @@ const ResponseKind& rating_kind();
 
 namespace {
 
-void check_ends(const JsonDocument& protocol) {
-  const nlohmann::json& rating = protocol.value["rating"];
-  if (rating["minimum"] >= rating["maximum"]) {
-    refuse(protocol, "/rating/maximum",
-           "expected more than the minimum " + rating["minimum"].dump() + ", got " +
-               rating["maximum"].dump());
-  }
-  if (rating["best"] != rating["minimum"] && rating["best"] != rating["maximum"]) {
-    refuse(protocol, "/rating/best",
-           "expected one end of the scale, " + rating["minimum"].dump() + " or " +
-               rating["maximum"].dump() + ", got " + rating["best"].dump());
-  }
-}
-
 /// Draws how far from the good end the point lies, by the probability of each.
 void simulate_rating(const Page& page, Judge& judge, Answer& answer) {
   const std::vector<double> chances = judge.probabilities(judge.clearest());
@@ -40,12 +26,33 @@ std::string RatingScale::meaning(std::int64_t rating) const {
   return rating == minimum ? low : rating == maximum ? high : "between " + low + " and " + high;
 }
 
-RatingQuestion::RatingQuestion(const nlohmann::json& block)
-    : question_(block["question"].get<std::string>()),
-      scale_{block["minimum"].get<std::int64_t>(), block["maximum"].get<std::int64_t>(),
-             block["best"].get<std::int64_t>(), block["low_anchor"].get<std::string>(),
-             block["high_anchor"].get<std::string>()},
-      timeout_ms_(block.value("timeout_ms", 0.0)) {}
+Kind<std::shared_ptr<const Question>> RatingQuestion::rows() {
+  using R = RatingQuestion;
+  using S = RatingScale;
+  return block<R>("The scale on which every trial is rated.",
+                  {required("question", &R::question_, text()),
+                   required("minimum", &R::scale_, &S::minimum, whole<std::int64_t>({0, 8})),
+                   required("maximum", &R::scale_, &S::maximum, whole<std::int64_t>({1, 9})),
+                   required("best", &R::scale_, &S::best, whole<std::int64_t>({}),
+                            "Which end is good: the minimum or the maximum."),
+                   required("low_anchor", &R::scale_, &S::low_anchor, text()),
+                   required("high_anchor", &R::scale_, &S::high_anchor, text()),
+                   row("timeout_ms", &R::timeout_ms_, timeout_kind())});
+}
+
+void RatingQuestion::check_block(const JsonDocument& protocol) const {
+  const std::string least = std::to_string(scale_.minimum);
+  const std::string most = std::to_string(scale_.maximum);
+  if (scale_.minimum >= scale_.maximum) {
+    refuse(protocol, "/rating/maximum",
+           "expected more than the minimum " + least + ", got " + most);
+  }
+  if (scale_.best != scale_.minimum && scale_.best != scale_.maximum) {
+    refuse(protocol, "/rating/best",
+           "expected one end of the scale, " + least + " or " + most + ", got " +
+               std::to_string(scale_.best));
+  }
+}
 
 const ResponseKind& RatingQuestion::kind() const { return rating_kind(); }
 
@@ -99,13 +106,7 @@ const ResponseKind& rating_kind() {
       .protocol_key = "rating",
       .when = "after the stimulus",
       .table = "rating",
-      .parameters = {{"question", "the words above the scale"},
-                     {"minimum", "first point"},
-                     {"maximum", "last point"},
-                     {"best", "which end is good"},
-                     {"low_anchor", "words at the first point"},
-                     {"high_anchor", "words at the last point"},
-                     {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
+      .block = RatingQuestion::rows(),
       .recorded = {{"rating", "the point chosen"},
                    {"minimum", "of its scale"},
                    {"maximum", "of its scale"},
@@ -118,10 +119,6 @@ const ResponseKind& rating_kind() {
                    {"arrival_uncertainty_ns", "it may have arrived this much earlier"}},
       .event = "A rating was asked for and given",
       .tested_as = "rating",
-      .read = [](const nlohmann::json& block) -> std::shared_ptr<const Question> {
-        return std::make_shared<RatingQuestion>(block);
-      },
-      .check_block = check_ends,
       .simulate = simulate_rating};
   return kind;
 }

@@ -25,7 +25,8 @@ struct RatingScale {
 /// It has a table of its own; only that the time was up is kept beside the other responses.
 class RatingQuestion final : public Question {
  public:
-  explicit RatingQuestion(const nlohmann::json& block);
+  static Kind<std::shared_ptr<const Question>> rows();
+  void check_block(const JsonDocument& protocol) const override;
 
   [[nodiscard]] const RatingScale& scale() const { return scale_; }
   [[nodiscard]] const ResponseKind& kind() const override;
@@ -37,7 +38,7 @@ class RatingQuestion final : public Question {
  private:
   std::string question_;
   RatingScale scale_;
-  double timeout_ms_;  ///< 0: none
+  double timeout_ms_{0.0};  ///< 0: none
 };
 
 /// The scale on which every trial of a script is rated; null: none is.

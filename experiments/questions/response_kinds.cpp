@@ -26,49 +26,41 @@ const Kinds& listed_kinds() {
   return listed;
 }
 
+std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant) {
+  std::vector<std::string> keys;
+  for (const ResponseKind& kind : listed_kinds()) {
+    if (is_meant(kind)) {
+      keys.push_back("\"" + kind.protocol_key + "\"");
+    }
+  }
+  std::string list;
+  for (const std::string& key : keys) {
+    list += (list.empty() ? "" : &key == &keys.back() ? " or " : ", ") + key;
+  }
+  return list;
+}
+
 const ResponseKind* find_kind(const std::string& name) {
   const auto found = std::find_if(response_kinds().begin(), response_kinds().end(),
                                   [&](const ResponseKind& kind) { return kind.name == name; });
   return found == response_kinds().end() ? nullptr : &found->get();
 }
 
-Questions read_questions(const nlohmann::json& protocol) {
-  Questions questions;
+std::vector<Row<Script>> question_rows() {
+  std::vector<Row<Script>> rows;
   for (const ResponseKind& kind : response_kinds()) {
-    if (protocol.contains(kind.protocol_key)) {
-      questions.push_back(kind.read(protocol[kind.protocol_key]));
-    }
+    rows.push_back({kind.protocol_key, kind.block, false,
+                    [read = kind.block.read](const nlohmann::json& block, Script& script) {
+                      script.asked.push_back(read(block));
+                    }});
   }
-  return questions;
+  return rows;
 }
 
-void check_question_blocks(const JsonDocument& protocol) {
-  for (const ResponseKind& kind : response_kinds()) {
-    if (kind.check_block != nullptr && protocol.value.contains(kind.protocol_key)) {
-      kind.check_block(protocol);
-    }
-  }
-}
-
-void check_questions_in_design(const JsonDocument& protocol) {
-  for (const ResponseKind& kind : response_kinds()) {
-    if (kind.check_in_design != nullptr && protocol.value.contains(kind.protocol_key)) {
-      kind.check_in_design(protocol);
-    }
-  }
-}
-
-std::vector<nlohmann::json> levels_of_questions(const nlohmann::json& protocol) {
-  std::vector<nlohmann::json> levels;
-  for (const ResponseKind& kind : response_kinds()) {
-    for (const DeclaredValue& parameter : kind.parameters) {
-      const nlohmann::json::json_pointer place("/" + kind.protocol_key + "/" + parameter.name);
-      if (parameter.levels && protocol.contains(place)) {
-        levels.push_back(protocol.at(place));
-      }
-    }
-  }
-  return levels;
+Kind<double> timeout_kind() {
+  return defined("answer_timeout_ms", number(above(0, 600000)),
+                 "A question gone unanswered for so long is recorded as timed out; without limit "
+                 "when left out.");
 }
 
 double Judge::clearest() const {
@@ -125,15 +117,6 @@ Text time_was_up(double timeout_ms) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g", timeout_ms / 1e3);
   return {"The time was up", {"You have " + std::string(seconds) + " s to answer."}};
-}
-
-const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name) {
-  for (const nlohmann::json& factor : protocol.value["design"]["factors"]) {
-    if (factor["name"].get<std::string>() == name) {
-      return &factor;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace impetus::inline questions

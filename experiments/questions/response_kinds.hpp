@@ -1,12 +1,12 @@
-// The kinds of response that a protocol can ask for. Each is one source file in this folder: its
-// parameters in the protocol and their checks, its page, what becomes of an answer, how a simulated
-// participant gives one, and what exports and pages of explanation call it.
+// The kinds of response that a protocol can ask for. Each is one source file in this folder: the
+// rows of its block in the protocol and their checks, its page, what becomes of an answer, how a
+// simulated participant gives one, and what exports and pages of explanation call it.
 //
 //   protocol ─read─> question ─page─> Input::ask ─> answer ─keep─> record ─feedback─> after
 //   practice
 //
-// A new kind is such a file, its line in response_kinds.cpp, and its block in the protocol's
-// schema: CONTRIBUTING.md shows one. SPDX-License-Identifier: MIT
+// A new kind is such a file and its line in response_kinds.cpp: CONTRIBUTING.md shows one.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -19,15 +19,14 @@
 #include "experiments/questions/script.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/settings/json_document.hpp"
+#include "experiments/settings/setting_rows.hpp"
 
 namespace impetus::inline questions {
 
-/// A parameter of a kind's block in the protocol, or something that the kind records.
+/// Something that a kind records.
 struct DeclaredValue {
   std::string name;
   std::string meaning;
-  bool optional{false};  ///< of a parameter: it may be left out
-  bool levels{false};    ///< of a parameter: levels of factors, which put values into the scene
 };
 
 /// The trial that a question is about; what it refers to must outlive it.
@@ -61,10 +60,10 @@ class Judge {
 /// What all questions of a kind have in common.
 struct ResponseKind {
   std::string name;
-  std::string protocol_key;               ///< its block of parameters in a protocol
-  std::string when;                       ///< in which part of a trial
-  std::string table;                      ///< of the study file, that keeps it
-  std::vector<DeclaredValue> parameters;  ///< of that block
+  std::string protocol_key;                     ///< its block of parameters in a protocol
+  std::string when;                             ///< in which part of a trial
+  std::string table;                            ///< of the study file, that keeps it
+  Kind<std::shared_ptr<const Question>> block;  ///< what the block may say, and what it asks
   /// Recorded beside the attempt it belongs to: the table's columns; of the table `response`, the
   /// names in its column `detail`.
   std::vector<DeclaredValue> recorded;
@@ -75,13 +74,10 @@ struct ResponseKind {
   bool during_stimulus{false};  ///< there is no page for it
   bool is_typed{false};         ///< an anonymised study lacks what was typed
   bool asks_for_a_fact{false};  ///< some answer is true, whether the protocol knows it or not
+  bool is_two_sided{false};     ///< answers are positive or negative: adaptive levels follow them
+  double guessed_share{0.0};    ///< of right answers, where whoever sees nothing has to choose
+  std::string guessing{};       ///< "between two intervals": among what
 
-  /// The question that a protocol's block asks; the block is valid by the schema.
-  std::shared_ptr<const Question> (*read)(const nlohmann::json& block);
-  /// Whether the block, which is there, fits itself. Throws InputError; null: nothing to ask.
-  void (*check_block)(const JsonDocument& protocol){nullptr};
-  /// Whether the block fits the design, whose factors are known to be sound. The same.
-  void (*check_in_design)(const JsonDocument& protocol){nullptr};
   /// Answers a page as a simulated participant does; null: the first choice, and no words.
   void (*simulate)(const Page& page, Judge& judge, Answer& answer){nullptr};
 };
@@ -92,6 +88,10 @@ class Question {
   virtual ~Question() = default;
   [[nodiscard]] virtual const ResponseKind& kind() const = 0;
 
+  /// Whether the protocol's block fits itself, and whether it fits the design, whose factors are
+  /// known to be sound. Both throw InputError.
+  virtual void check_block(const JsonDocument& /*protocol*/) const {}
+  virtual void check_in_design(const JsonDocument& /*protocol*/, const Design& /*design*/) const {}
   /// Whether an answer can be right or wrong.
   [[nodiscard]] virtual bool has_right_answer() const { return false; }
   /// The page after the stimulus; none: nothing is asked then, and nothing kept.
@@ -114,19 +114,28 @@ const std::vector<std::reference_wrapper<const ResponseKind>>& response_kinds();
 /// The same in the order in which words list them: what is asked after the stimulus comes first.
 const std::vector<std::reference_wrapper<const ResponseKind>>& listed_kinds();
 
+/// `"rating", "yes_no" or "clicks"`: the keys of the kinds of which `is_meant` is true.
+std::string list_keys(const std::function<bool(const ResponseKind&)>& is_meant);
+
 /// The kind of this name; null when there is none.
 const ResponseKind* find_kind(const std::string& name);
 
-/// The questions of a protocol that is valid by its schema, in the order in which they are asked.
-Questions read_questions(const nlohmann::json& protocol);
+/// The blocks of all kinds in a protocol, read in the order in which they are asked.
+std::vector<Row<Script>> question_rows();
 
-/// Whether the block of each kind that a protocol asks for fits itself, and whether it fits the
-/// design. Both throw InputError.
-void check_question_blocks(const JsonDocument& protocol);
-void check_questions_in_design(const JsonDocument& protocol);
+/// A kind's block, which becomes a question of the class that is its struct.
+template <typename Asked>
+Kind<std::shared_ptr<const Question>> block(const std::string& sentence,
+                                            const std::vector<Row<Asked>>& rows) {
+  return {object_form(sentence, rows), [rows](const nlohmann::json& value) {
+            auto question = std::make_shared<Asked>();
+            read_rows(rows, value, *question);
+            return question;
+          }};
+}
 
-/// The levels of factors that the protocol's questions show besides the design's, by factor.
-std::vector<nlohmann::json> levels_of_questions(const nlohmann::json& protocol);
+/// After how long without an answer a question is over, ms.
+Kind<double> timeout_kind();
 
 /// A script's question of a class that is known; null when it asks none.
 template <typename Asked>
@@ -162,8 +171,5 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
 
 /// "The time was up", and how much there is: what is said after practice.
 Text time_was_up(double timeout_ms);
-
-/// The factor of a protocol's design; null: there is none.
-const nlohmann::json* find_factor(const JsonDocument& protocol, const std::string& name);
 
 }  // namespace impetus::inline questions

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct PracticeRule {
   std::string factor;
   LevelValue best;
   LevelValue worst;
+  std::int64_t rounds{1};  ///< at most; then the experimenter decides
 };
 
 /// When training is over: of the last `of` practice trials, at least `right` were answered right.
@@ -64,9 +66,9 @@ struct YokeRule {
 
 /// The gaze is followed during the stimulus.
 struct GazeTask {
-  double extra_latency_ms{0.0};  ///< imposed: samples younger than this are not used yet
+  double extra_latency_ms{0.0};  ///< imposed on every scene beside its own (see `Scenes`)
   std::optional<CalibrationTask> calibration{};
-  std::optional<GazeLossRule> loss{};
+  GazeLossRule loss{};
   std::optional<YokeRule> yoked_to{};
 };
 
@@ -74,6 +76,7 @@ struct GazeTask {
 struct Demonstration {
   std::string id;
   Text text;
+  std::map<std::string, LevelValue> set{};  ///< values of the scene, by JSON Pointer
 };
 
 /// A question at the end of the session, answered in free words.
@@ -92,7 +95,6 @@ struct ResumeRule {
 
 /// Everything that a participant is shown and asked, from the welcome to the thanks.
 struct Script {
-  std::string title;
   Text welcome;
   Text consent;
   std::string consent_statement;  ///< what is agreed to, as shown and stored
@@ -114,7 +116,7 @@ struct Script {
 
 /// The rule for a lost gaze; none where the gaze is not followed.
 inline std::optional<GazeLossRule> gaze_loss_rule(const Script& script) {
-  return script.gaze ? script.gaze->loss : std::nullopt;
+  return script.gaze ? std::optional(script.gaze->loss) : std::nullopt;
 }
 
 }  // namespace impetus::inline questions

@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/two_interval.hpp"
-#include "experiments/questions/level_value.hpp"
 
 #include <algorithm>
 
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/questions/level_value.hpp"
 
 namespace impetus::inline questions {
 
 const ResponseKind& two_interval_kind();
 
 namespace {
-
-using nlohmann::json;
-
-void check_standard_names(const JsonDocument& protocol) {
-  const json& standard = protocol.value["two_interval"]["standard"];
-  if (standard.empty()) {
-    refuse(protocol, "/two_interval/standard",
-           "expected at least one level, or both intervals show the same, got {}");
-  }
-  for (auto level = standard.begin(); level != standard.end(); ++level) {
-    if (find_factor(protocol, level.key()) == nullptr) {
-      refuse(protocol, "/two_interval/standard",
-             "expected only factors of the design, got " + json(level.key()).dump());
-    }
-  }
-}
 
 void simulate_choice(const Page& /*page*/, Judge& judge, Answer& answer) {
   const std::vector<double>& seen = judge.seen_in_intervals();
@@ -36,15 +20,32 @@ void simulate_choice(const Page& /*page*/, Judge& judge, Answer& answer) {
 
 }  // namespace
 
-TwoIntervalQuestion::TwoIntervalQuestion(const json& block)
-    : question_(block["question"].get<std::string>()),
-      first_(block.value("first", std::string("the first"))),
-      second_(block.value("second", std::string("the second"))),
-      between_ms_(block.value("between_ms", 500.0)),
-      timeout_ms_(block.value("timeout_ms", 0.0)) {
-  const json& standard = block["standard"];
-  for (auto level = standard.begin(); level != standard.end(); ++level) {
-    standard_.push_back({level.key(), level_value(level.value())});
+Kind<std::shared_ptr<const Question>> TwoIntervalQuestion::rows() {
+  using T = TwoIntervalQuestion;
+  return block<T>(
+      "Every trial shows two stimuli, the condition's own and the standard, in random order; one "
+      "of them is chosen.",
+      {required("question", &T::question_, text()),
+       row("first", &T::first_, text(), "The words on the choice; the first when left out."),
+       row("second", &T::second_, text()),
+       required("standard", &T::standard_, condition_kind(),
+                "Levels that the standard has in place of the condition's."),
+       row("between_ms", &T::between_ms_, number({0, 60000}),
+           "Blank between the two; 500 when left out."),
+       row("timeout_ms", &T::timeout_ms_, timeout_kind())});
+}
+
+void TwoIntervalQuestion::check_in_design(const JsonDocument& protocol,
+                                          const Design& design) const {
+  if (standard_.empty()) {
+    refuse(protocol, "/two_interval/standard",
+           "expected at least one level, or both intervals show the same, got {}");
+  }
+  for (const FactorLevel& level : standard_) {
+    if (find_factor(design, level.factor) == nullptr) {
+      refuse(protocol, "/two_interval/standard",
+             "expected only factors of the design, got " + json_text(level.factor));
+    }
   }
 }
 
@@ -110,21 +111,13 @@ const ResponseKind& two_interval_kind() {
       .protocol_key = "two_interval",
       .when = "after the second stimulus",
       .table = "response",
-      .parameters = {{"question", "the words above the choices"},
-                     {"first", "the words on the choice", true},
-                     {"second", "the words on the choice", true},
-                     {.name = "standard",
-                      .meaning = "levels that the standard has in place of the condition's",
-                      .levels = true},
-                     {"between_ms", "blank between the two stimuli", true},
-                     {"timeout_ms", "unanswered for so long, it is recorded as timed out", true}},
+      .block = TwoIntervalQuestion::rows(),
       .recorded = {{"test_interval", "which interval showed the condition's own stimulus"}},
       .event = "Which of two stimuli was asked for",
       .tested_as = "answer",
-      .read = [](const json& block) -> std::shared_ptr<const Question> {
-        return std::make_shared<TwoIntervalQuestion>(block);
-      },
-      .check_in_design = check_standard_names,
+      .is_two_sided = true,
+      .guessed_share = 0.5,
+      .guessing = "between two intervals",
       .simulate = simulate_choice};
   return kind;
 }

@@ -20,7 +20,8 @@ namespace impetus::inline questions {
 /// To have chosen the condition's own is positive, and right.
 class TwoIntervalQuestion final : public Question {
  public:
-  explicit TwoIntervalQuestion(const nlohmann::json& block);
+  static Kind<std::shared_ptr<const Question>> rows();
+  void check_in_design(const JsonDocument& protocol, const Design& design) const override;
 
   /// Levels that the standard has instead of the condition's.
   [[nodiscard]] const Condition& standard_levels() const { return standard_; }
@@ -38,11 +39,11 @@ class TwoIntervalQuestion final : public Question {
 
  private:
   std::string question_;
-  std::string first_;  ///< the words on the two choices; keys are 1 and 2
-  std::string second_;
+  std::string first_{"the first"};  ///< the words on the two choices; keys are 1 and 2
+  std::string second_{"the second"};
   Condition standard_;
-  double between_ms_;
-  double timeout_ms_;  ///< 0: none
+  double between_ms_{500.0};
+  double timeout_ms_{0.0};  ///< 0: none
 };
 
 /// The script's question between two stimuli; null where a trial has one.

@@ -4,6 +4,7 @@
 //   yes is right   where the level of a factor is above a number, no elsewhere
 //
 // SPDX-License-Identifier: MIT
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline questions {
@@ -12,26 +13,41 @@ const ResponseKind& yes_no_kind();
 
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kYes = 0;
 
 /// What is asked, the words on the two choices (keys are y and n), and when yes is right.
 class YesNoQuestion final : public Question {
  public:
-  explicit YesNoQuestion(const json& block)
-      : question_(block["question"].get<std::string>()),
-        yes_(block.value("yes", std::string("yes"))),
-        no_(block.value("no", std::string("no"))),
-        timeout_ms_(block.value("timeout_ms", 0.0)) {
-    if (block.contains("right_when")) {
-      right_factor_ = block["right_when"]["factor"].get<std::string>();
-      right_above_ = block["right_when"]["above"].get<double>();
+  static Kind<std::shared_ptr<const Question>> rows() {
+    using Y = YesNoQuestion;
+    return block<Y>("Asked after every stimulus, and answered yes or no.",
+                    {required("question", &Y::question_, text()),
+                     row("yes", &Y::yes_, text(), "The words on the choice; yes when left out."),
+                     row("no", &Y::no_, text()), row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
+                     group<Y>("right_when",
+                              {required("factor", &Y::right_factor_, any_text()),
+                               required("above", &Y::right_above_, number({}))},
+                              "Yes is right where the factor's level is above this, no "
+                              "elsewhere.")});
+  }
+
+  void check_in_design(const JsonDocument& protocol, const Design& design) const override {
+    if (!has_right_answer()) {
+      return;
+    }
+    const std::string place = "/yes_no/right_when/factor";
+    const Factor& factor = named_factor(protocol, place, design, *right_factor_);
+    for (const LevelValue& level : factor.levels) {
+      if (!std::holds_alternative<double>(level)) {
+        refuse(protocol, place,
+               "expected a factor whose levels are numbers, got " + json_text(factor.name) +
+                   ", which has " + json_text(level));
+      }
     }
   }
 
   [[nodiscard]] const ResponseKind& kind() const override { return yes_no_kind(); }
-  [[nodiscard]] bool has_right_answer() const override { return !right_factor_.empty(); }
+  [[nodiscard]] bool has_right_answer() const override { return right_factor_.has_value(); }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
     Page page;
@@ -89,32 +105,13 @@ class YesNoQuestion final : public Question {
   }
 
   std::string question_;
-  std::string yes_;
-  std::string no_;
-  double timeout_ms_;         ///< 0: none
-  std::string right_factor_;  ///< yes is right where its level is above; "": nothing is right
+  std::string yes_{"yes"};
+  std::string no_{"no"};
+  double timeout_ms_{0.0};  ///< 0: none
+  std::optional<std::string>
+      right_factor_;  ///< yes is right where its level is above; none: nothing is right
   double right_above_{0.0};
 };
-
-void check_right_when(const JsonDocument& protocol) {
-  const json& block = protocol.value["yes_no"];
-  if (!block.contains("right_when")) {
-    return;
-  }
-  const auto name = block["right_when"]["factor"].get<std::string>();
-  const json* factor = find_factor(protocol, name);
-  if (factor == nullptr) {
-    refuse(protocol, "/yes_no/right_when/factor",
-           "expected the name of a factor, got " + json(name).dump());
-  }
-  for (const json& level : (*factor)["levels"]) {
-    if (!level.is_number()) {
-      refuse(protocol, "/yes_no/right_when/factor",
-             "expected a factor whose levels are numbers, got " + json(name).dump() +
-                 ", which has " + level.dump());
-    }
-  }
-}
 
 void simulate_yes_no(const Page& page, Judge& judge, Answer& answer) {
   const bool yes = judge.uniform() < judge.yes_probability(judge.clearest());
@@ -124,26 +121,17 @@ void simulate_yes_no(const Page& page, Judge& judge, Answer& answer) {
 }  // namespace
 
 const ResponseKind& yes_no_kind() {
-  static const ResponseKind kind{
-      .name = "yes_no",
-      .protocol_key = "yes_no",
-      .when = "after the stimulus",
-      .table = "response",
-      .parameters = {{"question", "the words above the choices"},
-                     {"yes", "the words on the choice", true},
-                     {"no", "the words on the choice", true},
-                     {"timeout_ms", "unanswered for so long, it is recorded as timed out", true},
-                     {"right_when", "yes is right where the factor's level is above a number",
-                      true}},
-      .recorded = {},
-      .event = "Yes or no was asked for",
-      .tested_as = "answer",
-      .asks_for_a_fact = true,
-      .read = [](const json& block) -> std::shared_ptr<const Question> {
-        return std::make_shared<YesNoQuestion>(block);
-      },
-      .check_in_design = check_right_when,
-      .simulate = simulate_yes_no};
+  static const ResponseKind kind{.name = "yes_no",
+                                 .protocol_key = "yes_no",
+                                 .when = "after the stimulus",
+                                 .table = "response",
+                                 .block = YesNoQuestion::rows(),
+                                 .recorded = {},
+                                 .event = "Yes or no was asked for",
+                                 .tested_as = "answer",
+                                 .asks_for_a_fact = true,
+                                 .is_two_sided = true,
+                                 .simulate = simulate_yes_no};
   return kind;
 }
 

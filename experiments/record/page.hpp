@@ -30,8 +30,8 @@ struct Field {
   std::string label;
   Kind kind{Kind::kText};
   std::vector<std::string> options;  ///< of a kChoice
-  double minimum{0.0};               ///< of a kNumber
-  double maximum{0.0};
+  double minimum{-1e9};              ///< of a kNumber
+  double maximum{1e9};
 };
 
 /// A point that was looked at and where the gaze was, in screens: right of and above the centre.

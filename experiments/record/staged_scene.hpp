@@ -117,7 +117,7 @@ struct StagedScene {
   MetricOptions metric_options{};
   std::string reduction{};
   ViewerTurn turn{};           ///< `viewer` is where it starts
-  double gaze_latency_s{0.0};  ///< imposed: samples younger than this are not used yet
+  double gaze_latency_s{0.0};  ///< imposed, all in all: samples younger than this are not used yet
   std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
 
   [[nodiscard]] Viewer viewer_at_time(double time_s) const {

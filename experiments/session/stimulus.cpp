@@ -54,7 +54,7 @@ Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Scrip
 }
 
 double Stimulus::imposed_gaze_latency_s() const {
-  return script_.gaze ? script_.gaze->extra_latency_ms / 1e3 + scene().gaze_latency_s : 0.0;
+  return script_.gaze ? scene().gaze_latency_s : 0.0;
 }
 
 Interruption Stimulus::show() {

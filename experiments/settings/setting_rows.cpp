@@ -75,6 +75,9 @@ Form list_form(const Form& item, ListLength length) {
   if (length.most >= 0) {
     form.schema["maxItems"] = length.most;
   }
+  if (length.is_set) {
+    form.schema["uniqueItems"] = true;
+  }
   form.schema["items"] = item.schema;
   return form;
 }
@@ -123,7 +126,9 @@ OrderedJson file_schema(const std::string& title, const std::string& sentence, c
   for (const char* key : {"type", "additionalProperties", "required"}) {
     schema[key] = object.schema[key];
   }
-  schema["definitions"] = object.definitions;
+  if (!object.definitions.empty()) {
+    schema["definitions"] = object.definitions;
+  }
   schema["properties"] = object.schema["properties"];
   return schema;
 }

@@ -102,7 +102,8 @@ const std::string& word_for(const T& meaning, const Names<T>& names) {
 /// How many values a list has.
 struct ListLength {
   int least{0};
-  int most{-1};  ///< -1: any number
+  int most{-1};        ///< -1: any number
+  bool is_set{false};  ///< no value comes twice
 };
 Form list_form(const Form& item, ListLength length);
 
@@ -169,6 +170,13 @@ struct Row {
     return {key, form, is_required, read};
   }
 
+  /// The same of a setting that every file has.
+  [[nodiscard]] Row in_every_file() const {
+    Row row = *this;
+    row.is_required = true;
+    return row;
+  }
+
   /// With a key of `replay --with`.
   [[nodiscard]] Row with(const std::string& name, const std::string& words) const {
     Row row = *this;
@@ -200,15 +208,22 @@ Row<Struct> row(const std::string& key, Inner Struct::*inner, Member Inner::*mem
 /// A setting that every file has.
 template <typename... Arguments>
 auto required(const Arguments&... arguments) {
-  auto result = row(arguments...);
-  result.is_required = true;
-  return result;
+  return row(arguments...).in_every_file();
 }
 
 /// A key of the file that the program does not read.
 template <typename Struct>
 Row<Struct> unread(const std::string& key, const Form& form, bool is_required = false) {
   return {key, form, is_required, nullptr};
+}
+
+/// The row of a struct within the struct.
+template <typename Struct, typename Inner>
+Row<Struct> row_within(Inner Struct::*inner, const Row<Inner>& row) {
+  return {row.key, row.form, row.is_required,
+          [inner, read = row.read](const nlohmann::json& value, Struct& into) {
+            read(value, into.*inner);
+          }};
 }
 
 /// Of all rows of an object.
@@ -219,36 +234,58 @@ struct KeyForm {
 };
 Form object_form(const std::string& sentence, const std::vector<KeyForm>& keys);
 
-/// An object with these keys and no others.
 template <typename Struct>
-Kind<Struct> object(const std::string& sentence, const std::vector<Row<Struct>>& rows) {
+Form object_form(const std::string& sentence, const std::vector<Row<Struct>>& rows) {
   std::vector<KeyForm> keys;
   for (const Row<Struct>& each : rows) {
     keys.push_back({each.key, each.form, each.is_required});
   }
-  return {object_form(sentence, keys), [rows](const nlohmann::json& value) {
+  return object_form(sentence, keys);
+}
+
+/// What of `value` the rows say, put into the struct.
+template <typename Struct>
+void read_rows(const std::vector<Row<Struct>>& rows, const nlohmann::json& value, Struct& into) {
+  for (const Row<Struct>& each : rows) {
+    const auto found = value.find(each.key);
+    if (each.read && found != value.end()) {
+      each.read(*found, into);
+    }
+  }
+}
+
+/// An object with these keys and no others.
+template <typename Struct>
+Kind<Struct> object(const std::string& sentence, const std::vector<Row<Struct>>& rows) {
+  return {object_form(sentence, rows), [rows](const nlohmann::json& value) {
             Struct result;
-            for (const Row<Struct>& each : rows) {
-              const auto found = value.find(each.key);
-              if (each.read && found != value.end()) {
-                each.read(*found, result);
-              }
-            }
+            read_rows(rows, value, result);
             return result;
           }};
+}
+
+/// An object of the file alone: what its rows say belongs to the struct as its other settings do.
+template <typename Struct>
+Row<Struct> group(const std::string& key, const std::vector<Row<Struct>>& rows,
+                  const std::string& sentence = "") {
+  return {key, object_form(sentence, rows), false,
+          [rows](const nlohmann::json& value, Struct& into) { read_rows(rows, value, into); }};
 }
 
 /// The schema of a whole file.
 OrderedJson file_schema(const std::string& title, const std::string& sentence, const Form& object);
 
 /// The rows that every file begins with: which schema it goes by, and for people its title and
-/// where it comes from.
+/// where it comes from. `first` may have the title among rows of the struct.
 template <typename Struct>
-std::vector<Row<Struct>> rows_of_file(std::vector<Row<Struct>> more) {
+std::vector<Row<Struct>> rows_of_file(const std::vector<Row<Struct>>& more,
+                                      const std::vector<Row<Struct>>& first = {
+                                          unread<Struct>("title", text(), true)}) {
   std::vector<Row<Struct>> rows{
       unread<Struct>("$schema", any_text()),
-      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}, /*is_required=*/true),
-      unread<Struct>("title", text(), /*is_required=*/true), unread<Struct>("source", any_text())};
+      unread<Struct>("schema_version", {OrderedJson{{"const", 1}}}, /*is_required=*/true)};
+  rows.insert(rows.end(), first.begin(), first.end());
+  rows.push_back(unread<Struct>("source", any_text()));
   rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

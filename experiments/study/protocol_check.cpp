@@ -129,7 +129,7 @@ struct ShownInterval {
 double step_hz(const Protocol& protocol, const Condition& condition) {
   constexpr const char* kPointer = "/engine/step_hz";
   for (const FactorLevel& level : condition) {
-    if (protocol.pointers.at(level.factor) == kPointer) {
+    if (find_factor(protocol.design, level.factor)->pointer == kPointer) {
       return std::get<double>(level.value);
     }
   }

@@ -27,7 +27,7 @@ std::unique_ptr<RatingObserver> sceptic(VirtualClock& clock) {
 
 /// Asks how sure the sceptic is of a trial with so many collisions.
 AttemptRecord asked_after(std::size_t collisions) {
-  const auto question = confidence_kind().read({{"question", "How sure are you?"}});
+  const auto question = confidence_kind().block.read({{"question", "How sure are you?"}});
   const PlannedTrial trial;
   const SessionProgress progress;
   const AskedTrial asked{trial, progress};

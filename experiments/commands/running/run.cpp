@@ -19,7 +19,6 @@
 #include "experiments/commands/running/session_warnings.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
 #include "experiments/commands/shipped_file.hpp"
-#include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
@@ -192,8 +191,7 @@ void tell_saved(const RunOptions& options, const std::string& whose) {
 }
 
 bool nobody_takes_part(const Series& series) {
-  return series.protocols.size() == 1 &&
-         !has_participants(load_protocol(series.protocols.front()).document.value);
+  return series.protocols.size() == 1 && !load_protocol(series.protocols.front()).has_participants;
 }
 
 int run_without_participants(const std::filesystem::path& file, const RunOptions& options) {

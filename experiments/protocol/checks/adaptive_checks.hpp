@@ -3,18 +3,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/settings/json_document.hpp"
+#include "experiments/protocol/protocol_file.hpp"
 
 namespace impetus::inline protocol {
 
 /// The adaptive factor has levels in order, one method chooses them, staircases start at one of
-/// them, and answers that are positive or negative are asked for. Throws InputError.
-void check_adaptive(const JsonDocument& protocol);
-
-/// A staircase settles above the share that guessing reaches. The psychometric functions that
-/// QUEST+ chooses among rise from a guess rate to above it, are defined at every level, have their
-/// thresholds between the levels, and are few enough. Precondition: check_adaptive(). Throws
-/// InputError.
-void check_thresholds(const JsonDocument& protocol);
+/// them, and answers that are positive or negative are asked for. A staircase settles above the
+/// share that guessing reaches. The psychometric functions that QUEST+ chooses among rise from a
+/// guess rate to above it, are defined at every level, have their thresholds between the levels,
+/// and are few enough. Throws InputError.
+void check_adaptive(const Protocol& protocol);
 
 }  // namespace impetus::inline protocol

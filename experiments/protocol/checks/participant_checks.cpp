@@ -2,11 +2,13 @@
 #include "experiments/protocol/checks/participant_checks.hpp"
 
 #include <cstdio>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/rating.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/record/shown_letters.hpp"
 #include "experiments/scenes/engine_setup.hpp"
@@ -18,8 +20,6 @@ namespace impetus::inline protocol {
 namespace {
 
 using nlohmann::json;
-
-// ---------------------------------------------------------------- words
 
 bool is_shown(std::uint32_t code) {
   return is_shown_letter(code) || code == '\n' || code == '\r' || code == '\t';
@@ -44,119 +44,94 @@ void check_text(const JsonDocument& protocol, const json::json_pointer& place,
   }
 }
 
-/// All texts of a part of the protocol but those under `settings`: values of the scene, which
-/// nobody reads.
+/// All texts of a part of the protocol but values of the scene, which nobody reads.
 void check_texts_in(const JsonDocument& protocol, const json::json_pointer& place,
-                    const json& value, const std::string& settings) {
+                    const json& value) {
+  const std::set<std::string> values_of_scene{"set", "standard"};
   if (value.is_string()) {
     check_text(protocol, place, value.get_ref<const std::string&>());
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_texts_in(protocol, place / i, value[i], settings);
+      check_texts_in(protocol, place / i, value[i]);
     }
   } else if (value.is_object()) {
     for (auto entry = value.begin(); entry != value.end(); ++entry) {
-      if (entry.key() != settings) {
-        check_texts_in(protocol, place / entry.key(), entry.value(), settings);
+      if (values_of_scene.count(entry.key()) == 0) {
+        check_texts_in(protocol, place / entry.key(), entry.value());
       }
     }
-  }
-}
-
-void check_texts_of(const JsonDocument& protocol, const std::string& part,
-                    const std::string& settings) {
-  if (protocol.value.contains(part)) {
-    check_texts_in(protocol, json::json_pointer() / part, protocol.value[part], settings);
-  }
-}
-
-// ---------------------------------------------------------------- questions
-
-/// `"rating", "yes_no" or "clicks"`: the keys of all kinds.
-std::string keys_of_kinds() {
-  std::string keys;
-  for (const ResponseKind& kind : listed_kinds()) {
-    const bool last = &kind == &listed_kinds().back().get();
-    keys += (keys.empty() ? "\"" : last ? " or \"" : ", \"") + kind.protocol_key + "\"";
-  }
-  return keys;
-}
-
-void check_practice_rating(const JsonDocument& protocol) {
-  if (protocol.value["design"].contains("practice_until") && !protocol.value.contains("rating")) {
-    refuse(protocol, "/design/practice_until",
-           "expected the key \"rating\" in the protocol, because the best level must be rated "
-           "better than the worst, but it is missing");
   }
 }
 
 }  // namespace
 
-bool has_participants(const json& protocol) { return !protocol.contains("participants"); }
-
-void check_participants(const JsonDocument& protocol) {
-  const auto refuse_key = [&](const std::string& pointer) {
-    if (protocol.value.contains(json::json_pointer(pointer))) {
-      refuse(protocol, pointer, "expected none where nobody takes part");
-    }
-  };
-  if (has_participants(protocol.value)) {
+void check_participants(const Protocol& protocol) {
+  const JsonDocument& document = protocol.document;
+  if (protocol.has_participants) {
     for (const char* key : {"timing", "session"}) {
-      if (!protocol.value.contains(key)) {
-        refuse(protocol, "", "expected the key \"" + std::string(key) + "\", which is missing");
+      if (!document.value.contains(key)) {
+        refuse(document, "", "expected the key \"" + std::string(key) + "\", which is missing");
       }
     }
     return;
   }
-  refuse_key("/timing");
-  refuse_key("/session");
+  std::vector<std::string> keys{"/timing", "/session"};
   for (const ResponseKind& kind : listed_kinds()) {
-    refuse_key("/" + kind.protocol_key);
+    keys.push_back("/" + kind.protocol_key);
   }
-  refuse_key("/gaze");
-  for (const char* key : {"practice", "practice_until", "train_until", "adaptive"}) {
-    refuse_key("/design/" + std::string(key));
+  keys.insert(keys.end(), {"/gaze", "/design/practice", "/design/practice_until",
+                           "/design/train_until", "/design/adaptive"});
+  for (const std::string& key : keys) {
+    if (document.value.contains(json::json_pointer(key))) {
+      refuse(document, key, "expected none where nobody takes part");
+    }
   }
 }
 
 void check_texts(const JsonDocument& protocol) {
-  check_texts_of(protocol, "session", "set");
+  std::vector<std::string> parts{"session"};
   for (const ResponseKind& kind : listed_kinds()) {
-    std::string settings;
-    for (const DeclaredValue& parameter : kind.parameters) {
-      settings = parameter.levels ? parameter.name : settings;
+    parts.push_back(kind.protocol_key);
+  }
+  for (const std::string& part : parts) {
+    if (protocol.value.contains(part)) {
+      check_texts_in(protocol, json::json_pointer() / part, protocol.value[part]);
     }
-    check_texts_of(protocol, kind.protocol_key, settings);
   }
 }
 
-void check_responses(const JsonDocument& protocol) {
-  if (has_participants(protocol.value) && read_questions(protocol.value).empty()) {
-    refuse(protocol, "",
-           "expected something that participants answer, a key " + keys_of_kinds() +
-               ", but there is none");
+void check_responses(const Protocol& protocol) {
+  const Script& script = protocol.script;
+  if (protocol.has_participants && script.asked.empty()) {
+    refuse(protocol.document, "",
+           "expected something that participants answer, a key " +
+               list_keys([](const ResponseKind&) { return true; }) + ", but there is none");
   }
-  check_questions_in_design(protocol);
-  check_practice_rating(protocol);
+  for (const auto& question : script.asked) {
+    question->check_in_design(protocol.document, protocol.design);
+  }
+  if (script.practice_rule && find_scale(script) == nullptr) {
+    refuse(protocol.document, "/design/practice_until",
+           "expected the key \"rating\" in the protocol, because the best level must be rated "
+           "better than the worst, but it is missing");
+  }
 }
 
 void check_training(const Protocol& protocol) {
-  const JsonDocument& document = protocol.document;
-  const json& design = document.value["design"];
-  if (!design.contains("train_until")) {
+  const std::string place = "/design/train_until";
+  if (!protocol.script.training_rule) {
     return;
   }
-  if (design.contains("practice_until")) {
-    refuse(document, "/design/train_until",
-           "expected either this or practice_until, but both are there");
+  if (protocol.script.practice_rule) {
+    refuse(protocol.document, place, "expected either this or practice_until, but both are there");
   }
   if (!has_right_answers(protocol.script)) {
-    refuse(document, "/design/train_until",
+    refuse(protocol.document, place,
            "expected a question that has a right answer (yes_no with right_when, or two_interval), "
            "but there is none");
   }
-  if (design.value("practice", json::array()).empty()) {
-    refuse(document, "/design/train_until",
+  if (protocol.design.practice.empty()) {
+    refuse(protocol.document, place,
            "expected conditions to train with in /design/practice, but there are none");
   }
 }

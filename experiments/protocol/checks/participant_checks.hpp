@@ -7,11 +7,8 @@
 
 namespace impetus::inline protocol {
 
-/// Whether people or simulated participants take part. `protocol` is valid by its schema.
-bool has_participants(const nlohmann::json& protocol);
-
 /// Throws InputError where participants lack timing or session, or nobody is asked something.
-void check_participants(const JsonDocument& protocol);
+void check_participants(const Protocol& protocol);
 
 /// Every letter of pages and questions is one of kShownLetters, a line break or a tab. `protocol`
 /// fulfils its schema. Throws InputError. Asked of files alone: what a study holds was shown.
@@ -19,14 +16,13 @@ void check_texts(const JsonDocument& protocol);
 
 /// There is something to answer, unless the protocol has no participants; what a question names is
 /// a factor of the design. Throws InputError.
-void check_responses(const JsonDocument& protocol);
+void check_responses(const Protocol& protocol);
 
 /// Training has practice conditions and a question with a right answer, and is the only rule.
-/// `protocol` has its script. Throws InputError.
+/// Throws InputError.
 void check_training(const Protocol& protocol);
 
-/// Of two intervals, the standard can be shown under every condition. `protocol` has its design and
-/// script. Throws InputError.
+/// Of two intervals, the standard can be shown under every condition. Throws InputError.
 void check_standard(const Protocol& protocol);
 
 }  // namespace impetus::inline protocol

@@ -2,20 +2,21 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <functional>
 #include <set>
+#include <utility>
 
 #include "experiments/design/adaptive_levels.hpp"
 #include "experiments/design/blocks.hpp"
 #include "experiments/protocol/checks/adaptive_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/design_reading.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {
 namespace {
-
-using nlohmann::json;
 
 constexpr double kMostTrials = 10'000;
 
@@ -25,28 +26,22 @@ std::string count_text(double count) {
   return text;
 }
 
-bool has_level(const json& factor, const json& level) {
-  const json& levels = factor["levels"];
-  return std::find(levels.begin(), levels.end(), level) != levels.end();
-}
-
 /// Refuses a design that nobody could sit through before its cells fill the memory.
-void check_size(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  auto trials = design["repetitions"].get<double>();
-  for (const json& factor : design["factors"]) {
-    trials *= static_cast<double>(factor["levels"].size());
+void check_size(const Protocol& protocol) {
+  auto trials = static_cast<double>(protocol.design.repetitions);
+  for (const Factor& factor : protocol.design.factors) {
+    trials *= static_cast<double>(factor.levels.size());
   }
   if (trials > kMostTrials) {
-    refuse(protocol, "/design",
+    refuse(protocol.document, "/design",
            "expected at most 10000 trials, got " + count_text(trials) +
                " (levels of all factors × repetitions)");
   }
 }
 
 /// The same of the trials that are planned, blocks and tracks and catch trials counted.
-void check_planned_size(const JsonDocument& protocol) {
-  const Design design = design_from(protocol.value["design"]);
+void check_planned_size(const Protocol& protocol) {
+  const Design& design = protocol.design;
   double trials =
       static_cast<double>(design.repetitions) * static_cast<double>(cells(design).size());
   if (design.adaptive) {
@@ -58,85 +53,85 @@ void check_planned_size(const JsonDocument& protocol) {
               static_cast<double>(block_order(design, {"", "P01", 0}).size());
   }
   if (trials > kMostTrials) {
-    refuse(protocol, "/design",
+    refuse(protocol.document, "/design",
            "expected at most 10000 trials, got " + count_text(trials) +
                " (all tracks and catch trials counted)");
   }
 }
 
-void check_factors(const JsonDocument& protocol, const JsonDocument& scene) {
-  const json& factors = protocol.value["design"]["factors"];
+void check_factors(const Protocol& protocol) {
   std::set<std::string> names;
   std::set<std::string> pointers;
-  for (std::size_t i = 0; i < factors.size(); ++i) {
+  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
+    const Factor& factor = protocol.design.factors[i];
     const std::string place = item("/design/factors", i);
-    const auto pointer = factors[i]["pointer"].get<std::string>();
-    if (!names.insert(factors[i]["name"].get<std::string>()).second) {
-      refuse(protocol, place + "/name",
-             "expected a name of its own, got " + factors[i]["name"].dump() + " again");
+    if (!names.insert(factor.name).second) {
+      refuse(protocol.document, place + "/name",
+             "expected a name of its own, got " + json_text(factor.name) + " again");
     }
-    if (!pointers.insert(pointer).second) {
-      refuse(protocol, place + "/pointer",
-             "expected a value that no other factor overrides, got \"" + pointer + "\" again");
+    if (!pointers.insert(factor.pointer).second) {
+      refuse(
+          protocol.document, place + "/pointer",
+          "expected a value that no other factor overrides, got \"" + factor.pointer + "\" again");
     }
-    if (!names_single_value(scene.value, pointer)) {
-      refuse(protocol, place + "/pointer",
-             "expected a pointer to a single value of " + scene.name + ", got \"" + pointer + "\"");
-    }
-  }
-}
-
-void check_runs(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  const json rules = design.value("longest_runs", json::array());
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    if (!has_factor(design, rules[i]["factor"].get<std::string>())) {
-      refuse(protocol, item("/design/longest_runs", i) + "/factor",
-             "expected the name of a factor, got " + rules[i]["factor"].dump());
+    if (!names_single_value(protocol.scene.value, factor.pointer)) {
+      refuse(protocol.document, place + "/pointer",
+             "expected a pointer to a single value of " + protocol.scene.name + ", got \"" +
+                 factor.pointer + "\"");
     }
   }
 }
 
-void check_questions(const JsonDocument& protocol) {
-  const json session = protocol.value.value("session", json::object());
-  std::set<std::string> ids{"consent"};
-  for (const char* list : {"demographics", "questions"}) {
-    const json entries = session.value(list, json::array());
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const std::string place = item(std::string("/session/") + list, i);
-      if (!ids.insert(entries[i]["id"].get<std::string>()).second) {
-        refuse(protocol, place + "/id",
-               "expected an id of its own, got " + entries[i]["id"].dump() + " again");
-      }
-      if (entries[i].value("kind", "") == "choice" && !entries[i].contains("options")) {
-        refuse(protocol, place, "expected the key \"options\" for a choice, which is missing");
-      }
-      if (entries[i].contains("minimum") && entries[i].contains("maximum") &&
-          entries[i]["minimum"] >= entries[i]["maximum"]) {
-        refuse(protocol, place + "/maximum",
-               "expected more than the minimum " + entries[i]["minimum"].dump() + ", got " +
-                   entries[i]["maximum"].dump());
-      }
-    }
+void check_runs(const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.design.longest_runs.size(); ++i) {
+    named_factor(protocol.document, item("/design/longest_runs", i) + "/factor", protocol.design,
+                 protocol.design.longest_runs[i].factor);
+  }
+}
+
+/// Ids that are taken.
+using Ids = std::set<std::string>;
+
+void check_id(const Protocol& protocol, const std::string& place, const std::string& id, Ids& ids) {
+  if (!ids.insert(id).second) {
+    refuse(protocol.document, place + "/id",
+           "expected an id of its own, got " + json_text(id) + " again");
+  }
+}
+
+void check_field(const Protocol& protocol, const std::string& place, const Field& field) {
+  if (field.kind == Field::Kind::kChoice && field.options.empty()) {
+    refuse(protocol.document, place, "expected the key \"options\" for a choice, which is missing");
+  }
+  if (field.minimum >= field.maximum) {
+    refuse(protocol.document, place + "/maximum",
+           "expected more than the minimum " + json_text(field.minimum) + ", got " +
+               json_text(field.maximum));
+  }
+}
+
+void check_questions(const Protocol& protocol) {
+  Ids ids{"consent"};
+  for (std::size_t i = 0; i < protocol.script.demographics.size(); ++i) {
+    const std::string place = item("/session/demographics", i);
+    check_id(protocol, place, protocol.script.demographics[i].id, ids);
+    check_field(protocol, place, protocol.script.demographics[i]);
+  }
+  for (std::size_t i = 0; i < protocol.script.questions.size(); ++i) {
+    check_id(protocol, item("/session/questions", i), protocol.script.questions[i].id, ids);
   }
 }
 
 /// Blocks are made of factors of the design.
-void check_blocks(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  if (!design.contains("blocks")) {
-    return;
-  }
-  const json& names = design["blocks"]["factors"];
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string place = "/design/blocks/factors/" + std::to_string(i);
-    const auto name = names[i].get<std::string>();
-    if (!has_factor(design, name)) {
-      refuse(protocol, place, "expected the name of a factor, got " + names[i].dump());
-    }
-    if (design.contains("adaptive") && design["adaptive"]["factor"].get<std::string>() == name) {
-      refuse(protocol, place,
-             "expected a factor whose levels are known beforehand, got " + names[i].dump() +
+void check_blocks(const Protocol& protocol) {
+  const Design& design = protocol.design;
+  for (std::size_t i = 0; design.blocks && i < design.blocks->factors.size(); ++i) {
+    const std::string& name = design.blocks->factors[i];
+    const std::string place = item("/design/blocks/factors", i);
+    named_factor(protocol.document, place, design, name);
+    if (design.adaptive && design.adaptive->factor == name) {
+      refuse(protocol.document, place,
+             "expected a factor whose levels are known beforehand, got " + json_text(name) +
                  ", which is adaptive");
     }
   }
@@ -144,18 +139,16 @@ void check_blocks(const JsonDocument& protocol) {
 
 /// Only a design that has blocks, and whose levels do not follow from answers that would be set
 /// aside, is resumed at a block's start.
-void check_resume(const JsonDocument& protocol) {
-  const json session = protocol.value.value("session", json::object());
-  if (!session.contains("resume") || session["resume"]["at"].get<std::string>() != "block") {
+void check_resume(const Protocol& protocol) {
+  if (protocol.script.resume.at != ResumeRule::At::kBlock) {
     return;
   }
-  const json& design = protocol.value["design"];
-  if (!design.contains("blocks")) {
-    refuse(protocol, "/session/resume/at",
+  if (!protocol.design.blocks) {
+    refuse(protocol.document, "/session/resume/at",
            "expected \"trial\" where /design has no blocks, got \"block\"");
   }
-  if (design.contains("adaptive")) {
-    refuse(protocol, "/session/resume/at",
+  if (protocol.design.adaptive) {
+    refuse(protocol.document, "/session/resume/at",
            "expected \"trial\" where levels are adaptive (they followed from the answers that "
            "would be set aside), got \"block\"");
   }
@@ -163,67 +156,70 @@ void check_resume(const JsonDocument& protocol) {
 
 /// As many right answers fit into the trials that are looked at as train_until asks for, and these
 /// into the most that there are.
-void check_training_criterion(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  if (!design.contains("train_until")) {
+void check_training_criterion(const Protocol& protocol) {
+  if (!protocol.script.training_rule) {
     return;
   }
-  const std::string place = "/design/train_until";
-  const json& rule = design["train_until"];
-  if (rule["right"].get<std::int64_t>() > rule["of"].get<std::int64_t>()) {
-    refuse(protocol, place + "/right",
-           "expected at most the " + rule["of"].dump() + " trials that are looked at, got " +
-               rule["right"].dump());
+  const TrainingRule& rule = *protocol.script.training_rule;
+  const std::string of = std::to_string(rule.of);
+  if (rule.right > rule.of) {
+    refuse(protocol.document, "/design/train_until/right",
+           "expected at most the " + of + " trials that are looked at, got " +
+               std::to_string(rule.right));
   }
-  if (rule["of"].get<std::int64_t>() > rule["most_trials"].get<std::int64_t>()) {
-    refuse(protocol, place + "/of",
-           "expected at most the " + rule["most_trials"].dump() +
-               " trials that there are (most_trials), got " + rule["of"].dump());
+  if (rule.of > rule.most_trials) {
+    refuse(protocol.document, "/design/train_until/of",
+           "expected at most the " + std::to_string(rule.most_trials) +
+               " trials that there are (most_trials), got " + of);
   }
 }
 
-const char* words_of_type(const json& value) {
-  return value.is_string() ? "a text" : value.is_boolean() ? "a boolean" : "a number";
+/// Its words for the type of a level, which are those of its index in the variant.
+const char* type_words(const LevelValue& level) {
+  constexpr std::array<const char*, 3> kWords{"a number", "a text", "a boolean"};
+  return kWords.at(level.index());
 }
 
-bool is_alike(const json& a, const json& b) {
-  return a.is_number() ? b.is_number() : a.type() == b.type();
-}
-
-void check_catch_condition(const JsonDocument& protocol, const std::string& place,
-                           const json& condition) {
-  const json& design = protocol.value["design"];
-  for (const json& factor : design["factors"]) {
-    const auto name = factor["name"].get<std::string>();
-    if (!condition.contains(name)) {
-      refuse(protocol, place, "expected a level for every factor, but \"" + name + "\" has none");
+/// Every factor has a level in the condition, which `check` finds no fault with, and nothing else
+/// has one.
+void check_condition(
+    const Protocol& protocol, const std::string& place, const Condition& condition,
+    const std::function<void(const Factor& factor, const FactorLevel& level)>& check) {
+  for (const Factor& factor : protocol.design.factors) {
+    const auto level = std::find_if(condition.begin(), condition.end(),
+                                    [&](const auto& one) { return one.factor == factor.name; });
+    if (level == condition.end()) {
+      refuse(protocol.document, place,
+             "expected a level for every factor, but \"" + factor.name + "\" has none");
     }
-    const json& own = factor["levels"].front();
-    if (!is_alike(own, condition[name])) {
-      refuse(protocol, place + "/" + name,
-             std::string("expected ") + words_of_type(own) +
-                 ", as the factor's own levels are, got " + condition[name].dump());
-    }
+    check(factor, *level);
   }
-  for (auto level = condition.begin(); level != condition.end(); ++level) {
-    if (!has_factor(design, level.key())) {
-      refuse(protocol, place,
-             "expected only factors of the design, got " + json(level.key()).dump());
+  for (const FactorLevel& level : condition) {
+    if (find_factor(protocol.design, level.factor) == nullptr) {
+      refuse(protocol.document, place,
+             "expected only factors of the design, got " + json_text(level.factor));
     }
   }
 }
 
 /// Every catch trial has a level for every factor, of the same type as the factor's own, and no two
 /// kinds are alike.
-void check_catch_trials(const JsonDocument& protocol) {
-  const json kinds = protocol.value["design"].value("catch_trials", json::array());
+void check_catch_trials(const Protocol& protocol) {
+  const std::vector<CatchTrials>& kinds = protocol.design.catch_trials;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const json& condition = kinds[i]["condition"];
-    check_catch_condition(protocol, item("/design/catch_trials", i) + "/condition", condition);
+    const Condition& condition = kinds[i].condition;
+    const std::string place = item("/design/catch_trials", i) + "/condition";
+    check_condition(protocol, place, condition, [&](const Factor& factor, const auto& level) {
+      if (factor.levels.front().index() != level.value.index()) {
+        refuse(protocol.document, place + "/" + factor.name,
+               std::string("expected ") + type_words(factor.levels.front()) +
+                   ", as the factor's own levels are, got " + json_text(level.value));
+      }
+    });
     for (std::size_t before = 0; before < i; ++before) {
-      if (kinds[before]["condition"] == condition) {
-        refuse(protocol, item("/design/catch_trials", i) + "/condition",
-               "expected a condition of its own, got " + condition.dump() + " again");
+      if (kinds[before].condition == condition) {
+        refuse(protocol.document, place,
+               "expected a condition of its own, got " + to_json(condition).dump() + " again");
       }
     }
   }
@@ -231,64 +227,50 @@ void check_catch_trials(const JsonDocument& protocol) {
 
 }  // namespace
 
-void check_design(const JsonDocument& protocol, const JsonDocument& scene) {
+void check_design(const Protocol& protocol) {
   check_size(protocol);
-  check_factors(protocol, scene);
+  check_factors(protocol);
   check_runs(protocol);
   check_blocks(protocol);
   check_catch_trials(protocol);
   check_adaptive(protocol);
-  check_thresholds(protocol);
   check_planned_size(protocol);
   check_training_criterion(protocol);
   check_resume(protocol);
-  check_question_blocks(protocol);
+  for (const auto& question : protocol.script.asked) {
+    question->check_block(protocol.document);
+  }
   check_questions(protocol);
 }
 
-void check_practice(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  const json practice = design.value("practice", json::array());
-  for (std::size_t i = 0; i < practice.size(); ++i) {
+void check_practice(const Protocol& protocol) {
+  for (std::size_t i = 0; i < protocol.design.practice.size(); ++i) {
     const std::string place = item("/design/practice", i);
-    for (const json& factor : design["factors"]) {
-      const auto name = factor["name"].get<std::string>();
-      if (!practice[i].contains(name)) {
-        refuse(protocol, place, "expected a level for every factor, but \"" + name + "\" has none");
-      }
-      if (!has_level(factor, practice[i][name])) {
-        refuse(protocol, place + "/" + name,
-               "expected one of the factor's levels " + factor["levels"].dump() + ", got " +
-                   practice[i][name].dump());
-      }
-    }
-    for (const auto& [name, unused] : practice[i].items()) {
-      if (!has_factor(design, name)) {
-        refuse(protocol, place, "expected only factors of the design, got " + json(name).dump());
-      }
-    }
+    check_condition(protocol, place, protocol.design.practice[i],
+                    [&](const Factor& factor, const FactorLevel& level) {
+                      if (!has_level(factor, level.value)) {
+                        refuse(protocol.document, place + "/" + factor.name,
+                               "expected one of the factor's levels " + list_text(factor.levels) +
+                                   ", got " + json_text(level.value));
+                      }
+                    });
   }
 }
 
-void check_practice_rule(const JsonDocument& protocol) {
-  const json& design = protocol.value["design"];
-  if (!design.contains("practice_until")) {
+void check_practice_rule(const Protocol& protocol) {
+  if (!protocol.script.practice_rule) {
     return;
   }
-  const json& rule = design["practice_until"];
-  const auto factor = rule["factor"].get<std::string>();
-  if (!has_factor(design, factor)) {
-    refuse(protocol, "/design/practice_until/factor",
-           "expected the name of a factor, got " + json(factor).dump());
-  }
-  const json practice = design.value("practice", json::array());
-  for (const char* end : {"best", "worst"}) {
-    const bool practised = std::any_of(practice.begin(), practice.end(), [&](const json& trial) {
-      return trial.contains(factor) && trial[factor] == rule[end];
-    });
-    if (!practised) {
-      refuse(protocol, std::string("/design/practice_until/") + end,
-             "expected a level of " + factor + " that is practised, got " + rule[end].dump());
+  const PracticeRule& rule = *protocol.script.practice_rule;
+  named_factor(protocol.document, "/design/practice_until/factor", protocol.design, rule.factor);
+  for (const auto& [end, level] : {std::pair("best", rule.best), std::pair("worst", rule.worst)}) {
+    const FactorLevel wanted{rule.factor, level};
+    const std::vector<Condition>& practice = protocol.design.practice;
+    if (std::none_of(practice.begin(), practice.end(), [&](const Condition& condition) {
+          return std::find(condition.begin(), condition.end(), wanted) != condition.end();
+        })) {
+      refuse(protocol.document, std::string("/design/practice_until/") + end,
+             "expected a level of " + rule.factor + " that is practised, got " + json_text(level));
     }
   }
 }

@@ -12,13 +12,13 @@ namespace impetus::inline protocol {
 
 /// Size, names, pointers, runs and the scale agree with each other and the scene.
 /// Throws InputError.
-void check_design(const JsonDocument& protocol, const JsonDocument& scene);
+void check_design(const Protocol& protocol);
 
 /// Every practice condition is a cell of the design. Throws InputError.
-void check_practice(const JsonDocument& protocol);
+void check_practice(const Protocol& protocol);
 
 /// The levels that practice is judged by are practised. Throws InputError.
-void check_practice_rule(const JsonDocument& protocol);
+void check_practice_rule(const Protocol& protocol);
 
 /// A participant's plan. Throws InputError when no order was found that keeps to the longest runs,
 /// or the participant's code has no number for a Latin square.

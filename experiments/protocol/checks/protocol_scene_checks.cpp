@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
 
-#include "experiments/protocol/checks/participant_checks.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
@@ -31,68 +31,53 @@ std::string milliseconds(double seconds) {
   return text;
 }
 
-bool on_grid(double duration_s, double hz) {
-  const double frames = duration_s * hz;
-  return std::abs(frames - std::round(frames)) < 1e-3;
-}
-
-std::string off_grid_message(const json& value, double hz) {
-  char rate[32];
-  std::snprintf(rate, sizeof rate, "%g", hz);
-  return "expected a whole number of " + std::string(rate) + " Hz frames (" +
-         milliseconds(1.0 / hz) + "), got " + value.dump();
-}
-
-void check_catch_frames(const Protocol& protocol, const std::string& factor,
-                        const FrameBoundValue& bound, double hz) {
-  const json kinds = protocol.document.value["design"].value("catch_trials", json::array());
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const json& level = kinds[i]["condition"][factor];
-    if (!on_grid(level.get<double>() * bound.unit_s, hz)) {
-      refuse(protocol.document, item("/design/catch_trials", i) + "/condition/" + factor,
-             off_grid_message(level, hz));
-    }
-  }
-}
-
-/// Of a standard's level, which need not be one of the factor's.
-void check_standard_bound(const Protocol& protocol, const std::string& factor,
-                          const FrameBoundValue& bound, double hz) {
-  const json::json_pointer standard("/two_interval/standard");
-  const json& document = protocol.document.value;
-  if (!document.contains(standard) || !document[standard].contains(factor)) {
-    return;
-  }
-  const json& level = document[standard][factor];
-  if (!on_grid(level.get<double>() * bound.unit_s, hz)) {
-    refuse(protocol.document, (standard / factor).to_string(), off_grid_message(level, hz));
+/// Refuses a duration at `place` that is no whole number of frames.
+void require_frames(const JsonDocument& document, const std::string& place, double duration,
+                    double unit_s, double hz) {
+  const double frames = duration * unit_s * hz;
+  if (!(std::abs(frames - std::round(frames)) < 1e-3)) {
+    char rate[32];
+    std::snprintf(rate, sizeof rate, "%g", hz);
+    refuse(document, place,
+           "expected a whole number of " + std::string(rate) + " Hz frames (" +
+               milliseconds(1.0 / hz) + "), got " + json_text(duration));
   }
 }
 
 void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, double hz) {
-  const json& factors = protocol.document.value["design"]["factors"];
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i]["pointer"] != bound.pointer) {
-      continue;
+  const std::vector<Factor>& factors = protocol.design.factors;
+  const auto factor = std::find_if(factors.begin(), factors.end(), [&](const Factor& each) {
+    return each.pointer == bound.pointer;
+  });
+  if (factor == factors.end()) {
+    const json::json_pointer pointer(bound.pointer);
+    const json& scene = protocol.scene.value;
+    if (scene.contains(pointer)) {
+      require_frames(protocol.scene, bound.pointer, scene[pointer].get<double>(), bound.unit_s, hz);
     }
-    check_standard_bound(protocol, factors[i]["name"].get<std::string>(), bound, hz);
-    const json& levels = factors[i]["levels"];
-    for (std::size_t j = 0; j < levels.size(); ++j) {
-      if (!on_grid(levels[j].get<double>() * bound.unit_s, hz)) {
-        refuse(protocol.document, item(item("/design/factors", i) + "/levels", j),
-               off_grid_message(levels[j], hz));
+    return;
+  }
+  const auto require_level = [&](const std::string& place, const LevelValue& level) {
+    require_frames(protocol.document, place, std::get<double>(level), bound.unit_s, hz);
+  };
+  const auto require_condition = [&](const std::string& place, const Condition& condition) {
+    for (const FactorLevel& level : condition) {
+      if (level.factor == factor->name) {
+        require_level(place + "/" + factor->name, level.value);
       }
     }
-    check_catch_frames(protocol, factors[i]["name"].get<std::string>(), bound, hz);
-    return;
+  };
+  if (const TwoIntervalQuestion* question = find_two_interval(protocol.script)) {
+    require_condition("/two_interval/standard", question->standard_levels());
   }
-  const json::json_pointer pointer(bound.pointer);
-  if (!protocol.scene.value.contains(pointer)) {
-    return;
+  const std::string levels =
+      item("/design/factors", factor_place(protocol.design, factor->name)) + "/levels";
+  for (std::size_t i = 0; i < factor->levels.size(); ++i) {
+    require_level(item(levels, i), factor->levels[i]);
   }
-  const json& value = protocol.scene.value[pointer];
-  if (!on_grid(value.get<double>() * bound.unit_s, hz)) {
-    refuse(protocol.scene, bound.pointer, off_grid_message(value, hz));
+  for (std::size_t i = 0; i < protocol.design.catch_trials.size(); ++i) {
+    require_condition(item("/design/catch_trials", i) + "/condition",
+                      protocol.design.catch_trials[i].condition);
   }
 }
 
@@ -154,25 +139,22 @@ void check_catch_scenes(const Protocol& protocol) {
 }
 
 void check_demonstrations(const Protocol& protocol) {
-  const json entries = protocol.document.value.value("session", json::object())
-                           .value("demonstrations", json::array());
   std::set<std::string> ids;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
+  for (std::size_t i = 0; i < protocol.script.demonstrations.size(); ++i) {
+    const Demonstration& demonstration = protocol.script.demonstrations[i];
     const std::string place = item("/session/demonstrations", i);
-    const auto id = entries[i]["id"].get<std::string>();
-    if (!ids.insert(id).second) {
+    if (!ids.insert(demonstration.id).second) {
       refuse(protocol.document, place + "/id",
-             "expected an id of its own, got " + json(id).dump() + " again");
+             "expected an id of its own, got " + json_text(demonstration.id) + " again");
     }
-    const json& values = entries[i]["set"];
-    for (auto value = values.begin(); value != values.end(); ++value) {
-      if (!names_single_value(protocol.scene.value, value.key())) {
+    for (const auto& [pointer, value] : demonstration.set) {
+      if (!names_single_value(protocol.scene.value, pointer)) {
         refuse(protocol.document, place + "/set",
                "expected pointers to single values of " + protocol.scene.name + ", got \"" +
-                   value.key() + "\"");
+                   pointer + "\"");
       }
     }
-    const json scene = demonstration_scene(protocol, id);
+    const json scene = demonstration_scene(protocol, demonstration);
     const std::string message = complaint(scene);
     if (!message.empty()) {
       refuse(protocol.document, place + "/set", message);
@@ -186,7 +168,7 @@ void check_demonstrations(const Protocol& protocol) {
 }
 
 void check_gaze(const Protocol& protocol) {
-  if (protocol.document.value.contains("gaze") || !has_participants(protocol.document.value)) {
+  if (protocol.script.gaze || !protocol.has_participants) {
     return;  // nobody's gaze is the screen's centre
   }
   for (const Condition& cell : shown_conditions(protocol.design)) {
@@ -205,17 +187,14 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
       check_frame_bound(protocol, bound, refresh_hz);
     }
   }
-  if (!protocol.document.value.contains("timing")) {
+  if (!protocol.has_participants || allow_rounding) {
     return;
   }
-  const json& fixation = protocol.document.value["timing"]["fixation_ms"];
-  if (!allow_rounding && !on_grid(fixation.get<double>() * 1e-3, refresh_hz)) {
-    refuse(protocol.document, "/timing/fixation_ms", off_grid_message(fixation, refresh_hz));
-  }
-  const TwoIntervalQuestion* two = find_two_interval(protocol.script);
-  if (!allow_rounding && two != nullptr && !on_grid(two->between_ms() * 1e-3, refresh_hz)) {
-    refuse(protocol.document, "/two_interval/between_ms",
-           off_grid_message(json(two->between_ms()), refresh_hz));
+  require_frames(protocol.document, "/timing/fixation_ms", protocol.script.timing.fixation_ms, 1e-3,
+                 refresh_hz);
+  if (const TwoIntervalQuestion* two = find_two_interval(protocol.script)) {
+    require_frames(protocol.document, "/two_interval/between_ms", two->between_ms(), 1e-3,
+                   refresh_hz);
   }
 }
 

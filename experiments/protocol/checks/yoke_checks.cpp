@@ -13,32 +13,27 @@ bool is_recorded(const json& scene) {
   return scene.contains(kind) && scene[kind] == json(kRecordedLevel);
 }
 
-std::optional<std::size_t> index_of_kind_factor(const Protocol& protocol) {
-  const json& factors = protocol.document.value["design"]["factors"];
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i]["pointer"] == json(kRegionKindPointer)) {
-      return i;
+/// The factor that sets the region's kind; null: there is none.
+const Factor* kind_factor(const Protocol& protocol) {
+  for (const Factor& factor : protocol.design.factors) {
+    if (factor.pointer == kRegionKindPointer) {
+      return &factor;
     }
   }
-  return std::nullopt;
-}
-
-bool has_level(const Protocol& protocol, std::size_t factor, const char* name) {
-  const json& levels = protocol.document.value["design"]["factors"][factor]["levels"];
-  return std::any_of(levels.begin(), levels.end(),
-                     [&](const json& level) { return level == json(name); });
+  return nullptr;
 }
 
 void check_factor(const Protocol& protocol) {
-  const auto factor = index_of_kind_factor(protocol);
-  if (!factor || !has_level(protocol, *factor, kRecordedLevel)) {
+  const Factor* factor = kind_factor(protocol);
+  if (factor == nullptr || !has_level(*factor, kRecordedLevel)) {
     refuse(protocol.document, "/gaze/yoked_to",
            "expected a factor over " + std::string(kRegionKindPointer) +
                " with the level \"recorded\", but there is none");
   }
   const bool from_here = protocol.script.gaze->yoked_to->protocol.empty();
-  if (from_here && !has_level(protocol, *factor, kTrackedLevel)) {
-    refuse(protocol.document, "/design/factors/" + std::to_string(*factor) + "/levels",
+  if (from_here && !has_level(*factor, kTrackedLevel)) {
+    refuse(protocol.document,
+           item("/design/factors", factor_place(protocol.design, factor->name)) + "/levels",
            "expected the level \"tracked\", whose gaze \"recorded\" follows, or another protocol "
            "in /gaze/yoked_to");
   }
@@ -46,16 +41,12 @@ void check_factor(const Protocol& protocol) {
 
 }  // namespace
 
-std::optional<std::string> region_kind_factor(const Protocol& protocol) {
-  const auto index = index_of_kind_factor(protocol);
-  return index ? std::optional(protocol.design.factors[*index].name) : std::nullopt;
-}
-
 std::optional<Condition> followed_condition(const Protocol& protocol, const Condition& condition) {
-  const auto factor = region_kind_factor(protocol);
+  const Factor* factor = kind_factor(protocol);
   Condition followed = condition;
   const auto level = std::find_if(followed.begin(), followed.end(), [&](const FactorLevel& one) {
-    return factor && one.factor == *factor && one.value == LevelValue(std::string(kRecordedLevel));
+    return factor != nullptr && one.factor == factor->name &&
+           one.value == LevelValue(kRecordedLevel);
   });
   if (level == followed.end()) {
     return std::nullopt;
@@ -71,7 +62,7 @@ void check_yoking(const Protocol& protocol) {
            "says whose");
   }
   for (const Demonstration& demonstration : protocol.script.demonstrations) {
-    if (is_recorded(demonstration_scene(protocol, demonstration.id))) {
+    if (is_recorded(demonstration_scene(protocol, demonstration))) {
       refuse(protocol.document, "/session/demonstrations",
              "expected regions that follow nobody, but " + demonstration.id +
                  " follows a recorded gaze");
@@ -81,11 +72,11 @@ void check_yoking(const Protocol& protocol) {
     check_factor(protocol);
     return;
   }
-  const auto factor = index_of_kind_factor(protocol);
-  if (factor && has_level(protocol, *factor, kRecordedLevel)) {
+  const Factor* factor = kind_factor(protocol);
+  if (factor != nullptr && has_level(*factor, kRecordedLevel)) {
     refuse(protocol.document, "/gaze",
            "expected the key \"yoked_to\", because regions follow a recorded gaze under \"" +
-               protocol.design.factors[*factor].name + "\": \"recorded\", but it is missing");
+               factor->name + "\": \"recorded\", but it is missing");
   }
 }
 

@@ -15,9 +15,6 @@ inline constexpr const char* kRegionKindPointer = "/engine/region/kind";
 inline constexpr const char* kRecordedLevel = "recorded";
 inline constexpr const char* kTrackedLevel = "tracked";
 
-/// The factor that sets the region's kind; none.
-[[nodiscard]] std::optional<std::string> region_kind_factor(const Protocol& protocol);
-
 /// The condition whose trials are followed under this one; none where the region follows nobody's
 /// recording.
 [[nodiscard]] std::optional<Condition> followed_condition(const Protocol& protocol,

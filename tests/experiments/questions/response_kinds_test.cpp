@@ -1,5 +1,5 @@
-// What a kind of response declares is what the protocol takes, what the study file keeps and what
-// a simulated participant does.
+// What a kind of response declares is what the study file keeps and what a simulated participant
+// does.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
@@ -22,23 +22,6 @@ std::vector<std::string> sorted_names(const std::vector<DeclaredValue>& values) 
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-TEST(ResponseKinds, ParametersAreThoseOfTheProtocolsSchema) {
-  const json schema = json::parse(shipped("protocols/protocol.schema.json"));
-  for (const ResponseKind& kind : response_kinds()) {
-    const json& block = schema["properties"][kind.protocol_key];
-    std::vector<std::string> known;
-    for (auto entry = block["properties"].begin(); entry != block["properties"].end(); ++entry) {
-      known.push_back(entry.key());
-    }
-    EXPECT_EQ(sorted_names(kind.parameters), known) << kind.name;
-    std::vector<DeclaredValue> needed = kind.parameters;
-    std::erase_if(needed, [](const DeclaredValue& value) { return value.optional; });
-    auto required = block["required"].get<std::vector<std::string>>();
-    std::sort(required.begin(), required.end());
-    EXPECT_EQ(required, sorted_names(needed)) << kind.name;
-  }
 }
 
 TEST(ResponseKinds, ColumnsAreThoseOfTheStudyFilesTables) {

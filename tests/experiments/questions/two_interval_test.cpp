@@ -172,7 +172,9 @@ TEST(TwoInterval, InterruptedInTheSecondItKeepsTheFirst) {
 }
 
 TEST(TwoInterval, TheStandardReplacesItsLevelsAndNothingElse) {
-  const TwoIntervalQuestion question(json{{"question", "?"}, {"standard", {{"b", 7.0}}}});
+  const auto asked =
+      TwoIntervalQuestion::rows().read({{"question", "?"}, {"standard", {{"b", 7.0}}}});
+  const auto& question = dynamic_cast<const TwoIntervalQuestion&>(*asked);
   const Condition condition{{"a", 1.0}, {"b", 2.0}, {"c", std::string("x")}};
   EXPECT_EQ(question.standard(condition),
             (Condition{{"a", 1.0}, {"b", 7.0}, {"c", std::string("x")}}));

@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 
+#include "experiments/protocol/protocol_rows.hpp"
+#include "experiments/protocol/series_file.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "tests/places/places.hpp"
 
@@ -149,6 +151,8 @@ std::string file_text(const std::string& path) {
 TEST(SchemaFiles, AreWhatTheRowsSay) {
   expect_committed(scene_file_schema(), "stimuli/scene.schema.json");
   expect_committed(figure_file_schema(), "stimuli/figure.schema.json");
+  expect_committed(protocol_file_schema(), "protocols/protocol.schema.json");
+  expect_committed(series_file_schema(), "protocols/series/series.schema.json");
 }
 
 TEST(SchemaFiles, TheTableOfSettingsIsWhatTheRowsSay) {

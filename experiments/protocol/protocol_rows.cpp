@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/protocol/protocol_rows.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/protocol/solved_values.hpp"
+#include "experiments/questions/level_value.hpp"
+#include "experiments/questions/response_kinds.hpp"
+#include "experiments/settings/schema_check.hpp"
+
+namespace impetus::inline protocol {
+namespace {
+
+using P = Protocol;
+using S = Script;
+
+constexpr ListLength kSome{1, -1};
+constexpr ListLength kSomeUnlike{1, -1, /*is_set=*/true};
+
+Kind<std::int64_t> count(double least, double most = NumberRange{}.most) {
+  return whole<std::int64_t>({least, most});
+}
+
+Kind<std::string> id_kind() { return text_like("^[a-z][a-z0-9_]*$"); }
+
+// ---------------------------------------------------------------- the design
+
+Kind<Factor> factor_kind() {
+  using F = Factor;
+  return object<F>("",
+                   {required("name", &F::name, id_kind()), row("label", &F::label, any_text()),
+                    required("pointer", &F::pointer, text_like("^/"),
+                             "JSON Pointer to the value in the scene that the factor overrides."),
+                    required("levels", &F::levels, list(factor_level_kind(), kSomeUnlike))});
+}
+
+Kind<LongestRun> longest_run_kind() {
+  using L = LongestRun;
+  return object<L>(
+      "", {required("factor", &L::factor, any_text()), required("longest", &L::longest, count(1))});
+}
+
+Kind<Blocks> blocks_kind() {
+  using B = Blocks;
+  return object<B>(
+      "Trials come in blocks, one for each combination of these factors' levels; the other factors "
+      "vary within.",
+      {required("factors", &B::factors, list(any_text(), kSomeUnlike)),
+       required("order", &B::order,
+                choice<B::Order>({{"random", B::Order::kRandom},
+                                  {"fixed", B::Order::kFixed},
+                                  {"latin-square", B::Order::kLatinSquare}}),
+                "random: drawn. fixed: as listed. latin-square: a row of a square that "
+                "counterbalances first-order effects (Williams 1949), by the number at the end of "
+                "the participant's code.")});
+}
+
+Kind<CatchTrials> catch_kind() {
+  using C = CatchTrials;
+  return object<C>("", {required("condition", &C::condition, condition_kind(),
+                                 "A level for every factor; it need not be one of the design's."),
+                        required("count", &C::count, count(1, 1000), "In each block.")});
+}
+
+Kind<Staircase> staircase_kind() {
+  using U = Staircase;
+  const Kind<double> any = number({});
+  return object<U>(
+      "Up-down (Levitt 1971).",
+      {required("up", &U::up, count(1, 10), "Negatives in a row that make it easier."),
+       required("down", &U::down, count(1, 10), "Positives in a row that make it harder."),
+       row("steps", &U::steps, list(count(1, 1000), kSome),
+           "In levels: the next one is used after each reversal, the last one for ever. 1 when "
+           "left out."),
+       required("starts", &U::starts, list(Kind<LevelValue>{any, any.read}, {1, 8}),
+                "The level at which each of the interleaved staircases begins.")});
+}
+
+Kind<QuestPlus> quest_plus_kind() {
+  using Q = QuestPlus;
+  const auto grid = defined("grid", list(number({-1e6, 1e6}), {1, 1000, /*is_set=*/true}));
+  return object<Q>(
+      "QUEST+ (Watson 2017), with a uniform prior over these grids. Slopes are exponents of a "
+      "Weibull function, standard deviations of a normal one. Levels rise from hard to easy.",
+      {required("function", &Q::function,
+                choice<Q::Function>(
+                    {{"weibull", Q::Function::kWeibull}, {"normal", Q::Function::kNormal}})),
+       required("scale", &Q::scale,
+                choice<Q::Scale>({{"linear", Q::Scale::kLinear},
+                                  {"log10", Q::Scale::kLog10},
+                                  {"decibel", Q::Scale::kDecibel}}),
+                "What threshold and slope are counted in: the level itself, its decimal "
+                "logarithm, or decibels (20 log10)."),
+       required("thresholds", &Q::thresholds, grid), required("slopes", &Q::slopes, grid),
+       required("guess_rates", &Q::guess_rates, grid),
+       required("lapse_rates", &Q::lapse_rates, grid)});
+}
+
+Kind<Adaptive> adaptive_kind() {
+  using A = Adaptive;
+  return object<A>(
+      "One factor's level is chosen trial by trial from its levels, listed from hard to easy; one "
+      "track for each combination of the other factors' levels.",
+      {required("factor", &A::factor, any_text()),
+       required("trials_per_track", &A::trials_per_track, count(1, 10000)),
+       row("staircase", &A::method, staircase_kind()),
+       row("quest_plus", &A::method, quest_plus_kind())});
+}
+
+Kind<PracticeRule> practice_rule_kind() {
+  using R = PracticeRule;
+  return object<R>(
+      "Practice is repeated until, in one round, something was clicked in a trial of the worst "
+      "level (where clicks are asked for) and the best level was rated better on average.",
+      {required("factor", &R::factor, any_text()), required("best", &R::best, factor_level_kind()),
+       required("worst", &R::worst, factor_level_kind()),
+       required("rounds", &R::rounds, count(1, 20),
+                "At most; after the last the experimenter decides.")});
+}
+
+Kind<TrainingRule> training_rule_kind() {
+  using R = TrainingRule;
+  return object<R>(
+      "In place of practice_until, where answers are right or wrong: practice goes on, its "
+      "conditions in order again and again, until of the last so many trials enough were answered "
+      "right. Each answer is said to be right or wrong.",
+      {required("right", &R::right, count(1, 100)), required("of", &R::of, count(1, 100)),
+       required("most_trials", &R::most_trials, count(1, 1000),
+                "After these the experimenter decides.")});
+}
+
+std::vector<Row<P>> design_rows() {
+  using D = Design;
+  return {required("factors", &P::design, &D::factors, list(factor_kind(), kSome)),
+          required("repetitions", &P::design, &D::repetitions, count(1, 1000)),
+          row("longest_runs", &P::design, &D::longest_runs, list(longest_run_kind(), {}),
+              "At most so many trials in a row with the same level of the factor."),
+          row("blocks", &P::design, &D::blocks, blocks_kind()),
+          row("catch_trials", &P::design, &D::catch_trials, list(catch_kind(), {}),
+              "Trials outside the design, spread among the main ones and never pooled with them."),
+          row("adaptive", &P::design, &D::adaptive, adaptive_kind()),
+          row("practice", &P::design, &D::practice, list(condition_kind(), {}),
+              "Conditions shown first, in this order, with feedback on use of the scale."),
+          row("practice_until", &P::script, &S::practice_rule, practice_rule_kind()),
+          row("train_until", &P::script, &S::training_rule, training_rule_kind())};
+}
+
+// ---------------------------------------------------------------- the gaze
+
+Kind<CalibrationTask> calibration_kind() {
+  using C = CalibrationTask;
+  const Kind<double> limit = number(above(0, 20));
+  return object<C>(
+      "Before practice: nine points over 80 % of the screen, then a validation by nine over 60 %; "
+      "a drift check at breaks.",
+      {required("accuracy_limit_deg", &C::accuracy_limit_deg, limit,
+                "A validation with a mean distance of gaze from point above this is repeated."),
+       row("most_tries", &C::most_tries, count(1, 20),
+           "Then the experimenter decides; 3 when left out."),
+       row("drift_limit_deg", &C::drift_limit_deg, limit,
+           "A drift check worse than this asks for a calibration; 2 when left out."),
+       row("point_ms", &C::point_ms, number({200, 10000}),
+           "For which each point is shown; 1000 when left out.")});
+}
+
+Kind<GazeLossRule> gaze_loss_kind() {
+  using G = GazeLossRule;
+  return object<G>(
+      "What becomes of a trial in which the gaze was lost for more than a share of the stimulus; "
+      "marked when more than half was lost, when left out.",
+      {required("most_lost_share", &G::most_lost_share, number({0, 1})),
+       required("then", &G::policy,
+                choice<G::Policy>({{"keep", G::Policy::kKeep},
+                                   {"mark", G::Policy::kMark},
+                                   {"repeat", G::Policy::kRepeat}}),
+                "keep: nothing. mark: it is marked. repeat: it is shown again at once, then kept "
+                "and marked."),
+       row("most_repeats", &G::most_repeats, count(1, 20), "Of a trial; 2 when left out.")});
+}
+
+Kind<YokeRule> yoke_kind() {
+  using Y = YokeRule;
+  return object<Y>(
+      "For levels of a factor that set the region's kind to recorded: another participant of the "
+      "study, whose gaze in the same condition, tracked, and repetition the region follows. "
+      "previous: the last one before this who has finished. least-followed: of those who have "
+      "finished, the first whom the fewest others follow.",
+      {required("participant", &Y::participant, text(), "A code, previous or least-followed."),
+       row("protocol", &Y::protocol, text(),
+           "The name of the one in which they were recorded; this one when left out.")});
+}
+
+Kind<GazeTask> gaze_kind() {
+  using G = GazeTask;
+  return object<G>(
+      "The gaze is followed during the stimulus; the mouse stands in for the eye where there is no "
+      "eye-tracker.",
+      {required("extra_latency_ms", &G::extra_latency_ms, number({0, 10000}),
+                "Imposed: samples younger than this are not used yet. The scene's "
+                "/imposed/gaze_latency_ms is added to it, and can be a factor."),
+       row("calibration", &G::calibration, calibration_kind()),
+       row("when_lost", &G::loss, gaze_loss_kind()), row("yoked_to", &G::yoked_to, yoke_kind())});
+}
+
+// ---------------------------------------------------------------- the session
+
+std::vector<Row<Text>> text_rows() {
+  return {required("title", &Text::title, text()),
+          required("paragraphs", &Text::paragraphs, list(text(), {}))};
+}
+
+/// Title and paragraphs between other rows of what they belong to.
+template <typename Struct>
+std::vector<Row<Struct>> rows_with_text(std::vector<Row<Struct>> rows, Text Struct::*page,
+                                        const std::vector<Row<Struct>>& more) {
+  for (const Row<Text>& each : text_rows()) {
+    rows.push_back(row_within(page, each));
+  }
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+Kind<Text> page_kind() { return defined("text", object<Text>("", text_rows())); }
+
+Kind<Field> field_kind() {
+  using F = Field;
+  return object<F>(
+      "", {required("id", &F::id, id_kind()), required("label", &F::label, text()),
+           required("kind", &F::kind,
+                    choice<F::Kind>({{"number", F::Kind::kNumber},
+                                     {"choice", F::Kind::kChoice},
+                                     {"text", F::Kind::kText}})),
+           row("options", &F::options, list(text(), {2, -1})),
+           row("minimum", &F::minimum, number({})), row("maximum", &F::maximum, number({}))});
+}
+
+Kind<Demonstration> demonstration_kind() {
+  using D = Demonstration;
+  return object<D>("", rows_with_text<D>({required("id", &D::id, id_kind())}, &D::text,
+                                         {required("set", &D::set, by_name(factor_level_kind()),
+                                                   "Values of the scene by JSON Pointer.")}));
+}
+
+Kind<ResumeRule> resume_kind() {
+  using R = ResumeRule;
+  return object<R>(
+      "Where a session that was left goes on: at the next trial (as without this), or at the start "
+      "of its block, whose trials done so far are set aside. Instructions are shown and the gaze "
+      "is calibrated anew.",
+      {required("at", &R::at, choice<R::At>({{"trial", R::At::kTrial}, {"block", R::At::kBlock}})),
+       row("refuse_after_h", &R::refuse_after_h, number(above(0)),
+           "Hours since anything was last recorded, after which it is not resumed at all.")});
+}
+
+Row<S> session_row() {
+  const auto question = object<FreeQuestion>("", {required("id", &FreeQuestion::id, id_kind()),
+                                                  required("text", &FreeQuestion::text, text())});
+  return group<S>(
+      "session",
+      {required("welcome", &S::welcome, page_kind()),
+       group<S>("consent",
+                rows_with_text<S>({}, &S::consent,
+                                  {required("statement", &S::consent_statement, text(),
+                                            "What is agreed to, or not: shown apart, and stored "
+                                            "with the answer.")}))
+           .in_every_file(),
+       row("demographics", &S::demographics, list(field_kind(), {}),
+           "Asked once; each may be left empty."),
+       required("instructions", &S::instructions, list(page_kind(), {})),
+       row("demonstrations", &S::demonstrations, list(demonstration_kind(), {0, 100}),
+           "Scenes shown before practice, each named first; not recorded as trials."),
+       group<S>("breaks", rows_with_text<S>({required("every", &S::break_every, count(1),
+                                                      "Main trials between breaks.")},
+                                            &S::break_text, {})),
+       row("resume", &S::resume, resume_kind()),
+       row("questions", &S::questions, list(question, {}),
+           "Asked after the last trial; answered in free text."),
+       required("thanks", &S::thanks, page_kind())});
+}
+
+Row<S> timing_row() {
+  using T = TrialTiming;
+  const Kind<double> duration = number({0, 60000});
+  return row("timing", &S::timing,
+             object<T>("", {required("fixation_ms", &T::fixation_ms, duration,
+                                     "Fixation cross before the stimulus: a whole number of "
+                                     "frames."),
+                            required("interval_ms", &T::interval_ms, duration,
+                                     "Blank between trials, at least this long.")}));
+}
+
+const Kind<P>& protocol_kind() {
+  static const Kind<P> kind = [] {
+    std::vector<Row<P>> rows{
+        required("scene", &P::scene_file, text(),
+                 "The scene's file, seen from this one, within the folder above this one's; links "
+                 "are followed."),
+        group<P>("design", design_rows()).in_every_file(),
+        row("participants", &P::has_participants, choice<bool>({{"none", false}}),
+            "none: nobody takes part; each trial is simulated to its end without a display. Left "
+            "out: people or simulated participants, who need timing and session."),
+        row("solve", &P::solve, list(solve_kind(), kSome),
+            "Values of the scene that are computed before the plan is stored, by simulation, and "
+            "kept with every trial; protocol and scene alone decide them.")};
+    std::vector<Row<S>> script = question_rows();
+    script.insert(script.end(), {timing_row(), row("gaze", &S::gaze, gaze_kind()), session_row()});
+    for (const Row<S>& each : script) {
+      rows.push_back(row_within(&P::script, each));
+    }
+    return object<P>(
+        "", rows_of_file<P>(rows, {required("name", &P::name, text_like("^[a-z][a-z0-9-]*$"),
+                                            "Short and stable: the order of trials and the "
+                                            "analysis go by it."),
+                                   required("title", &P::title, text())}));
+  }();
+  return kind;
+}
+
+/// Puts the levels into the order of the design's factors.
+void sort_levels(const Design& design, Condition& condition) {
+  std::stable_sort(condition.begin(), condition.end(),
+                   [&](const FactorLevel& a, const FactorLevel& b) {
+                     return factor_place(design, a.factor) < factor_place(design, b.factor);
+                   });
+}
+
+/// What the file says in another way than the struct does.
+void complete(Protocol& protocol) {
+  Design& design = protocol.design;
+  for (Factor& factor : design.factors) {
+    factor.label = factor.label.empty() ? factor.name : factor.label;
+  }
+  for (CatchTrials& kind : design.catch_trials) {
+    sort_levels(design, kind.condition);
+  }
+  for (Condition& condition : design.practice) {
+    sort_levels(design, condition);
+  }
+  if (protocol.script.practice_rule) {
+    design.practice_rounds = protocol.script.practice_rule->rounds;
+  }
+  if (protocol.script.training_rule) {
+    const auto round = static_cast<std::int64_t>(design.practice.size());
+    design.most_practice_trials = protocol.script.training_rule->most_trials;
+    design.practice_rounds = round > 0 ? (design.most_practice_trials + round - 1) / round : 0;
+  }
+}
+
+}  // namespace
+
+OrderedJson protocol_file_schema() {
+  return file_schema("Impetus protocol",
+                     "One study: a scene, a factorial design over its values, and what a "
+                     "participant reads and answers.",
+                     protocol_kind());
+}
+
+Protocol read_protocol(JsonDocument document) {
+  static const nlohmann::json schema = protocol_file_schema();
+  require_schema(document, schema);
+  Protocol protocol = protocol_kind().read(document.value);
+  complete(protocol);
+  protocol.document = std::move(document);
+  return protocol;
+}
+
+}  // namespace impetus::inline protocol
