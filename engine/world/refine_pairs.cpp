@@ -1,5 +1,5 @@
 // The fourth phase of a step: the roots of all pairs are tested, and then finer nodes for as long
-// as work is granted. How it is shared among the lists is told in work_sharing.hpp.
+// as work is granted. How it is shared among the lists is told in budgeted_refinement.hpp.
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <optional>

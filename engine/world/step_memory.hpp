@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/collision/broad_phase.hpp"
-#include "engine/collision/work_sharing.hpp"
+#include "engine/collision/budgeted_refinement.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"

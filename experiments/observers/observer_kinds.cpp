@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 namespace impetus::inline observers {
 

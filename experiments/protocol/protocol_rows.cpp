@@ -7,7 +7,7 @@
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "experiments/settings/json_document.hpp"
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 namespace impetus::inline protocol {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/named_file.hpp"
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 namespace impetus::inline protocol {
 namespace {

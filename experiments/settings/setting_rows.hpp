@@ -2,7 +2,7 @@
 //
 //   row: key, member of a struct, kind (type, range, names of an enum), sentence, key of --with
 //     ├─> the JSON Schema; the committed *.schema.json are written from it (schema_files_test)
-//     ├─> range checks and their sentences, which schema_check.hpp makes from the schema
+//     ├─> range checks and their sentences, which schema_sentences.hpp makes from the schema
 //     ├─> reading: what is valid by the schema becomes the struct, once
 //     └─> what `replay --with` may change, and what it is called there
 //

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/collision/budgeted_refinement.hpp"
 #include "engine/collision/contact_model.hpp"
 #include "engine/collision/torque_span.hpp"
-#include "engine/collision/work_sharing.hpp"
 #include "engine/dynamics/nearest_velocities.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"

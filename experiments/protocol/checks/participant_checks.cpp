@@ -13,7 +13,7 @@
 #include "experiments/record/shown_letters.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {

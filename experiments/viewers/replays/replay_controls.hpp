@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiments/viewers/replays/replay_commands.hpp"
+#include "experiments/viewers/replays/replay_keys.hpp"
 #include "experiments/viewing/replay_playback.hpp"
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/window/gui.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "experiments/viewers/replays/replay_commands.hpp"
+#include "experiments/viewers/replays/replay_keys.hpp"
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/viewing/viewed_stimuli.hpp"
 #include "experiments/window/canvas.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/viewers/replays/replay_commands.hpp"
+#include "experiments/viewers/replays/replay_keys.hpp"
 #include "experiments/viewers/volume_levels.hpp"
 #include "experiments/viewing/replay_view.hpp"
 #include "experiments/window/canvas.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/collision/work_sharing.hpp"
+#include "engine/collision/budgeted_refinement.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/once.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/collision/work_sharing.hpp"
+#include "engine/collision/budgeted_refinement.hpp"
 #include "tests/engine/crowds.hpp"
 #include "tests/engine/once.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/collision/budgeted_refinement.hpp"
 #include "engine/collision/entry/near_nodes.hpp"
-#include "engine/collision/work_sharing.hpp"
 #include "tests/engine/crowds.hpp"
 #include "tests/engine/once.hpp"
 

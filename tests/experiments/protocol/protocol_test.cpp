@@ -4,7 +4,7 @@
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 #include "tests/experiments/refusals.hpp"
 #include "tests/places/places.hpp"
 

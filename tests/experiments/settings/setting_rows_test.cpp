@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 namespace impetus::setting_rows_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/viewers/replays/replay_commands.hpp"
+#include "experiments/viewers/replays/replay_keys.hpp"
 
 #include <algorithm>
 #include <array>

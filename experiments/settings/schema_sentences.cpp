@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/settings/schema_check.hpp"
+#include "experiments/settings/schema_sentences.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/collision/work_sharing.hpp"
+#include "engine/collision/budgeted_refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
