@@ -70,31 +70,51 @@ Metric made(const MetricOptions& options) {
   }
 }
 
-/// A metric by its name, and how one is made.
+/// A metric by its name, what it measures, and how one is made.
 struct NamedMetric {
   std::string_view name;
+  std::string_view words;
+  MeasureRange range;
   Metric (*make)(const MetricOptions&);
   bool takes_point;
   bool takes_terms;
 };
 
 template <typename T>
-constexpr NamedMetric named(std::string_view name) {
-  return {name, made<T>, kTakesPoint<T> || kTakesOptions<T>, kTakesOptions<T>};
+constexpr NamedMetric named(std::string_view name, std::string_view words, MeasureRange range) {
+  return {name, words, range, made<T>, kTakesPoint<T> || kTakesOptions<T>, kTakesOptions<T>};
 }
 
-/// In alphabetical order. A new metric is one line here.
-constexpr NamedMetric kMetrics[] = {named<CollisionSpeedMetric>("collision-speed"),
-                                    named<DistanceMetric>("distance"),
-                                    named<EccentricityMetric>("eccentricity"),
-                                    named<GapMetric>("gap"),
-                                    named<GapBoundMetric>("gap-bound"),
-                                    named<ProjectedCentresMetric>("projected-centres"),
-                                    named<ProjectedGapMetric>("projected-gap"),
-                                    named<SizeMetric>("size"),
-                                    named<VelocityMetric>("velocity"),
-                                    named<VisibleFrequencyMetric>("visible-frequency"),
-                                    named<WeightedMetric>("weighted")};
+/// In alphabetical order. A new metric is one row here.
+constexpr NamedMetric kMetrics[] = {
+    named<CollisionSpeedMetric>("collision-speed",
+                                "degrees per second of one body past the other, the slow",
+                                {"°/s", 0.0, 60.0}),
+    named<DistanceMetric>("distance", "m from the eye to the midpoint of the centres, the near",
+                          {"m", 0.0, 2.0}),
+    named<EccentricityMetric>(
+        "eccentricity",
+        "degrees between the collision's place and where the viewer looks, the central",
+        {"°", 0.0, 30.0}),
+    named<GapMetric>("gap", "m between the centres of the two bounds, the large", {"m", 0.2, 0.0}),
+    named<GapBoundMetric>("gap-bound",
+                          "m that the gap cannot exceed: the trees' fit error, the large",
+                          {"m", 0.1, 0.0}),
+    named<ProjectedCentresMetric>("projected-centres",
+                                  "degrees between the centres of the two bounds, the large",
+                                  {"°", 15.0, 0.0}),
+    named<ProjectedGapMetric>("projected-gap",
+                              "degrees that the trees' fit error spans there, the large",
+                              {"°", 15.0, 0.0}),
+    named<SizeMetric>("size", "degrees that the two bounds' diameters span, mean, the large",
+                      {"°", 15.0, 0.0}),
+    named<VelocityMetric>("velocity", "degrees per second of the two bodies, mean, the slow",
+                          {"°/s", 0.0, 60.0}),
+    named<VisibleFrequencyMetric>("visible-frequency",
+                                  "cycles per degree that can be seen there, the high",
+                                  {"c/°", 60.0, 0.0}),
+    named<WeightedMetric>("weighted", "sum of weights, of others brought to [0, 1], the high",
+                          {"", 2.0, 0.0})};
 
 const NamedMetric* found(std::string_view name) {
   const NamedMetric* metric =
@@ -141,6 +161,20 @@ std::vector<std::string_view> metric_names() {
     names.push_back(metric.name);
   }
   return names;
+}
+
+std::string metrics_in_words() {
+  std::string words;
+  for (const NamedMetric& metric : kMetrics) {
+    words += words.empty() ? "" : " ";
+    words += std::string(metric.name) + ": " + std::string(metric.words) + " first.";
+  }
+  return words;
+}
+
+MeasureRange measure_range(std::string_view name) {
+  const NamedMetric* metric = found(name);
+  return metric == nullptr ? MeasureRange{} : metric->range;
 }
 
 }  // namespace impetus::inline scheduling

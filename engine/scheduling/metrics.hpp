@@ -1,18 +1,5 @@
-// The metrics by name.
-//
-//   collision-speed    degrees per second of one body past the other             slow first
-//   distance           metres from the eye to the midpoint of the centres        near first
-//   eccentricity       degrees between the collision's place and the fixation    central first
-//   gap                metres between the centres of the two bounds              large first
-//   gap-bound          metres that the gap cannot exceed: the trees' fit error   large first
-//   projected-centres  degrees between the centres of the two bounds             large first
-//   projected-gap      degrees that the trees' fit error spans there             large first
-//   size               degrees that the two bounds' diameters span, mean         large first
-//   velocity           degrees per second of the two bodies, mean                slow first
-//   visible-frequency  cycles per degree that can be seen there                  high first
-//   weighted           sum of weights, of others brought to [0, 1]               high first
-//
-// Each is a class and a line of the table in metrics.cpp.
+// The metrics by name: each is a class and a row of the table in metrics.cpp, which says what it
+// measures, in what unit, and from where to where.
 // (Dingliana 2002, sec. 5.2.1; eq. 5.1, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -56,5 +43,19 @@ bool needs_terms(std::string_view name);
 
 /// The names make_metric() takes, in alphabetical order.
 std::vector<std::string_view> metric_names();
+
+/// What each of them measures: "distance: m from the eye to the midpoint of the centres, the near
+/// first. ..."
+std::string metrics_in_words();
+
+/// From where to where thresholds of a metric make sense, from the most urgent to the least.
+struct MeasureRange {
+  std::string_view unit;
+  double urgent{0.0};
+  double relaxed{100.0};
+};
+
+/// As it stands for names there are not.
+MeasureRange measure_range(std::string_view name);
 
 }  // namespace impetus::inline scheduling

@@ -29,6 +29,7 @@ class NamedKinds {
   struct Row {
     std::string_view name;
     std::shared_ptr<const Kind> kind;
+    std::string_view words{};  ///< what it is
   };
 
   /// `what` begins the sentence that refuses a name.
@@ -61,6 +62,16 @@ class NamedKinds {
       names.push_back(row.name);
     }
     return names;
+  }
+
+  /// "depth-first: one pair after the other. ..."
+  [[nodiscard]] std::string in_words() const {
+    std::string words;
+    for (const Row& row : rows_) {
+      words += words.empty() ? "" : " ";
+      words += std::string(row.name) + ": " + std::string(row.words) + ".";
+    }
+    return words;
   }
 
  private:

@@ -101,10 +101,16 @@ class VisibleFirst final : public Traversal {
 
 const NamedKinds<Traversal>& all_traversals() {
   static const NamedKinds<Traversal> all(
-      "traversal", {{"depth-first", std::make_shared<const DepthFirst>()},
-                    {"breadth-first", std::make_shared<const BreadthFirst>()},
-                    {"best-first", std::make_shared<const BestFirst>()},
-                    {"visible-first", std::make_shared<const VisibleFirst>()}});
+      "traversal", {{"depth-first", std::make_shared<const DepthFirst>(),
+                     "one pair after the other, by falling priority"},
+                    {"breadth-first", std::make_shared<const BreadthFirst>(), "level after level"},
+                    {"best-first", std::make_shared<const BestFirst>(),
+                     "the pair whose next level should take away most of the visible gap for its "
+                     "work"},
+                    {"visible-first", std::make_shared<const VisibleFirst>(),
+                     "the pair of which finer levels should take away most of what shows to the "
+                     "eye, for their work: gaps that only coarse bounds leave, near where one "
+                     "looks"}});
   return all;
 }
 
@@ -119,5 +125,7 @@ std::string_view traversal_name(const Traversal& traversal) {
 }
 
 std::vector<std::string_view> traversal_names() { return all_traversals().names(); }
+
+std::string traversals_in_words() { return all_traversals().in_words(); }
 
 }  // namespace impetus::inline scheduling

@@ -1,18 +1,13 @@
 // Orders of work: which pair of a priority list gets the next block of it.
 //
-//   depth-first    as they come, by falling priority: one pair after the other
-//   breadth-first  the coarsest level first: level after level
-//   best-first     where the next level is expected to remove most visible gap per unit of work
-//   visible-first  where finer levels are expected to remove most of what the viewer could see, per
-//                  unit of work: gaps that only coarse bounds leave, where the eye resolves them
-//
-// Each is a class and a line of the table in traversals.cpp: of one's own, a class alone. Ties
-// go to the pair of higher priority. (Dingliana 2002, fig. 5.1)
+// Each is a class and a row of the table in traversals.cpp, which says what it is: of one's own, a
+// class alone. Ties go to the pair of higher priority. (Dingliana 2002, fig. 5.1)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -78,5 +73,8 @@ std::string_view traversal_name(const Traversal& traversal);
 
 /// The names make_traversal() takes; the first is what a schedule does as it stands.
 std::vector<std::string_view> traversal_names();
+
+/// What each of them does: "depth-first: one pair after the other, ..."
+std::string traversals_in_words();
 
 }  // namespace impetus::inline scheduling

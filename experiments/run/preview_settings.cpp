@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "engine/numerics/at.hpp"
@@ -25,7 +24,7 @@ std::string name_of(const StagedScene& scene) {
 
 /// As many pairs and as much of the scheduler's range to each list.
 void spread_limits(PreviewSettings& settings) {
-  const ThresholdRange range = threshold_range(settings.scheduler);
+  const MeasureRange range = measure_range(settings.scheduler);
   for (int list = 0; list + 1 < settings.list_count; ++list) {
     const double share = (list + 1.0) / settings.list_count;
     settings.lists[at(list)].threshold = range.urgent + share * (range.relaxed - range.urgent);
@@ -37,7 +36,7 @@ void spread_limits(PreviewSettings& settings) {
 std::vector<WeightedTerm> usual_terms() {
   std::vector<WeightedTerm> terms;
   for (const char* metric : {"eccentricity", "projected-gap"}) {
-    const ThresholdRange range = threshold_range(metric);
+    const MeasureRange range = measure_range(metric);
     terms.push_back({metric, 1.0, range.urgent, range.relaxed});
   }
   return terms;
@@ -109,23 +108,6 @@ std::vector<std::string> scheduler_names() {
   }
   names.emplace_back(kRegion);
   return names;
-}
-
-ThresholdRange threshold_range(const std::string& scheduler) {
-  static const std::map<std::string, ThresholdRange> known{
-      {"collision-speed", {"°/s", 0.0, 60.0}},
-      {"distance", {"m", 0.0, 2.0}},
-      {"eccentricity", {"°", 0.0, 30.0}},
-      {"gap", {"m", 0.2, 0.0}},
-      {"gap-bound", {"m", 0.1, 0.0}},
-      {"projected-centres", {"°", 15.0, 0.0}},
-      {"projected-gap", {"°", 15.0, 0.0}},
-      {"size", {"°", 15.0, 0.0}},
-      {"velocity", {"°/s", 0.0, 60.0}},
-      {"visible-frequency", {"c/°", 60.0, 0.0}},
-      {"weighted", {"", 2.0, 0.0}}};
-  const auto found = known.find(scheduler);
-  return found == known.end() ? ThresholdRange{"", 0.0, 100.0} : found->second;
 }
 
 PreviewSettings settings_of(const StagedScene& scene) {

@@ -56,15 +56,6 @@ struct PreviewSettings {
 /// The names of the metrics, and "region".
 std::vector<std::string> scheduler_names();
 
-/// Thresholds of a scheduler: their unit, and from where to where they make sense, from the most
-/// urgent to the least.
-struct ThresholdRange {
-  std::string unit;
-  double urgent{0.0};
-  double relaxed{0.0};
-};
-ThresholdRange threshold_range(const std::string& scheduler);
-
 /// As the scene's own schedule, region and budget are, where they fit the controls; otherwise one
 /// list, a region about the mouse that is renewed every quarter of a second, no limit.
 PreviewSettings settings_of(const StagedScene& scene);

@@ -63,15 +63,9 @@ Kind<ScheduleSettings> schedule_kind() {
       "Which collisions are refined first, and how deep. Left out: one list, nearest first, to the "
       "finest level.",
       {required("scheduler", &S::scheduler, one_of(schedulers),
-                "What decides a pair's list: a metric against thresholds, or whether it lies "
-                "inside the region. First come: distance (m from the eye), the near; size "
-                "(degrees), the large; velocity (degrees/s, mean of both bodies) and "
-                "collision-speed (degrees/s, of one against the other), the slow; eccentricity "
-                "(degrees from where the viewer looks), the central; gap (m between the centres of "
-                "the bounds), projected-centres (the same in degrees), gap-bound (m that the "
-                "bounds may reach beyond the surfaces) and projected-gap (the same in degrees), "
-                "the large; visible-frequency (cycles/degree that the eye resolves there), the "
-                "high; weighted, the sum of terms, the high.")
+                "What decides a pair's list: a metric against thresholds, or, of region, whether "
+                "it lies inside. " +
+                    metrics_in_words())
            .with("scheduler",
                  "distance, eccentricity, ..., region, with lists of its own:\n"
                  "    one, from the coarsest level to the finest, or those by\n"
@@ -85,11 +79,8 @@ Kind<ScheduleSettings> schedule_kind() {
            "Of the scheduler weighted: each metric counts 1 at urgent and beyond, 0 at relaxed and "
            "beyond, linear between them, times its weight."),
        row("traversal", &S::traversal, one_of(texts(traversal_names())),
-           "Which pair of a list gets the next work. depth-first, when left out: one pair after "
-           "the other. breadth-first: level after level. best-first: the pair whose next level "
-           "should take away most of the visible gap for its work. visible-first: the pair of "
-           "which finer levels should take away most of what shows to the eye, for their work: "
-           "gaps that only coarse bounds leave, near where one looks.")
+           "Which pair of a list gets the next work; " + std::string(traversal_names().front()) +
+               " when left out. " + traversals_in_words())
            .with("traversal", first_three(traversal_names())),
        row("persistence_ms", &S::persistence_ms, number({0, 60000}),
            "A pair that touches keeps the highest priority it had for so long, against popping; a "

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/scheduling/metrics.hpp"
 #include "experiments/drawing/body_colours.hpp"
 #include "experiments/viewers/panel.hpp"
 
@@ -118,14 +119,14 @@ class SchedulerControls {
   [[nodiscard]] bool has_limits() const { return !by_region_ && settings_.list_count > 1; }
 
   void draw_lists() {
-    const ThresholdRange range = threshold_range(settings_.scheduler);
+    const MeasureRange range = measure_range(settings_.scheduler);
     if (!ImGui::BeginTable("lists", 5, ImGuiTableFlags_SizingStretchSame)) {
       return;
     }
     const std::string limit = !has_limits()              ? ""
                               : settings_.by_pair_shares ? "of pairs"
                               : range.unit.empty()       ? "until"
-                                                         : "until, " + range.unit;
+                                                         : "until, " + std::string(range.unit);
     for (const char* name : {"list", "share", "least", "greatest", limit.c_str()}) {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", name);
@@ -138,7 +139,7 @@ class SchedulerControls {
     ImGui::EndTable();
   }
 
-  void draw_list(int index, const ThresholdRange& range) {
+  void draw_list(int index, const MeasureRange& range) {
     PreviewList& list = settings_.lists[static_cast<std::size_t>(index)];
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
@@ -163,7 +164,7 @@ class SchedulerControls {
     }
   }
 
-  void draw_limit(PreviewList& list, const ThresholdRange& range) {
+  void draw_limit(PreviewList& list, const MeasureRange& range) {
     if (settings_.by_pair_shares) {
       changed_ |= dragged_number("##pairs", list.pair_share, 0.005F, 0.0, 1.0, "%.2f",
                                  "The share of a step's pairs that falls into this list.");
@@ -179,10 +180,7 @@ class SchedulerControls {
 
   void draw_order() {
     changed_ |= chosen_value("within a list", settings_.traversal, named_traversals(),
-                             "depth-first: one pair after the other. breadth-first: level after "
-                             "level. best-first: where the next level should take away most of the "
-                             "visible gap for its work. visible-first: where finer levels should "
-                             "take away most of what shows, near where one looks.");
+                             traversals_in_words().c_str());
     panel_label("persistence");
     const int second = std::max(1, static_cast<int>(step_hz_));
     const std::string format =
