@@ -68,27 +68,8 @@ std::string hash_of(const json& protocol, const json& scene) {
   return text;
 }
 
-}  // namespace
-
-json scene_under(const Protocol& protocol, const Condition& condition) {
-  json scene = protocol.scene.value;
-  for (const FactorLevel& level : condition) {
-    const Factor& factor = *find_factor(protocol.design, level.factor);
-    scene[json::json_pointer(factor.pointer)] = to_json(level.value);
-  }
-  return scene;
-}
-
-json demonstration_scene(const Protocol& protocol, const Demonstration& demonstration) {
-  json scene = protocol.scene.value;
-  for (const auto& [pointer, value] : demonstration.set) {
-    scene[json::json_pointer(pointer)] = to_json(value);
-  }
-  return scene;
-}
-
-Protocol make_protocol(JsonDocument document, JsonDocument scene) {
-  Protocol protocol = read_protocol(std::move(document));
+/// What was read becomes a protocol of this scene, checked.
+Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_participants(protocol);
   require_scene(scene);
   protocol.hash = hash_of(protocol.document.value, scene.value);
@@ -108,11 +89,35 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene) {
   return protocol;
 }
 
+}  // namespace
+
+json scene_under(const Protocol& protocol, const Condition& condition) {
+  json scene = protocol.scene.value;
+  for (const FactorLevel& level : condition) {
+    const Factor& factor = protocol.design.factors.at(factor_place(protocol.design, level.factor));
+    scene[json::json_pointer(factor.pointer)] = to_json(level.value);
+  }
+  return scene;
+}
+
+json demonstration_scene(const Protocol& protocol, const Demonstration& demonstration) {
+  json scene = protocol.scene.value;
+  for (const auto& [pointer, value] : demonstration.set) {
+    scene[json::json_pointer(pointer)] = to_json(value);
+  }
+  return scene;
+}
+
+Protocol make_protocol(JsonDocument document, JsonDocument scene) {
+  return with_scene(read_protocol(std::move(document)), std::move(scene));
+}
+
 Protocol load_protocol(const std::filesystem::path& path) {
   Protocol protocol = read_protocol(read_json(path));
   check_texts(protocol.document);
-  const std::filesystem::path scene = named_file(protocol.document, path, "/scene", "a file");
-  return make_protocol(std::move(protocol.document), read_scene(scene, files_of_design(protocol)));
+  const std::filesystem::path file = named_file(protocol.document, path, "/scene", "a file");
+  JsonDocument scene = read_scene(file, files_of_design(protocol));
+  return with_scene(std::move(protocol), std::move(scene));
 }
 
 }  // namespace impetus::inline protocol

@@ -179,8 +179,9 @@ class SchedulerControls {
   }
 
   void draw_order() {
-    changed_ |= chosen_value("within a list", settings_.traversal, named_traversals(),
-                             traversals_in_words().c_str());
+    static const std::string traversals = traversals_in_words();
+    changed_ |=
+        chosen_value("within a list", settings_.traversal, named_traversals(), traversals.c_str());
     panel_label("persistence");
     const int second = std::max(1, static_cast<int>(step_hz_));
     const std::string format =
