@@ -164,7 +164,8 @@ class Rounds {
  private:
   bool granted(std::size_t index, WorkMeter& meter, WorkDone& done) {
     const WorkLedger::Demand demand = ledger_.for_next_block(pairs_[index], index);
-    done.granted = std::max(done.granted, meter.request(demand.total, demand.reserved));
+    done.granted = std::max(done.granted,
+                            meter.request(WorkPhase::kRefinement, demand.total, demand.reserved));
     if (done.granted < demand.total) {
       return false;
     }
@@ -250,7 +251,7 @@ const WorkDone& WorkSharing::refine(std::span<RefinedPair> pairs,
                                     const RefinementSettings& settings) {
   done_.floor = ledger_.total();
   done_.peak = done_.floor;
-  done_.granted = meter.request(ledger_.total(), ledger_.reserved());
+  done_.granted = meter.request(WorkPhase::kRefinement, ledger_.total(), ledger_.reserved());
   done_.by_list.assign(lists.size() > 1 ? lists.size() : 0, 0);
   if (!order.empty()) {
     const PhaseCosts costs(settings.costs, settings.contacts);

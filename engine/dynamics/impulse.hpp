@@ -9,11 +9,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
 #include "engine/dynamics/body.hpp"
+#include "engine/scheduling/work_meter.hpp"
 
 namespace impetus::inline dynamics {
 
@@ -22,6 +26,21 @@ namespace impetus::inline dynamics {
 enum class ResponseMethod { kInTurn, kTogether };
 
 inline constexpr int kUnlimitedPasses = std::numeric_limits<int>::max();
+
+/// The work of a response that can be interrupted.
+//
+//   passes     over all contacts, as without a meter, until they are refused
+//   visible    of those that may approach still, always the most visible, until that is refused too
+//   walls      a few passes over the contacts with walls, in any case
+//
+// Each push keeps or lowers the energy, so it can end anywhere. What approaches then is met in the
+// next step.
+struct ResponseWork {
+  PhaseWork passes;
+  PhaseWork visible;
+  /// The indices of the contacts, the most visible first: asked for when passes are refused.
+  std::function<std::span<const std::size_t>()> most_visible_first;
+};
 
 /// As it stands: until nothing approaches, at most two passes for each contact.
 struct ResponseRules {
@@ -32,6 +51,7 @@ struct ResponseRules {
   int most_passes{kUnlimitedPasses};
   /// Of an approach slower than this (m/s) nothing is given back.
   double resting_m_s{0.0};
+  ResponseWork* work{nullptr};  ///< none: nothing interrupts it
 };
 
 /// Velocity of a's point at the contact relative to b's, along the normal (m/s): negative when

@@ -7,6 +7,9 @@
 // What a contact does depends on the momenta of its two bodies alone, so one that sleeps would be
 // found as it was: passes over the awake, in the order of the contacts, give the bits of passes
 // over all. A pass over n contacts of which k are awake costs n / 64 + k.
+//
+// Where the passes are interrupted, the awake are kept by how visible they are, and the most
+// visible of them is always the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -60,22 +63,42 @@ class ImpulsesInTurn {
 
   /// As respond_in_turn() (impulse.hpp): `members` rise, and no other contact touches a body of
   /// theirs that moves. `bodies` are those looked at.
-  void respond(std::span<const std::size_t> members, const std::vector<double>& restitutions,
+  /// False when the passes were interrupted, and the rest is for finish().
+  bool respond(std::span<const std::size_t> members, const std::vector<double>& restitutions,
                const ResponseRules& rules, Bodies& bodies, std::vector<BodyState>& states,
                std::vector<double>& impulse_Ns);
+
+  /// Contacts that nobody has looked at yet, for finish().
+  void wake_all(std::span<const std::size_t> members) {
+    std::for_each(members.begin(), members.end(), [this](std::size_t i) { wake(i); });
+  }
+
+  /// After respond() of the last members: what ResponseWork says of contacts that were left.
+  void finish(const std::vector<double>& restitutions, const ResponseRules& rules, Bodies& bodies,
+              std::vector<BodyState>& states, std::vector<double>& impulse_Ns);
 
  private:
   static constexpr double kUnknown = -1.0;
   static constexpr std::int32_t kNoPlace = ContactArms::kNone;
 
   [[nodiscard]] std::size_t next_awake(std::size_t from, std::size_t end) const;
-  void wake(std::size_t contact) { awake_[contact / 64] |= std::uint64_t{1} << (contact % 64); }
+  void wake(std::size_t contact) {
+    const std::size_t place = by_rank_ ? rank_[contact] : contact;
+    awake_[place / 64] |= std::uint64_t{1} << (place % 64);
+  }
   void wake_contacts_of(std::int32_t place, const Bodies& bodies);
-  void sleep(std::size_t contact) { awake_[contact / 64] &= ~(std::uint64_t{1} << (contact % 64)); }
+  void sleep(std::size_t place) { awake_[place / 64] &= ~(std::uint64_t{1} << (place % 64)); }
+  void rank_awake(std::span<const std::size_t> most_visible_first, std::size_t count);
+  void push_walls(const std::vector<double>& restitutions, const ResponseRules& rules,
+                  Bodies& bodies, std::vector<BodyState>& states, std::vector<double>& impulse_Ns);
   double push_if_approaching(std::size_t contact, double restitution, double resting_m_s,
                              Bodies& bodies, std::vector<BodyState>& states);
 
-  std::vector<std::uint64_t> awake_;          ///< a bit for each contact
+  std::vector<std::uint64_t> awake_;  ///< a bit for each contact, or for each rank
+  bool by_rank_{false};
+  std::vector<std::uint32_t> rank_;           ///< of each contact; means nothing but by_rank_
+  std::vector<std::size_t> ranked_;           ///< contacts by rank
+  std::vector<std::uint64_t> by_rank_awake_;  ///< means nothing between calls
   std::vector<double> gives_;                 ///< of each contact, once it was needed
   std::vector<std::uint32_t> first_of_body_;  ///< where each body's contacts begin
   std::vector<std::uint32_t> contacts_of_body_;
@@ -160,20 +183,25 @@ double ImpulsesInTurn<Bodies>::push_if_approaching(std::size_t contact, double r
 }
 
 template <typename Bodies>
-void ImpulsesInTurn<Bodies>::respond(std::span<const std::size_t> members,
+bool ImpulsesInTurn<Bodies>::respond(std::span<const std::size_t> members,
                                      const std::vector<double>& restitutions,
                                      const ResponseRules& rules, Bodies& bodies,
                                      std::vector<BodyState>& states,
                                      std::vector<double>& impulse_Ns) {
   if (members.empty()) {
-    return;
+    return true;
   }
-  std::for_each(members.begin(), members.end(), [this](std::size_t i) { wake(i); });
+  wake_all(members);
   const std::size_t first = members.front();
   const std::size_t end = members.back() + 1;
+  bool refused = false;
   const auto pass = [&](bool plastic) {
     bool changed = false;
     for (std::size_t i = next_awake(first, end); i < end; i = next_awake(i + 1, end)) {
+      if (rules.work != nullptr && !rules.work->passes.spend(1)) {
+        refused = true;
+        return false;
+      }
       sleep(i);
       const double added = push_if_approaching(i, plastic ? 0.0 : restitutions[i],
                                                rules.resting_m_s, bodies, states);
@@ -191,8 +219,77 @@ void ImpulsesInTurn<Bodies>::respond(std::span<const std::size_t> members,
   if (changed && passes == enough) {
     pass(/*plastic=*/true);
   }
+  if (refused) {
+    return false;
+  }
   for (std::size_t i = next_awake(first, end); i < end; i = next_awake(i + 1, end)) {
     sleep(i);
+  }
+  return true;
+}
+
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::finish(const std::vector<double>& restitutions,
+                                    const ResponseRules& rules, Bodies& bodies,
+                                    std::vector<BodyState>& states,
+                                    std::vector<double>& impulse_Ns) {
+  constexpr std::size_t kMostVisits = 16;  // of each contact, on average
+  const std::size_t count = bodies.contact_count();
+  if (rules.work->visible.spend(static_cast<std::int64_t>(count))) {
+    rank_awake(rules.work->most_visible_first(), count);
+    std::size_t visits = 0;
+    for (std::size_t rank = next_awake(0, count);
+         rank < count && visits < kMostVisits * count && rules.work->visible.spend(1);
+         rank = next_awake(0, count), ++visits) {
+      sleep(rank);
+      const std::size_t contact = ranked_[rank];
+      impulse_Ns[contact] +=
+          push_if_approaching(contact, restitutions[contact], rules.resting_m_s, bodies, states);
+    }
+    by_rank_ = false;
+  }
+  std::fill(awake_.begin(), awake_.end(), 0);
+  push_walls(restitutions, rules, bodies, states, impulse_Ns);
+  std::fill(awake_.begin(), awake_.end(), 0);
+}
+
+/// Ranks all contacts, those that are not named last, and keeps the awake by rank.
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::rank_awake(std::span<const std::size_t> most_visible_first,
+                                        std::size_t count) {
+  ranked_.assign(most_visible_first.begin(), most_visible_first.end());
+  for (std::size_t contact = ranked_.size(); contact < count; ++contact) {
+    ranked_.push_back(contact);
+  }
+  rank_.resize(count);
+  const std::vector<std::uint64_t>& by_contact = awake_;
+  by_rank_awake_.assign(awake_.size(), 0);
+  for (std::size_t rank = 0; rank < count; ++rank) {
+    const std::size_t contact = ranked_[rank];
+    rank_[contact] = static_cast<std::uint32_t>(rank);
+    if ((by_contact[contact / 64] >> (contact % 64) & 1) != 0) {
+      by_rank_awake_[rank / 64] |= std::uint64_t{1} << (rank % 64);
+    }
+  }
+  awake_.swap(by_rank_awake_);
+  by_rank_ = true;
+}
+
+/// So that no body ends a step on its way through a wall that it touches: first as ever, then
+/// giving nothing back.
+template <typename Bodies>
+void ImpulsesInTurn<Bodies>::push_walls(const std::vector<double>& restitutions,
+                                        const ResponseRules& rules, Bodies& bodies,
+                                        std::vector<BodyState>& states,
+                                        std::vector<double>& impulse_Ns) {
+  constexpr int kPasses = 4;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
+      if (bodies.contact(i).b == kNoPlace) {
+        impulse_Ns[i] += push_if_approaching(i, pass == 0 ? restitutions[i] : 0.0,
+                                             rules.resting_m_s, bodies, states);
+      }
+    }
   }
 }
 

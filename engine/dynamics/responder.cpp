@@ -11,6 +11,13 @@ namespace {
 
 constexpr auto kNoIsland = std::numeric_limits<std::size_t>::max();
 
+/// Of an island whose impulses are found together, in contacts looked at: the active ones are held
+/// against each other.
+std::int64_t units_together(std::size_t contacts) {
+  const auto count = static_cast<std::int64_t>(contacts);
+  return 4 * count + count * count / 8;
+}
+
 }  // namespace
 
 /// Numbered as they come.
@@ -65,30 +72,42 @@ const ResponseResult& Responder::respond(const std::vector<Contact>& contacts,
                                          std::vector<BodyState>& states) {
   bodies_.gather(contacts, models, states);
   note_incoming(bodies_, contacts.size(), result_);
-  if (rules.method == ResponseMethod::kInTurn) {
-    respond_in_turn(restitutions, rules, states);
-  } else {
-    respond_together(contacts, restitutions, rules, states);
+  const bool done = rules.method == ResponseMethod::kInTurn
+                        ? respond_in_turn(restitutions, rules, states)
+                        : respond_together(contacts, restitutions, rules, states);
+  if (!done) {
+    in_turn_.finish(restitutions, rules, bodies_, states, result_.impulse_Ns);
   }
   note_residual(bodies_, result_);
   return result_;
 }
 
-void Responder::respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
+bool Responder::respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
                                 std::vector<BodyState>& states) {
   all_.resize(bodies_.contact_count());
   std::iota(all_.begin(), all_.end(), std::size_t{0});
   in_turn_.look_at(bodies_);
-  in_turn_.respond(all_, restitutions, rules, bodies_, states, result_.impulse_Ns);
+  return in_turn_.respond(all_, restitutions, rules, bodies_, states, result_.impulse_Ns);
 }
 
-void Responder::respond_together(const std::vector<Contact>& contacts,
+bool Responder::respond_together(const std::vector<Contact>& contacts,
                                  const std::vector<double>& restitutions,
                                  const ResponseRules& rules, std::vector<BodyState>& states) {
   islands_.find(bodies_);
   bool looked_at = false;
+  bool refused = false;
   for (std::size_t island = 0; island < islands_.count(); ++island) {
     const std::span<const std::size_t> members = islands_.members(island);
+    refused = refused ||
+              (rules.work != nullptr && !rules.work->passes.spend(units_together(members.size())));
+    if (refused) {
+      if (!looked_at) {
+        in_turn_.look_at(bodies_);
+        looked_at = true;
+      }
+      in_turn_.wake_all(members);
+      continue;
+    }
     if (together_.respond(contacts, members, restitutions, rules, result_.fastest_m_s, bodies_,
                           states, result_.impulse_Ns)) {
       continue;
@@ -97,8 +116,9 @@ void Responder::respond_together(const std::vector<Contact>& contacts,
       in_turn_.look_at(bodies_);
       looked_at = true;
     }
-    in_turn_.respond(members, restitutions, rules, bodies_, states, result_.impulse_Ns);
+    refused = !in_turn_.respond(members, restitutions, rules, bodies_, states, result_.impulse_Ns);
   }
+  return !refused;
 }
 
 }  // namespace impetus::inline dynamics

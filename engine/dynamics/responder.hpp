@@ -53,9 +53,10 @@ class Responder {
                                 std::vector<BodyState>& states);
 
  private:
-  void respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
+  /// False when they were interrupted.
+  bool respond_in_turn(const std::vector<double>& restitutions, const ResponseRules& rules,
                        std::vector<BodyState>& states);
-  void respond_together(const std::vector<Contact>& contacts,
+  bool respond_together(const std::vector<Contact>& contacts,
                         const std::vector<double>& restitutions, const ResponseRules& rules,
                         std::vector<BodyState>& states);
 

@@ -15,6 +15,9 @@ namespace {
 constexpr double kShareOnceStopped = 0.125;
 /// Of a way that was not asked for yet.
 constexpr double kUnknown = -1.0;
+/// What it takes to look whether a pair is fast, and to stop two bodies, beside a test of nodes.
+constexpr std::int64_t kLookUnits = 6;
+constexpr std::int64_t kStopUnits = 60;
 
 bool comes_before(const BodyPair& x, const BodyPair& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -43,7 +46,14 @@ class StopsInOrder {
       look_at(pair);
     }
     memory_.first = memory_.pending;
+    if (!memory_.found.empty()) {
+      list_candidates_of_bodies();
+    }
     while (const std::optional<std::size_t> next = earliest()) {
+      if (!has_work(kStopUnits)) {
+        leave_entries();
+        break;
+      }
       if (!stop_pair(*next)) {
         stop_together();
         break;
@@ -88,6 +98,11 @@ class StopsInOrder {
     memory_.stops.assign(states_.size(), 0);
     memory_.pending.assign(step_.candidates.size(), std::nullopt);
     memory_.last.assign(step_.candidates.size(), std::nullopt);
+    memory_.found.clear();
+  }
+
+  [[nodiscard]] bool has_work(std::int64_t units) {
+    return step_.work == nullptr || step_.work->spend(units);
   }
 
   /// Of a body that takes `share` of the step: its state is where it stops.
@@ -114,11 +129,21 @@ class StopsInOrder {
     const auto& [a, b] = bodies(pair);
     memory_.pending[pair].reset();
     const double share = memory_.stops[at(a)] + memory_.stops[at(b)] > 0 ? kShareOnceStopped : 1.0;
-    const PairOnTheWay on_the_way{
-        placed_[at(a)],       placed_[at(b)],
-        memory_.ways[at(a)],  memory_.ways[at(b)],
-        step_.greatest_level, std::min(kMostEntryTests, step_.most_tests - result_.tests)};
-    if (is_slow(pair, share) || !is_fast(on_the_way, share)) {
+    const PairOnTheWay on_the_way{placed_[at(a)],
+                                  placed_[at(b)],
+                                  memory_.ways[at(a)],
+                                  memory_.ways[at(b)],
+                                  step_.greatest_level,
+                                  std::min(kMostEntryTests, step_.most_tests - result_.tests),
+                                  step_.work};
+    if (is_slow(pair, share)) {
+      return;
+    }
+    if (!has_work(kLookUnits)) {
+      result_.unsearched.push_back(bodies(pair));
+      return;
+    }
+    if (!is_fast(on_the_way, share)) {
       return;
     }
     if (on_the_way.most_tests < 1) {
@@ -126,22 +151,86 @@ class StopsInOrder {
       return;
     }
     const Entry entry = time_of_entry(on_the_way);
-    memory_.pending[pair] = entry.time;
+    note_entry(pair, entry.time);
     result_.tests += entry.tests;
-    result_.ran_out |= entry.tests == on_the_way.most_tests && entry.tests < kMostEntryTests;
+    result_.ran_out |=
+        entry.refused || (entry.tests == on_the_way.most_tests && entry.tests < kMostEntryTests);
     const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
     result_.work += entry.tests * (of_spheres ? step_.costs.sphere_test : step_.costs.volume_test);
   }
 
-  /// The pair whose entry comes next; the first of equals.
-  [[nodiscard]] std::optional<std::size_t> earliest() const {
-    std::optional<std::size_t> next;
+  static bool comes_later(const FoundEntry& x, const FoundEntry& y) {
+    return x.time > y.time || (x.time == y.time && x.pair > y.pair);
+  }
+
+  void note_entry(std::size_t pair, std::optional<double> time) {
+    memory_.pending[pair] = time;
+    if (time) {
+      memory_.found.push_back({*time, pair});
+      std::push_heap(memory_.found.begin(), memory_.found.end(), comes_later);
+    }
+  }
+
+  /// The pair whose entry comes next; the first of equals. Entries on ways that have changed since
+  /// are forgotten.
+  [[nodiscard]] std::optional<std::size_t> earliest() {
+    while (!memory_.found.empty()) {
+      const FoundEntry next = memory_.found.front();
+      if (memory_.pending[next.pair] == next.time) {
+        return next.pair;
+      }
+      std::pop_heap(memory_.found.begin(), memory_.found.end(), comes_later);
+      memory_.found.pop_back();
+    }
+    return std::nullopt;
+  }
+
+  /// Nobody stops any more.
+  void leave_entries() {
     for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
-      if (memory_.pending[pair] && (!next || *memory_.pending[pair] < *memory_.pending[*next])) {
-        next = pair;
+      if (memory_.pending[pair]) {
+        result_.unsearched.push_back(bodies(pair));
       }
     }
-    return next;
+  }
+
+  void list_candidates_of_bodies() {
+    std::vector<std::uint32_t>& first = memory_.first_of_body;
+    first.assign(states_.size() + 2, 0);
+    for (const PairBounds& candidate : step_.candidates) {
+      ++first[at(candidate.pair.a) + 2];
+      ++first[at(candidate.pair.b) + 2];
+    }
+    for (std::size_t body = 2; body < first.size(); ++body) {
+      first[body] += first[body - 1];
+    }
+    memory_.candidates_of_body.resize(first.back());
+    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
+      for (const std::int32_t body : {bodies(pair).a, bodies(pair).b}) {
+        memory_.candidates_of_body[first[at(body) + 1]++] = static_cast<std::uint32_t>(pair);
+      }
+    }
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> candidates_of(std::size_t body, bool any) const {
+    const std::uint32_t begin = memory_.first_of_body[body];
+    const std::uint32_t end = any ? memory_.first_of_body[body + 1] : begin;
+    return std::span(memory_.candidates_of_body).subspan(begin, end - begin);
+  }
+
+  /// Anew, at the candidates of the bodies that have stopped, in their order, each once.
+  void look_at_candidates_of(std::span<const std::uint32_t> of_a,
+                             std::span<const std::uint32_t> of_b) {
+    while (!of_a.empty() || !of_b.empty()) {
+      const bool a_first = of_b.empty() || (!of_a.empty() && of_a.front() <= of_b.front());
+      const std::uint32_t pair = a_first ? of_a.front() : of_b.front();
+      for (std::span<const std::uint32_t>* of : {&of_a, &of_b}) {
+        if (!of->empty() && of->front() == pair) {
+          *of = of->subspan(1);
+        }
+      }
+      look_at(pair);
+    }
   }
 
   /// Stops both bodies at the pair's entry. False when one was stopped too often.
@@ -156,13 +245,7 @@ class StopsInOrder {
     memory_.last[pair] = time;
     const bool a_stops = stop(a, time);
     const bool b_stops = stop(b, time);
-    for (std::size_t other = 0; other < memory_.pending.size(); ++other) {
-      const std::size_t first = at(bodies(other).a);
-      const std::size_t second = at(bodies(other).b);
-      if ((a_stops && (first == a || second == a)) || (b_stops && (first == b || second == b))) {
-        look_at(other);
-      }
-    }
+    look_at_candidates_of(candidates_of(a, a_stops), candidates_of(b, b_stops));
     return true;
   }
 

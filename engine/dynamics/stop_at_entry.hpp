@@ -15,13 +15,15 @@
 // the shorter step, and it turned by what the integrator makes of that, so its energy is as good as
 // after any step (at last: as that of a pose between two steps).
 //
-// Where the step's tests are bounded, they go to the pairs in the order of the candidates, and then
-// of their stops. A pair for which none are left is not searched, and does not stop anybody; one
-// whose search they end in goes on by what a slow pair may, and stops.
+// Where the step's tests are bounded, or the work is metered, they go to the pairs in the order of
+// the candidates, and then of their stops. A pair for which none are left is not searched, and does
+// not stop anybody; one whose search they end in goes on by what a slow pair may, and stops. When
+// no work is left for stops, those that are known are left undone, as if nobody had searched.
 // (Mirtich 1996; Dingliana 2002, sec. 5.3.2)
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -53,6 +55,7 @@ struct StepMade {
   /// step, and none passes another on them unseen.
   std::span<const Fall> falls{};
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
+  PhaseWork* work{nullptr};                  ///< of the same, where it is metered, and of stops
 };
 
 /// Who was stopped, and what finding it took.
@@ -61,10 +64,16 @@ struct Stopping {
   std::int64_t work{0};                 ///< of all tests along the ways
   std::int64_t tests{0};                ///< of node pairs: at most StepMade::most_tests
   std::vector<BodyPair> unsearched;  ///< fast pairs for which no tests were left, by their bodies
-  bool ran_out{false};               ///< of tests, before a search or in it
+  bool ran_out{false};               ///< of tests, before a search or in it, or of work
 
   /// Whether the pair is one of `unsearched`.
   [[nodiscard]] bool lacked_tests(BodyPair bodies) const;
+};
+
+/// An entry that was found on ways that may have changed since.
+struct FoundEntry {
+  double time{0.0};
+  std::size_t pair{0};
 };
 
 /// What the search keeps from step to step, for the memory alone: it means nothing between them.
@@ -76,6 +85,9 @@ struct EntryMemory {
   std::vector<std::optional<double>> pending;  ///< entries of the candidates on their ways
   std::vector<std::optional<double>> first;    ///< the same before anybody was stopped
   std::vector<std::optional<double>> last;     ///< at which a candidate stopped a body last
+  std::vector<FoundEntry> found;               ///< a heap, the earliest first
+  std::vector<std::uint32_t> first_of_body;    ///< where each body's candidates begin
+  std::vector<std::uint32_t> candidates_of_body;
   Stopping result;
 };
 

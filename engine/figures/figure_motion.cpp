@@ -186,14 +186,17 @@ FigureMotion::FigureMotion(const Figure& figure, const std::vector<BodyModel>& m
       asked_(figure.hinges.size(), Vector5::Zero()) {}
 
 void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
-                           Rotation rotation, std::span<const Fall> falls,
+                           Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
                            std::vector<BodyState>& states) {
   const std::size_t first = at(figure.first_part);
   const std::size_t count = at(figure.part_count);
   const Parts parts{figure, std::span(models).subspan(first, count),
                     falls.empty() ? falls : falls.subspan(first, count), rotation,
                     std::span(states).subspan(first, count)};
-  const int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
+  int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
+  while (motion_parts > 1 && !work.spend(std::int64_t{figure.part_count} * (motion_parts - 1))) {
+    motion_parts /= 2;
+  }
   for (int i = 0; i < motion_parts; ++i) {
     advance_part(parts, dt_s / motion_parts);
   }

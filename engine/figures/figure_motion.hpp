@@ -16,6 +16,7 @@
 
 #include "engine/dynamics/motion.hpp"
 #include "engine/figures/hinge_solver.hpp"
+#include "engine/scheduling/work_meter.hpp"
 
 namespace impetus::inline figures {
 
@@ -37,7 +38,8 @@ class FigureMotion {
   /// Moves the parts, whose states are among `states`, through `dt_s` seconds; `falls` is empty or
   /// has a fall for each body of the world.
   void advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
-               Rotation rotation, std::span<const Fall> falls, std::vector<BodyState>& states);
+               Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
+               std::vector<BodyState>& states);
 
   /// Takes the parts' poses, for the next.
   void look_at(std::span<const BodyState> parts) { solver_.look_at(parts); }

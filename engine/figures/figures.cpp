@@ -50,7 +50,7 @@ void Figures::begin(const std::vector<Figure>& figures, std::vector<BodyState>& 
 }
 
 void Figures::advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
-                      double dt_s, Rotation rotation, std::span<const Fall> falls,
+                      double dt_s, Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
                       FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
                       std::vector<BodyState>& states) {
   time_s_ += dt_s;
@@ -62,7 +62,7 @@ void Figures::advance(const std::vector<Figure>& figures, const std::vector<Body
     if (figure.driven) {
       driven_.drive(figure, models, time_s_, dt_s, states);
     } else {
-      motions_[i].advance(figure, models, dt_s, rotation, falls, states);
+      motions_[i].advance(figure, models, dt_s, rotation, falls, work, states);
     }
     for (std::size_t part = begin_of(figure); part < end_of(figure); ++part) {
       finite.check(part, states[part], not_finite);

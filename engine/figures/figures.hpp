@@ -30,10 +30,12 @@ class Figures {
   /// somebody made.
   void begin(const std::vector<Figure>& figures, std::vector<BodyState>& states);
 
-  /// Moves all parts through `dt_s` seconds. A figure of which a part is out is out itself.
+  /// Moves all parts through `dt_s` seconds, in as many parts of it as `work` grants: one at least.
+  /// A figure of which a part is out is out itself.
   void advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
-               double dt_s, Rotation rotation, std::span<const Fall> falls, FiniteStates& finite,
-               std::vector<NotFiniteBody>& not_finite, std::vector<BodyState>& states);
+               double dt_s, Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
+               FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
+               std::vector<BodyState>& states);
 
   /// Whether the bounds of two bodies are worth a look: not of neighbours, nor of parts of a figure
   /// that does not collide with itself.

@@ -318,7 +318,9 @@ const ResponseResult& HingedResponder::respond(const std::vector<Contact>& conta
   all_.resize(count);
   std::iota(all_.begin(), all_.end(), std::size_t{0});
   in_turn_.look_at(bodies_);
-  in_turn_.respond(all_, restitutions_, rules, bodies_, states, result_.impulse_Ns);
+  if (!in_turn_.respond(all_, restitutions_, rules, bodies_, states, result_.impulse_Ns)) {
+    in_turn_.finish(restitutions_, rules, bodies_, states, result_.impulse_Ns);
+  }
   note_residual(bodies_, result_);
   result_.impulse_Ns.resize(contacts.size());
   return result_;

@@ -1,52 +1,149 @@
-// How much work a step may do, counted in units that do not depend on the machine (work_costs.hpp).
+// How much work a step may do: every phase that can be interrupted asks, in units that do not
+// depend on the machine.
 //
-//   |<--------- total that is asked for --------->|
-//   |  spent and about to be spent  |  reserved   |     reserved for modelling and response, which
-//                                                       follow when detection ends
+//   motion ─> pairs ─> entry ─> refinement ─> model ─> response ─> visible
+//     each:  |<---- total that is asked for ---->|      granted up to here, or refused
 //
-// The engine reads no clock. A meter grants work when asked; the total that it granted, logged,
+// The engine reads no clock. A meter grants work when asked; what each phase was granted, logged,
 // is all that a replay needs. For what is asked depends on the state and on the answers so far
 // alone, and an answer matters only by whether it reaches what was asked. Let G be the largest
-// answer of a step. A request that was granted asked for at most its answer, so at most G. A
+// answer to a phase. A request that was granted asked for at most its answer, so at most G. A
 // request that was refused asked for more than its answer, which by the contract below was the
-// largest there ever was in the step: more than G. So "at most G" decides every request as the live
-// meter did, in turn, whatever made it refuse; and that is what FixedWork(G) answers.
+// largest there ever was: more than G. So "at most G" decides every request of the phase as the
+// live meter did, in turn, whatever made it refuse; and that is what FixedWork answers.
 // (Dingliana 2002, sec. 3.3.1; eq. 3.9, corrected)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace impetus::inline scheduling {
+
+inline constexpr std::int64_t kUnlimitedTests = INT64_MAX;
+
+/// What asks for work in a step, in its order.
+enum class WorkPhase : std::uint8_t {
+  kMotion,      ///< of figures: parts of a step that bodies take, beyond one each
+  kPairs,       ///< pairs of bodies that are looked at; those with walls always are
+  kEntry,       ///< node pairs tested, and pairs looked at, along the ways of fast bodies
+  kRefinement,  ///< units of WorkCosts: tests, and what is reserved for what follows
+  kModel,       ///< overlapping node pairs, and kPairUnits for each pair, made contacts
+  kResponse,    ///< contacts looked at, in passes over all
+  kVisible,     ///< contacts looked at, the most visible first, once kResponse was refused
+};
+
+inline constexpr std::size_t kWorkPhases = 7;
+
+/// Where a phase stands that asks for nothing: the beginning of one, with what it does in any case.
+enum class StepPart : std::uint8_t { kMove, kPair, kEnter, kRefine, kModel, kRespond, kRemember };
+
+inline constexpr std::size_t kStepParts = 7;
+
+/// The most that each phase of a step was granted, of those that were refused something; the others
+/// have kUnlimitedTests. Logged, it replays the step.
+struct WorkGrants {
+  std::array<std::int64_t, kWorkPhases> units = unlimited();
+
+  [[nodiscard]] std::int64_t of(WorkPhase phase) const {
+    return units[static_cast<std::size_t>(phase)];
+  }
+  std::int64_t& of(WorkPhase phase) { return units[static_cast<std::size_t>(phase)]; }
+
+  /// Whether a phase other than refinement was refused something.
+  [[nodiscard]] bool cut_beyond_refinement() const {
+    WorkGrants other = *this;
+    other.of(WorkPhase::kRefinement) = kUnlimitedTests;
+    return other.units != unlimited();
+  }
+
+  friend bool operator==(const WorkGrants&, const WorkGrants&) = default;
+
+ private:
+  static constexpr std::array<std::int64_t, kWorkPhases> unlimited() {
+    std::array<std::int64_t, kWorkPhases> all{};
+    all.fill(kUnlimitedTests);
+    return all;
+  }
+};
 
 /// Grants a step its work, in as many requests as the step likes.
 class WorkMeter {
  public:
   virtual ~WorkMeter() = default;
 
-  /// Asks that the step's work may come to `total` units, of which `reserved` are for the phases
-  /// that follow detection; returns the total granted so far. The work may be done only if the
-  /// answer is at least `total`. Totals may fall, when a reserve is released. Once a request is
-  /// refused the answer never rises again within the step, and it is no smaller than any before:
-  /// that makes the total sufficient for a replay.
-  virtual std::int64_t request(std::int64_t total, std::int64_t reserved) = 0;
+  /// Asks that the phase's work may come to `total` units; `reserved` of refinement's are for the
+  /// parts that follow it, and 0 of the others'. Returns the total granted so far: the work may be
+  /// done only if the answer is at least `total`. Totals may fall, when a reserve is released. Once
+  /// a request is refused the phase's answer never rises again within the step, and it is no
+  /// smaller than any before: that makes the totals sufficient for a replay.
+  virtual std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t reserved) = 0;
+
+  /// A part of the step begins, which does `units` things whatever is granted: bodies, pairs or
+  /// contacts. For meters that learn how long things take.
+  virtual void begin(StepPart /*part*/, std::int64_t /*units*/) {}
+
+  /// The step is done.
+  virtual void finish() {}
 };
 
-/// Grants up to a fixed number of units in each step. Also replays a recording: the total granted
-/// then, granted now.
+/// Grants each phase of each step so many units. A budget in units is one of refinement alone, with
+/// what is reserved for what follows it; the other phases get all they ask for. Also replays a
+/// recording: what was granted then, granted now.
 class FixedWork final : public WorkMeter {
  public:
-  explicit FixedWork(std::int64_t units_per_step) : units_per_step_(units_per_step) {}
+  explicit FixedWork(std::int64_t units_of_refinement) {
+    grants_.of(WorkPhase::kRefinement) = units_of_refinement;
+  }
+  explicit FixedWork(const WorkGrants& grants) : grants_(grants) {}
 
-  std::int64_t request(std::int64_t total, std::int64_t /*reserved*/) override {
-    return std::min(total, units_per_step_);
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
+    return phase == WorkPhase::kRefinement ? std::min(total, grants_.of(phase)) : grants_.of(phase);
   }
 
  private:
-  std::int64_t units_per_step_;
+  WorkGrants grants_;
 };
 
-inline constexpr std::int64_t kUnlimitedTests = INT64_MAX;
+/// The work of one phase in one step: asks for it, counts it, and notes a refusal.
+class PhaseWork {
+ public:
+  PhaseWork(WorkMeter& meter, WorkPhase phase, WorkGrants& grants)
+      : meter_(&meter), grants_(&grants), phase_(phase) {}
+
+  /// Whether `units` more may be done; if so they count as done.
+  [[nodiscard]] bool spend(std::int64_t units) {
+    if (units > granted_ - done_ && !ask(units)) {
+      return false;
+    }
+    done_ += units;
+    return true;
+  }
+
+  [[nodiscard]] bool refused() const { return refused_; }
+  [[nodiscard]] std::int64_t granted() const { return granted_; }
+  [[nodiscard]] std::int64_t done() const { return done_; }
+
+ private:
+  bool ask(std::int64_t units) {
+    if (!refused_) {
+      granted_ = std::max(granted_, meter_->request(phase_, done_ + units, 0));
+      refused_ = units > granted_ - done_;
+      if (refused_) {
+        grants_->of(phase_) = granted_;
+      }
+    }
+    return !refused_;
+  }
+
+  WorkMeter* meter_;
+  WorkGrants* grants_;
+  WorkPhase phase_;
+  std::int64_t granted_{0};
+  std::int64_t done_{0};
+  bool refused_{false};
+};
 
 }  // namespace impetus::inline scheduling

@@ -72,6 +72,61 @@ void model_folds(const Step& step) {
   }
 }
 
+/// What it takes to model a pair, beside an overlapping pair of nodes.
+constexpr std::int64_t kPairUnits = 12;
+
+std::int64_t units_of(const RefinedPair& pair) {
+  const auto nodes = static_cast<std::int64_t>(pair.refinement.overlapping().size());
+  return nodes == 0 ? 0 : nodes + kPairUnits;
+}
+
+bool touches(const RefinedPair& pair) { return !pair.refinement.overlapping().empty(); }
+
+void model_all(const Step& step, std::span<const RefinedPair> pairs) {
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    if (touches(pairs[place])) {
+      model_pair(step, place, pairs[place]);
+    }
+  }
+}
+
+/// Those with walls, and of the others those that are granted, the most urgent first.
+void model_most_urgent(const Step& step, std::span<const RefinedPair> pairs, PhaseWork& work) {
+  StepReport& report = step.memory.report;
+  report.degradations |= kContactsLeft;
+  for (std::size_t place = 0; place < pairs.size(); ++place) {
+    if (is_wall(pairs[place].bodies.b) && touches(pairs[place])) {
+      model_pair(step, place, pairs[place]);
+    }
+  }
+  for (const std::size_t place : step.memory.order.all_places_by_priority(
+           {step.settings.schedule, step.input, step.world.models, step.world.states})) {
+    const RefinedPair& pair = pairs[place];
+    if (is_wall(pair.bodies.b) || !touches(pair)) {
+      continue;
+    }
+    if (work.spend(units_of(pair))) {
+      model_pair(step, place, pair);
+    } else {
+      ++report.contacts_left;
+    }
+  }
+}
+
+void model_pairs(const Step& step) {
+  const std::span<const RefinedPair> pairs = step.memory.refined.all();
+  std::int64_t units = 0;
+  for (const RefinedPair& pair : pairs) {
+    units += is_wall(pair.bodies.b) ? 0 : units_of(pair);
+  }
+  PhaseWork work = step.work_of(WorkPhase::kModel);
+  if (work.spend(units)) {
+    model_all(step, pairs);
+  } else {
+    model_most_urgent(step, pairs, work);
+  }
+}
+
 /// Of modelling, which is done, and of the response, which follows.
 void count_later_phases(const Step& step) {
   const PhaseCosts costs(step.settings.costs, step.settings.contacts);
@@ -129,13 +184,9 @@ void ModelledCollisions::report_in_order(StepReport& report) {
 
 void model_contacts(const Step& step) {
   ModelledCollisions& modelled = step.memory.modelled;
+  step.meter.begin(StepPart::kModel, 0);
   modelled.clear();
-  const std::span<const RefinedPair> pairs = step.memory.refined.all();
-  for (std::size_t place = 0; place < pairs.size(); ++place) {
-    if (!pairs[place].refinement.overlapping().empty()) {
-      model_pair(step, place, pairs[place]);
-    }
-  }
+  model_pairs(step);
   model_folds(step);
   modelled.report_in_order(step.memory.report);
   for (CollisionReport& collision : step.memory.report.collisions) {

@@ -51,12 +51,15 @@ double move_body(const Step& step, std::size_t body) {
 void move_bodies(const Step& step) {
   WorldState& world = step.world;
   StepMemory& memory = step.memory;
+  step.meter.begin(StepPart::kMove, static_cast<std::int64_t>(world.models.size()));
   world.finite.begin(world.states, memory.report.not_finite);
   find_falls(step);
   if (world.figures) {
+    PhaseWork work = step.work_of(WorkPhase::kMotion);
     world.figures->advance(step.settings.figures, world.models, step.input.dt_s,
-                           step.settings.rotation, memory.falls, world.finite,
+                           step.settings.rotation, memory.falls, work, world.finite,
                            memory.report.not_finite, world.states);
+    memory.report.degradations |= work.refused() ? kMotionCut : 0U;
   }
   memory.bounds.clear();
   for (std::size_t body = 0; body < world.models.size(); ++body) {

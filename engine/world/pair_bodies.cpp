@@ -1,11 +1,13 @@
 // The second phase of a step: who may have met, by the bounds of where bodies went.
 //
 //   candidates   bodies whose swept bounds touch, but those that are out or neighbours in a figure
+//   leave        of more than are granted, those that reach least into each other
 //   stop         fast pairs that would pass through each other, where they first touch
 //   walls        bodies that reach beyond the enclosure where they stand now
 //
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 
@@ -41,6 +43,43 @@ void find_candidates(const Step& step) {
   }
 }
 
+/// How deep the bounds of a pair reach into each other at the end of the step (metres); of bounds
+/// that met on the way alone, less than nothing.
+double overlap_m(const PairBounds& pair) {
+  return pair.a.radius_m + pair.b.radius_m - (pair.a.centre - pair.b.centre).norm();
+}
+
+/// Keeps as many candidates as are granted, in their order: those that reach deepest into each
+/// other, of equals the first.
+void leave_shallow_candidates(const Step& step) {
+  std::vector<PairBounds>& candidates = step.memory.candidates;
+  PhaseWork work = step.work_of(WorkPhase::kPairs);
+  if (work.spend(static_cast<std::int64_t>(candidates.size()))) {
+    return;
+  }
+  std::vector<CandidateDepth>& depths = step.memory.depths;
+  depths.clear();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    depths.push_back({overlap_m(candidates[i]), static_cast<std::int32_t>(i)});
+  }
+  const auto kept = static_cast<std::ptrdiff_t>(work.granted());
+  const auto goes_before = [](const CandidateDepth& x, const CandidateDepth& y) {
+    return x.overlap_m > y.overlap_m || (x.overlap_m == y.overlap_m && x.candidate < y.candidate);
+  };
+  std::nth_element(depths.begin(), depths.begin() + kept, depths.end(), goes_before);
+  depths.resize(static_cast<std::size_t>(kept));
+  std::sort(depths.begin(), depths.end(), [](const CandidateDepth& x, const CandidateDepth& y) {
+    return x.candidate < y.candidate;
+  });
+  StepReport& report = step.memory.report;
+  report.degradations |= kPairsLeft;
+  report.pairs_left = static_cast<std::int64_t>(candidates.size() - depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    candidates[i] = candidates[at(depths[i].candidate)];
+  }
+  candidates.resize(depths.size());
+}
+
 /// The candidates of which both bodies can stop: a part cannot where its figure goes on.
 const std::vector<PairBounds>& stoppable_pairs(const Step& step) {
   const WorldState& world = step.world;
@@ -63,10 +102,12 @@ void stop_fast_pairs(const Step& step) {
   for (const PriorityList& list : settings.schedule.lists) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
-  const Stopping& stopping = stop_at_entry(
-      {step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step), greatest_level,
-       settings.costs, settings.rotation, kMostStops, memory.falls, settings.most_entry_tests},
-      world.states, world.placed, memory.entries);
+  PhaseWork work = step.work_of(WorkPhase::kEntry);
+  const Stopping& stopping =
+      stop_at_entry({step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step),
+                     greatest_level, settings.costs, settings.rotation, kMostStops, memory.falls,
+                     settings.most_entry_tests, &work},
+                    world.states, world.placed, memory.entries);
   for (PairBounds& pair : memory.candidates) {
     pair.a.centre = world.states[at(pair.pair.a)].pose.position;
     pair.b.centre = world.states[at(pair.pair.b)].pose.position;
@@ -96,7 +137,10 @@ void add_wall_candidates(const Enclosure& enclosure, StepMemory& memory) {
 
 void pair_bodies(const Step& step) {
   WorldState& world = step.world;
+  step.meter.begin(StepPart::kPair, static_cast<std::int64_t>(world.models.size()));
   find_candidates(step);
+  leave_shallow_candidates(step);
+  step.meter.begin(StepPart::kEnter, static_cast<std::int64_t>(step.memory.candidates.size()));
   if (step.settings.tunnelling == Tunnelling::kStopAtEntry) {
     stop_fast_pairs(step);
   }

@@ -59,12 +59,16 @@ std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,
   return places_;
 }
 
-void StepOrder::list_pairs(const Measuring& by, std::vector<ScheduledPair>& listed) {
+std::span<const std::size_t> StepOrder::all_places_by_priority(const Measuring& by) {
   places_.resize(pairs_.size());
   std::iota(places_.begin(), places_.end(), std::size_t{0});
   sort_places(by);
+  return places_;
+}
+
+void StepOrder::list_pairs(const Measuring& by, std::vector<ScheduledPair>& listed) {
   listed.clear();
-  for (const std::size_t place : places_) {
+  for (const std::size_t place : all_places_by_priority(by)) {
     listed.push_back(pairs_[place].scheduled);
   }
 }

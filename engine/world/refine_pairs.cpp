@@ -114,10 +114,11 @@ void report_work(const WorkDone& work, StepReport& report) {
 
 }  // namespace
 
-void refine_pairs(const Step& step, WorkMeter& meter) {
+void refine_pairs(const Step& step) {
   const Schedule& schedule = step.settings.schedule;
   const Measuring measuring{schedule, step.input, step.world.models, step.world.states};
   StepMemory& memory = step.memory;
+  step.meter.begin(StepPart::kRefine, static_cast<std::int64_t>(memory.order.pairs().size()));
   memory.refined.clear();
   memory.work_of_folds = work_of_folds(step);
   memory.report.work_floor += memory.work_of_folds;
@@ -129,7 +130,8 @@ void refine_pairs(const Step& step, WorkMeter& meter) {
                                     memory.report.work_floor};
   const std::size_t waiting = memory.sharing.do_floor(pairs, schedule.lists, settings);
   const std::span<const std::size_t> order = memory.order.places_by_priority(waiting, measuring);
-  report_work(memory.sharing.refine(pairs, schedule.lists, order, meter, settings), memory.report);
+  report_work(memory.sharing.refine(pairs, schedule.lists, order, step.meter, settings),
+              memory.report);
   memory.pairs.clear();
   if (step.world.watches_pairs) {
     memory.order.list_pairs(measuring, memory.pairs);

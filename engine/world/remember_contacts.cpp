@@ -50,6 +50,7 @@ void note_touching_for_persistence(const Step& step) {
 void remember_contacts(const Step& step) {
   WorldState& world = step.world;
   StepReport& report = step.memory.report;
+  step.meter.begin(StepPart::kRemember, static_cast<std::int64_t>(world.models.size()));
   report_pops(step);
   world.touching.clear();
   for (const CollisionReport& collision : report.collisions) {

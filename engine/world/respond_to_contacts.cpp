@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "engine/numerics/at.hpp"
@@ -27,6 +29,35 @@ void gather_contacts(const StepReport& report, std::vector<Contact>& contacts) {
   }
 }
 
+/// The contacts of the collisions, by list and by falling priority.
+std::span<const std::size_t> most_visible_first(const Step& step) {
+  const std::vector<CollisionReport>& collisions = step.memory.report.collisions;
+  const PriorityMetric& metric = metric_of(step.settings.schedule);
+  std::vector<std::size_t>& order = step.memory.collision_order;
+  order.resize(collisions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto priority = [&](std::size_t i) {
+    return collisions[i].measured ? metric.priority(*collisions[i].measured) : 0.0;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+    if (collisions[x].list != collisions[y].list) {
+      return collisions[x].list < collisions[y].list;
+    }
+    const double of_x = priority(x);
+    const double of_y = priority(y);
+    return of_x > of_y || (of_x == of_y && x < y);
+  });
+  std::vector<std::size_t>& contacts = step.memory.by_visibility;
+  contacts.clear();
+  for (const std::size_t collision : order) {
+    const auto [first, end] = contact_range(collisions[collision]);
+    for (std::size_t contact = first; contact < end; ++contact) {
+      contacts.push_back(contact);
+    }
+  }
+  return contacts;
+}
+
 const ResponseResult& give_impulses(const Step& step) {
   const WorldSettings& settings = step.settings;
   WorldState& world = step.world;
@@ -38,12 +69,17 @@ const ResponseResult& give_impulses(const Step& step) {
   rules.method = settings.response;
   rules.most_passes = settings.most_response_passes;
   rules.resting_m_s = kRestingSteps * settings.gravity_m_s2.norm() * step.input.dt_s;
-  if (world.figures) {
-    return world.figures->respond(settings.figures, memory.contacts, memory.restitutions, rules,
-                                  step.input.dt_s, world.models, world.finite, world.states);
-  }
-  return memory.responder.respond(memory.contacts, memory.restitutions, rules, world.models,
-                                  world.states);
+  ResponseWork work{step.work_of(WorkPhase::kResponse), step.work_of(WorkPhase::kVisible),
+                    [&step] { return most_visible_first(step); }};
+  rules.work = &work;
+  const ResponseResult& result =
+      world.figures
+          ? world.figures->respond(settings.figures, memory.contacts, memory.restitutions, rules,
+                                   step.input.dt_s, world.models, world.finite, world.states)
+          : memory.responder.respond(memory.contacts, memory.restitutions, rules, world.models,
+                                     world.states);
+  memory.report.degradations |= work.passes.refused() ? kResponseCut : 0U;
+  return result;
 }
 
 /// Adds what the response did: to each contact, and in all to each collision.
@@ -106,6 +142,37 @@ void impose(const Step& step) {
   }
 }
 
+/// Takes from a body what would carry its centre through a wall in the next step, as if the wall
+/// pushed at its centre: its energy falls, and nothing turns it.
+void stop_centre_at_walls(const Enclosure& enclosure, double dt_s, const BodyModel& model,
+                          BodyState& state) {
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    const double room_m = -reach_beyond(enclosure, wall, Sphere{state.pose.position, 0.0});
+    const Vector3 outward = -inward_normal(enclosure, wall);
+    const double outward_Ns = outward.dot(state.linear_momentum);
+    const double allowed_Ns = std::max(0.0, room_m) / (dt_s * model.inverse_mass);
+    if (outward_Ns > allowed_Ns) {
+      state.linear_momentum -= (outward_Ns - allowed_Ns) * outward;
+    }
+  }
+}
+
+/// Where work was cut, contacts with walls may be at bounds that turn, or not be modelled in time.
+void keep_centres_inside(const Step& step) {
+  const WorldSettings& settings = step.settings;
+  if (!settings.enclosure || !(step.input.dt_s > 0.0) ||
+      !step.memory.report.grants.cut_beyond_refinement()) {
+    return;
+  }
+  for (const MovedBound& bound : step.memory.bounds) {
+    const auto body = static_cast<std::size_t>(&bound - step.memory.bounds.data());
+    if (bound.movable && !step.world.finite.is_out(body)) {
+      stop_centre_at_walls(*settings.enclosure, step.input.dt_s, step.world.models[body],
+                           step.world.states[body]);
+    }
+  }
+}
+
 void take_out_not_finite(WorldState& world, StepReport& report) {
   for (std::size_t body = 0; body < world.states.size(); ++body) {
     world.finite.check(body, world.states[body], report.not_finite);
@@ -118,7 +185,10 @@ void take_out_not_finite(WorldState& world, StepReport& report) {
 }  // namespace
 
 void respond_to_contacts(const Step& step) {
+  step.meter.begin(StepPart::kRespond,
+                   static_cast<std::int64_t>(step.memory.report.contacts.size()));
   report_response(give_impulses(step), step.memory.report);
+  keep_centres_inside(step);
   impose(step);
   take_out_not_finite(step.world, step.memory.report);
 }

@@ -12,6 +12,7 @@
 #include "engine/dynamics/finite_states.hpp"
 #include "engine/dynamics/state_hash.hpp"
 #include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/work_meter.hpp"
 
 namespace impetus::inline world {
 
@@ -31,7 +32,12 @@ enum Degradation : std::uint32_t {
   kStoppedShort = 8,     ///< bodies were stopped at entry and lost the rest of the step
   /// WorldSettings::most_entry_tests kept fast pairs from being tested along their whole way: they
   /// stayed at coarser levels, or stopped early
+  /// or the meter did
   kEntryTestsSpent = 16,
+  kMotionCut = 32,      ///< figures took the step in fewer parts than they should
+  kPairsLeft = 64,      ///< pairs of bodies that hardly reach into each other were not looked at
+  kContactsLeft = 128,  ///< pairs that touch got no contact
+  kResponseCut = 256,   ///< contacts were not answered until nothing approaches
 };
 
 /// A contact that the response got.
@@ -72,8 +78,13 @@ struct LevelPop {
 struct StepReport {
   std::vector<CollisionReport> collisions;
   std::int64_t work_granted{0};  ///< units of work (WorldSettings::costs); a replay grants the same
-  std::int64_t work_spent{0};    ///< on all phases, at most what was reserved for the later ones
-  std::int64_t work_floor{0};    ///< what is done, and what follows it, whatever the budget
+  /// What phases were granted that were refused something; beside `work_granted`, what a replay
+  /// needs (grants_of()).
+  WorkGrants grants{};
+  std::int64_t pairs_left{0};     ///< of bodies, that were not looked at
+  std::int64_t contacts_left{0};  ///< pairs that touch and got no contact
+  std::int64_t work_spent{0};     ///< on all phases, at most what was reserved for the later ones
+  std::int64_t work_floor{0};     ///< what is done, and what follows it, whatever the budget
   /// Units beyond the floor that each priority list spent on tests; empty when there is one list.
   std::vector<std::int64_t> list_work;
   std::uint32_t degradations{0};
@@ -90,5 +101,12 @@ struct StepReport {
   /// Bodies that were taken out in this step, for good, because their state was not finite.
   std::vector<NotFiniteBody> not_finite;
 };
+
+/// What replays the step that is reported, given to FixedWork.
+inline WorkGrants grants_of(const StepReport& report) {
+  WorkGrants grants = report.grants;
+  grants.of(WorkPhase::kRefinement) = report.work_granted;
+  return grants;
+}
 
 }  // namespace impetus::inline world

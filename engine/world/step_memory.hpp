@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -50,6 +51,9 @@ class StepOrder {
   /// for work: none when none does; in any order when one does and there is one list. Valid until
   /// the next call.
   std::span<const std::size_t> places_by_priority(std::size_t waiting, const Measuring& by);
+
+  /// All places, by list and by falling priority within each. Valid until the next call.
+  std::span<const std::size_t> all_places_by_priority(const Measuring& by);
 
   /// All pairs as they are scheduled, by list and by falling priority within each, instead of what
   /// `listed` held. To be asked for once work was done by places_by_priority().
@@ -113,6 +117,12 @@ class ModelledCollisions {
   std::size_t taken_{0};  ///< contacts that are of a collision
 };
 
+/// How deep the bounds of a candidate reach into each other, where not all can be looked at.
+struct CandidateDepth {
+  double overlap_m;
+  std::int32_t candidate;
+};
+
 /// What the phases of a step hand on to each other; kept between steps only to allocate nothing.
 struct StepMemory {
   StepMemory() = default;
@@ -130,7 +140,8 @@ struct StepMemory {
   std::vector<MovedBound> bounds;
   // pair
   std::vector<PairBounds> candidates;
-  std::vector<PairBounds> stoppable;  ///< where there are figures: those that are of no part
+  std::vector<CandidateDepth> depths;  ///< means nothing between steps
+  std::vector<PairBounds> stoppable;   ///< where there are figures: those that are of no part
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
   // prioritise
   StepOrder order;
@@ -143,7 +154,9 @@ struct StepMemory {
   ContactModelling modelling;
   ModelledCollisions modelled;
   // respond
-  std::vector<Contact> contacts;  ///< that are responded to
+  std::vector<std::size_t> collision_order;  ///< the most visible first; when asked for
+  std::vector<std::size_t> by_visibility;    ///< contacts likewise
+  std::vector<Contact> contacts;             ///< that are responded to
   std::vector<double> restitutions;
   Responder responder;
   // remember

@@ -44,14 +44,15 @@ const StepReport& World::step(const StepInput& input, WorkMeter& meter) {
   require(input.dt_s >= 0.0 && std::isfinite(input.dt_s),
           "world: expected a time step of 0 s or more, a finite number");
   restart(memory_.report);
-  const Step step{settings_, input, state_, memory_};
+  const Step step{settings_, input, state_, memory_, meter};
   move_bodies(step);
   pair_bodies(step);
   prioritise_pairs(step);
-  refine_pairs(step, meter);
+  refine_pairs(step);
   model_contacts(step);
   respond_to_contacts(step);
   remember_contacts(step);
+  meter.finish();
   return memory_.report;
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scheduling/deadline_work.hpp"
 #include "engine/scheduling/viewer.hpp"
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/design/design.hpp"
@@ -30,12 +31,7 @@
 namespace impetus::inline record {
 
 /// When it is.
-class Clock {
- public:
-  virtual ~Clock() = default;
-  /// Nanoseconds since an arbitrary instant; never goes back.
-  [[nodiscard]] virtual std::int64_t now_ns() const = 0;
-};
+using Clock = WorkClock;
 
 /// One body as it is drawn.
 struct PosedBody {

@@ -28,7 +28,7 @@ struct GazeInput {
 /// the state at the start.
 struct StepRecord {
   std::int64_t step{0};
-  std::int64_t work_granted{0};
+  std::int64_t work_granted{0};  ///< of refinement
   std::int64_t work_spent{0};
   std::uint32_t degradations{0};
   StateHash state;
@@ -39,7 +39,15 @@ struct StepRecord {
   double largest_pop_deg{0.0};    ///< visual angle; of no pop, 0
   std::int64_t interval{1};       ///< of a two-interval trial, its first or second stimulus
   std::vector<NotFiniteBody> not_finite{};  ///< taken out in it; stored as notes of the session
+  WorkGrants cut_work{};                    ///< of phases, but refinement, that were refused some
 };
+
+/// What replays the step, given to FixedWork.
+inline WorkGrants grants_of(const StepRecord& step) {
+  WorkGrants grants = step.cut_work;
+  grants.of(WorkPhase::kRefinement) = step.work_granted;
+  return grants;
+}
 
 /// One pair in contact, at the step in which that began.
 struct CollisionRecord {

@@ -45,13 +45,14 @@ StepRecord record_step(std::int64_t step, const GazeInput& gaze, const StepRepor
   record.pops = static_cast<std::int64_t>(report.pops.size());
   record.stopped_short = static_cast<std::int64_t>(report.stopped.size());
   record.not_finite = report.not_finite;
+  record.cut_work = report.grants;
   for (const LevelPop& pop : report.pops) {
     record.largest_pop_deg = std::max(record.largest_pop_deg, pop.size_deg);
   }
   return record;
 }
 
-LiveRun::LiveRun(StagedScene scene, std::uint64_t seed, const Clock* work_clock)
+LiveRun::LiveRun(StagedScene scene, std::uint64_t seed, const WorkClock* work_clock)
     : run_(std::move(scene), seed, work_clock) {
   StepReport start;
   start.state = hash_state(run_.world().states());

@@ -18,7 +18,7 @@ class LiveRun {
  public:
   /// `seed` is the trial's. `work_clock` times budgets in milliseconds and must outlive this; a
   /// scene without such a budget needs none.
-  LiveRun(StagedScene scene, std::uint64_t seed, const Clock* work_clock = nullptr);
+  LiveRun(StagedScene scene, std::uint64_t seed, const WorkClock* work_clock = nullptr);
 
   /// What the participant looks at from the next step on; its region is left to the scene's rule.
   void look_at(const GazeInput& gaze) { gaze_ = gaze; }

@@ -30,7 +30,7 @@ const StepReport& RunningReplay::next() {
   const StepRecord& then = (*recorded_)[next_++];
   const StepReport* now = &start_;
   if (then.step != 0) {
-    FixedWork meter(then.work_granted);
+    FixedWork meter(grants_of(then));
     now = &run_.step(then.gaze.fixation, then.gaze.region, meter);
     ++result_.steps;
   }

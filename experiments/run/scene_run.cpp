@@ -9,7 +9,7 @@
 
 namespace impetus::inline run {
 
-SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const Clock* clock)
+SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock)
     : scene_(std::move(scene)),
       regions_(scene_, seed),
       clock_(clock),

@@ -14,9 +14,9 @@
 #include <optional>
 #include <vector>
 
+#include "engine/scheduling/deadline_work.hpp"
 #include "experiments/gaze/region_source.hpp"
 #include "experiments/record/staged_scene.hpp"
-#include "experiments/run/deadline_work.hpp"
 
 namespace impetus::inline run {
 
@@ -25,7 +25,7 @@ class SceneRun {
  public:
   /// Stands at the scene's start. Random regions follow from `seed`, the trial's. `clock` times a
   /// budget in milliseconds and must outlive this; who gives each step a meter needs none.
-  explicit SceneRun(StagedScene scene, std::uint64_t seed = 1, const Clock* clock = nullptr);
+  explicit SceneRun(StagedScene scene, std::uint64_t seed = 1, const WorkClock* clock = nullptr);
 
   /// The region that the scene's rule has for the next step, for a viewer who looks at `fixation`.
   /// Whoever asks for it asks exactly once before each step.
@@ -65,7 +65,7 @@ class SceneRun {
  private:
   StagedScene scene_;
   RegionSource regions_;
-  const Clock* clock_;
+  const WorkClock* clock_;
   FixedWork fixed_{kUnlimitedTests};
   std::optional<DeadlineWork> deadline_;  ///< of a budget in milliseconds, where there is a clock
   bool needs_clock_{false};

@@ -25,7 +25,7 @@ class Running {
   Running(StagedScene scene, std::uint64_t seed) : run_(std::move(scene), seed) {}
 
   const StepReport& step(const StepRecord& recorded, const std::optional<GazeRegion>& region,
-                         std::int64_t granted) {
+                         const WorkGrants& granted) {
     FixedWork meter(granted);
     const StepReport& report = run_.step(recorded.gaze.fixation, region, meter);
     keep(report);
@@ -99,8 +99,13 @@ bool any_seen_apart(const Running& then, const Running& now, const Viewer& viewe
   return false;
 }
 
-std::int64_t granted_now(const WorkBudget& budget, const StepRecord& recorded) {
-  return budget.ns_per_step > 0 ? recorded.work_granted : budget.tests_per_step;
+WorkGrants granted_now(const WorkBudget& budget, const StepRecord& recorded) {
+  if (budget.ns_per_step > 0) {
+    return grants_of(recorded);
+  }
+  WorkGrants granted;
+  granted.of(WorkPhase::kRefinement) = budget.tests_per_step;
+  return granted;
 }
 
 /// Of one pair, in order, by their places in a list.
@@ -169,7 +174,7 @@ WhatIf what_if(StagedScene then, StagedScene now, const std::vector<StepRecord>&
       result.divergence =
           divergence_of(step, hash_state(first.scene().world.states()), first.scene().world);
     } else {
-      const StepReport& was = first.step(step, step.gaze.region, step.work_granted);
+      const StepReport& was = first.step(step, step.gaze.region, grants_of(step));
       result.divergence = divergence_of(step, was.state, first.scene().world);
       const StepReport& is = second.step(step, region_now(first.scene().region, second.run(), step),
                                          granted_now(second.scene().budget, step));

@@ -22,6 +22,7 @@ std::vector<StepRecord> with_detail(std::vector<StepRecord> steps, SimulatedDeta
   if (detail == SimulatedDetail::kFinest) {
     for (StepRecord& step : steps) {
       step.work_granted = kUnlimitedTests;
+      step.cut_work = {};
     }
   }
   return steps;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/run/deadline_work.hpp"
+#include "engine/scheduling/deadline_work.hpp"
 
 namespace impetus {
 namespace {

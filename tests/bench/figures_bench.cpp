@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "engine/scheduling/deadline_work.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
-#include "experiments/run/deadline_work.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/shape_library.hpp"
 #include "tests/bench/bench_options.hpp"

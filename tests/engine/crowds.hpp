@@ -80,19 +80,25 @@ class RefusingWork final : public WorkMeter {
   /// Refuses each request with a chance of one in `mercy`.
   RefusingWork(RandomStream& random, std::uint64_t mercy) : random_(&random), mercy_(mercy) {}
 
-  std::int64_t request(std::int64_t total, std::int64_t /*reserved*/) override {
-    if (total > granted_ && !refused_) {
-      refused_ = random_->below(mercy_) == 0;
-      granted_ = refused_ ? granted_ : total + static_cast<std::int64_t>(random_->below(100));
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
+    Granting& granting = phases_[static_cast<std::size_t>(phase)];
+    if (total > granting.granted && !granting.refused) {
+      granting.refused = random_->below(mercy_) == 0;
+      granting.granted = granting.refused ? granting.granted
+                                          : total + static_cast<std::int64_t>(random_->below(100));
     }
-    return granted_;
+    return granting.granted;
   }
 
  private:
   RandomStream* random_;
+  struct Granting {
+    std::int64_t granted{0};
+    bool refused{false};
+  };
+
   std::uint64_t mercy_;
-  std::int64_t granted_{0};
-  bool refused_{false};
+  std::array<Granting, kWorkPhases> phases_{};
 };
 
 /// One to three lists by thresholds, a region or shares, any traversal and persistence.

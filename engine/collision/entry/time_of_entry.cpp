@@ -41,6 +41,7 @@ class EntrySearch {
     Entry entry;
     entry.time = first_time();
     entry.tests = tests_;
+    entry.refused = refused_;
     return entry;
   }
 
@@ -121,7 +122,15 @@ class EntrySearch {
   }
 
   /// Tests that were skipped because their outcome is known.
-  void count(std::int64_t tests) { tests_ = std::min(tests_ + tests, pair_.most_tests); }
+  void count(std::int64_t tests) {
+    const std::int64_t counted = std::min(tests, pair_.most_tests - tests_);
+    if (pair_.work != nullptr && !pair_.work->spend(counted)) {
+      pair_.most_tests = tests_;
+      refused_ = true;
+      return;
+    }
+    tests_ += counted;
+  }
 
   template <typename Visit>
   void for_each_pair_below(const NodePair& nodes, const Visit& visit) const {
@@ -365,6 +374,7 @@ class EntrySearch {
   double safe_{0.0};
   NearSpheres near_;
   std::int64_t tests_{0};
+  bool refused_{false};
 };
 
 }  // namespace

@@ -27,6 +27,7 @@
 #include "engine/collision/entry/body_path.hpp"
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority.hpp"
+#include "engine/scheduling/work_meter.hpp"
 #include "engine/trees/volume_tree.hpp"
 
 namespace impetus::inline collision {
@@ -44,6 +45,7 @@ struct PairOnTheWay {
   const BodyPath& path_b;
   int greatest_level;
   std::int64_t most_tests{kMostEntryTests};  ///< at least 1
+  PhaseWork* work{nullptr};  ///< asked for the tests, where work is metered; then it ends there too
 };
 
 /// What a pair may move without being fast (metres): the least half-thickness of a's nodes and
@@ -59,6 +61,7 @@ bool is_fast(const PairOnTheWay& pair, double share_of_slow_way = 1.0);
 struct Entry {
   std::optional<double> time;  ///< share of the step after which both must stop, if they must
   std::int64_t tests{0};       ///< of node pairs
+  bool refused{false};         ///< by the meter, so that the search ended early
 };
 
 /// When the bodies overlap, by at most an eighth of slow_way_m, so early that what is left of their

@@ -19,8 +19,11 @@ class WorkBeyondFloor final : public WorkMeter {
   /// To be called before each step.
   void start_step() { most_ = -1; }
 
-  /// The first request of a step is its floor.
-  std::int64_t request(std::int64_t total, std::int64_t /*reserved*/) override {
+  /// The first request of refinement is its floor; other phases get what they ask for.
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
+    if (phase != WorkPhase::kRefinement) {
+      return kUnlimitedTests;
+    }
     if (most_ < 0) {
       most_ = units_ < kUnlimitedTests - total ? total + units_ : kUnlimitedTests;
     }

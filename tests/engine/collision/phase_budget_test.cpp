@@ -50,7 +50,7 @@ TEST(PhaseBudget, EveryMetersDecisionsReplayFromTheTotalItGranted) {
     for (int step = 0; step < 40; ++step) {
       RefusingWork meter(random, 1 + random.below(60));
       const StepReport shown = live.step(looking_ahead(), meter);
-      FixedWork logged(shown.work_granted);
+      FixedWork logged(grants_of(shown));
       const StepReport again = replay.step(looking_ahead(), logged);
       ASSERT_EQ(again.state.hash, shown.state.hash) << "crowd " << crowd << ", step " << step;
       ASSERT_EQ(again.work_spent, shown.work_spent);

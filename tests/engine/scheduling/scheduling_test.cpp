@@ -69,10 +69,10 @@ TEST(Schedule, EqualPrioritiesKeepTheirOrder) {
 
 TEST(FixedWork, GrantsUpToItsNumberInEveryStep) {
   FixedWork meter(10);
-  EXPECT_EQ(meter.request(4, 0), 4);
-  EXPECT_EQ(meter.request(10, 0), 10);
-  EXPECT_EQ(meter.request(11, 0), 10) << "refused";
-  EXPECT_EQ(meter.request(7, 0), 7) << "the next step starts anew";
+  EXPECT_EQ(meter.request(WorkPhase::kRefinement, 4, 0), 4);
+  EXPECT_EQ(meter.request(WorkPhase::kRefinement, 10, 0), 10);
+  EXPECT_EQ(meter.request(WorkPhase::kRefinement, 11, 0), 10) << "refused";
+  EXPECT_EQ(meter.request(WorkPhase::kRefinement, 7, 0), 7) << "the next step starts anew";
 }
 
 }  // namespace impetus::scheduling_test

@@ -33,8 +33,8 @@ class WatchedMetric final : public PriorityMetric {
 /// Grants all, and counts how often it is asked.
 class CountingWork final : public WorkMeter {
  public:
-  std::int64_t request(std::int64_t total, std::int64_t /*reserved*/) override {
-    ++asked;
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
+    asked += phase == WorkPhase::kRefinement ? 1 : 0;
     return total;
   }
 

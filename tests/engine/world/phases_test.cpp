@@ -17,12 +17,13 @@ struct StepOf {
   StepOf(std::vector<BodyModel> models, std::vector<BodyState> states, WorldSettings with = {})
       : settings(std::move(with)), world(std::move(models), std::move(states), settings) {}
 
-  [[nodiscard]] Step step() { return {settings, input, world, memory}; }
+  [[nodiscard]] Step step() { return {settings, input, world, memory, meter}; }
 
   WorldSettings settings;
   StepInput input{step_of(kStep_s)};
   WorldState world;
   StepMemory memory;
+  FixedWork meter{kUnlimitedTests};
 };
 
 /// Two balls of .1 m whose centres are `apart_m` from each other, approaching at 2 m/s.
@@ -103,8 +104,8 @@ TEST(Phases, RefineGoesAsDeepAsWorkIsGrantedAndSaysWhatItSpent) {
     move_bodies(blocks.step());
     pair_bodies(blocks.step());
     prioritise_pairs(blocks.step());
-    FixedWork meter(budget);
-    refine_pairs(blocks.step(), meter);
+    blocks.meter = FixedWork(budget);
+    refine_pairs(blocks.step());
     const std::span<RefinedPair> pairs = blocks.memory.refined.all();
     ASSERT_EQ(pairs.size(), 1U);
     EXPECT_EQ(pairs[0].refinement.level(), budget == 0 ? 0 : 3);
@@ -190,12 +191,12 @@ TEST(Phases, AllSevenInTurnAreAStep) {
     World world = squeezed_crowd(random, bodies_of_every_tree_kind(), 12, 0.16, settings);
     StepOf phases(world.models(), world.states(), world.settings());
     phases.input = looking_ahead();
-    FixedWork meter(500);
-    const std::uint64_t hash = world.step(phases.input, meter).state.hash;
+    phases.meter = FixedWork(500);
+    const std::uint64_t hash = world.step(phases.input, phases.meter).state.hash;
     move_bodies(phases.step());
     pair_bodies(phases.step());
     prioritise_pairs(phases.step());
-    refine_pairs(phases.step(), meter);
+    refine_pairs(phases.step());
     model_contacts(phases.step());
     respond_to_contacts(phases.step());
     remember_contacts(phases.step());

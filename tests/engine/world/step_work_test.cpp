@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,17 +21,18 @@ class SlicedWork final : public WorkMeter {
   SlicedWork(std::int64_t slice, std::int64_t refuse_from)
       : slice_(slice), refuse_from_(refuse_from) {}
 
-  std::int64_t request(std::int64_t total_tests, std::int64_t /*reserved*/) override {
-    while (granted_ < total_tests && granted_ < refuse_from_) {
-      granted_ += slice_;
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
+    std::int64_t& granted = granted_[static_cast<std::size_t>(phase)];
+    while (granted < total && granted < refuse_from_) {
+      granted += slice_;
     }
-    return granted_;
+    return granted;
   }
 
  private:
   std::int64_t slice_;
   std::int64_t refuse_from_;
-  std::int64_t granted_{0};
+  std::array<std::int64_t, kWorkPhases> granted_{};
 };
 
 TEST(World, ReplayWithTheLoggedTotalGivesTheSameHashes) {
@@ -43,7 +45,7 @@ TEST(World, ReplayWithTheLoggedTotalGivesTheSameHashes) {
       SlicedWork deadline(1 + static_cast<std::int64_t>(random.below(50)),
                           static_cast<std::int64_t>(random.below(400)));
       const StepReport shown = live.step(step_of(kStep_s), deadline);
-      FixedWork logged(shown.work_granted);
+      FixedWork logged(grants_of(shown));
       const StepReport again = replay.step(step_of(kStep_s), logged);
       ASSERT_EQ(again.state.hash, shown.state.hash) << "seed " << seed << ", step " << step;
       ASSERT_EQ(again.work_spent, shown.work_spent);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "engine/scheduling/deadline_work.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace impetus::inline scheduling {
+namespace {
+
+/// First guesses, of a machine of 2022; each is corrected within a few steps.
+constexpr double kNsPerUnit[kWorkPhases] = {2'000.0, 250.0, 30.0, 8.0, 15.0, 60.0, 60.0};
+constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 250.0, 15.0, 150.0, 250.0};
+
+/// Of the time that is left when a phase begins, besides what later ones take in any case.
+constexpr double kShareOfRest[kWorkPhases] = {0.45, 0.5, 0.4, 1.0, 0.5, 0.7, 1.0};
+
+/// Of what is left when refinement begins: so much it gets at least, whatever is reserved, since
+/// coarser contacts are more contacts.
+constexpr double kLeastShareOfRefinement = 0.5;
+
+/// Of the time that is left, in a slice; a slice is not shorter than the least, so that looks at
+/// the clock stay cheap beside the work.
+constexpr double kShareOfSlice = 0.2;
+constexpr double kLeastSlice_ns = 1'500.0;
+constexpr double kMostSlice_ns = 40'000.0;
+
+/// Of the budget, kept free for what nobody measures.
+constexpr double kMargin = 0.01;
+
+constexpr double kFall = 0.05;
+constexpr double kMostRise = 2.0;
+
+bool can_be_interrupted(WorkPhase phase) {
+  return phase != WorkPhase::kPairs && phase != WorkPhase::kModel;
+}
+
+std::size_t index_of(WorkPhase phase) { return static_cast<std::size_t>(phase); }
+
+template <std::size_t count>
+std::array<LearnedTime, count> guesses(const double (&ns)[count]) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array<LearnedTime, count>{LearnedTime(ns[i])...};
+  }
+  (std::make_index_sequence<count>{});
+}
+
+}  // namespace
+
+void LearnedTime::learn(double elapsed_ns, double units) {
+  if (!(units > 0.0) || elapsed_ns < 0.0) {
+    return;
+  }
+  const double found_ns = elapsed_ns / units;
+  ns_ = found_ns > ns_ ? std::min(found_ns, kMostRise * ns_) : ns_ + kFall * (found_ns - ns_);
+}
+
+DeadlineWork::DeadlineWork(const WorkClock& clock, std::int64_t ns_per_step)
+    : clock_(&clock),
+      ns_per_step_(ns_per_step),
+      unit_times_(guesses(kNsPerUnit)),
+      part_times_(guesses(kNsPerThing)) {}
+
+void DeadlineWork::start_step() {
+  start_ns_ = clock_->now_ns();
+  end_ns_ = start_ns_ + ns_per_step_ -
+            static_cast<std::int64_t>(kMargin * static_cast<double>(ns_per_step_));
+  phases_ = {};
+  pairs_ = 0;
+  reserved_ = 0;
+  started_ = true;
+  part_units_ = 0;
+}
+
+void DeadlineWork::begin(StepPart part, std::int64_t units) {
+  if (!started_) {
+    return;
+  }
+  const std::int64_t now_ns = clock_->now_ns();
+  if (part == StepPart::kMove) {
+    end_ns_ -= static_cast<std::int64_t>(part_ns(StepPart::kRemember) * static_cast<double>(units));
+  }
+  if (part_ == StepPart::kModel && part == StepPart::kRespond) {
+    const Granting& model = phases_[index_of(WorkPhase::kModel)];
+    unit_time(WorkPhase::kModel)
+        .learn(static_cast<double>(now_ns - part_began_ns_),
+               static_cast<double>(std::min(model.asked, model.granted)));
+  }
+  if (part == StepPart::kModel) {
+    later_began_ns_ = now_ns;
+  }
+  if (part == StepPart::kRemember && !phases_[index_of(WorkPhase::kModel)].refused &&
+      !phases_[index_of(WorkPhase::kResponse)].refused) {
+    reserved_unit_time_.learn(static_cast<double>(now_ns - later_began_ns_),
+                              static_cast<double>(reserved_));
+  }
+  part_ = part;
+  part_began_ns_ = now_ns;
+  part_units_ = units;
+}
+
+void DeadlineWork::finish() {
+  if (!started_) {
+    return;
+  }
+  const std::int64_t now_ns = clock_->now_ns();
+  const Granting& visible = phases_[index_of(WorkPhase::kVisible)];
+  const std::int64_t from_ns = visible.refused ? visible.looked_ns : part_began_ns_;
+  part_time(StepPart::kRemember)
+      .learn(static_cast<double>(now_ns - from_ns), static_cast<double>(part_units_));
+  started_ = false;
+}
+
+std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int64_t reserved) {
+  Granting& granting = phases_[index_of(phase)];
+  if (!started_ || granting.refused) {
+    return granting.granted;
+  }
+  if (total <= granting.slice_end) {
+    return granting.granted = std::max(granting.granted, total);
+  }
+  const std::int64_t now_ns = clock_->now_ns();
+  if (!granting.begun) {
+    begin_phase(phase, now_ns, granting);
+  } else {
+    unit_time(phase).learn(static_cast<double>(now_ns - granting.looked_ns),
+                           static_cast<double>(total - reserved - granting.asked));
+  }
+  granting.asked = total - reserved;
+  reserved_ = phase == WorkPhase::kRefinement ? reserved : reserved_;
+  granting.looked_ns = now_ns;
+  if (!can_be_interrupted(phase)) {
+    granting.granted = std::min(total, fitting_units(phase, now_ns, granting));
+    granting.refused = granting.granted < total;
+    if (phase == WorkPhase::kPairs) {
+      pairs_ = granting.granted;
+    }
+    return granting.granted;
+  }
+  const std::int64_t kept_ns = phase == WorkPhase::kRefinement ? kept_for_later_ns(reserved) : 0;
+  grant_slice(phase, total, granting.until_ns - kept_ns - now_ns, granting);
+  return granting.granted;
+}
+
+void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting) {
+  granting.begun = true;
+  const double in_part_ns = static_cast<double>(now_ns - part_began_ns_);
+  if (phase == WorkPhase::kRefinement || phase == WorkPhase::kResponse) {
+    part_time(part_).learn(in_part_ns, static_cast<double>(part_units_));
+  }
+  granting.until_ns = until_ns(phase, now_ns);
+  if (phase == WorkPhase::kRefinement) {
+    later_end_ns_ = now_ns + static_cast<std::int64_t>(kLeastShareOfRefinement *
+                                                       static_cast<double>(end_ns_ - now_ns));
+  }
+}
+
+std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const {
+  double due_ns = 0.0;
+  if (phase == WorkPhase::kEntry) {
+    due_ns = part_ns(StepPart::kRefine) * static_cast<double>(pairs_);
+  }
+  const double rest_ns = static_cast<double>(end_ns_ - now_ns) - due_ns;
+  return now_ns + static_cast<std::int64_t>(kShareOfRest[index_of(phase)] * std::max(0.0, rest_ns));
+}
+
+std::int64_t DeadlineWork::fitting_units(WorkPhase phase, std::int64_t now_ns,
+                                         const Granting& granting) const {
+  const double unit_ns =
+      phase == WorkPhase::kPairs ? part_ns(StepPart::kRefine) : unit_times_[index_of(phase)].ns();
+  return static_cast<std::int64_t>(
+      std::max(0.0, static_cast<double>(granting.until_ns - now_ns) / unit_ns));
+}
+
+std::int64_t DeadlineWork::kept_for_later_ns(std::int64_t reserved) const {
+  const auto wanted_ns =
+      static_cast<std::int64_t>(reserved_unit_time_.ns() * static_cast<double>(reserved));
+  return std::min(wanted_ns, std::max<std::int64_t>(0, end_ns_ - later_end_ns_));
+}
+
+void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns,
+                               Granting& granting) {
+  if (left_ns <= 0) {
+    granting.refused = true;
+    return;
+  }
+  const double slice_ns =
+      std::clamp(kShareOfSlice * static_cast<double>(left_ns), kLeastSlice_ns, kMostSlice_ns);
+  granting.slice_end = total + static_cast<std::int64_t>(slice_ns / unit_time(phase).ns());
+  // What refinement is granted is logged, so it is what was asked for; others ask less often.
+  granting.granted = phase == WorkPhase::kRefinement ? total : granting.slice_end;
+}
+
+}  // namespace impetus::inline scheduling

@@ -1,0 +1,108 @@
+// A budget in time: each phase of a step is granted work in slices while there is time for it.
+//
+//   start |motion|pairs|  entry  |    refinement    |model|  response  |remember| deadline
+//          looks at the clock, the nearer the less time is left     kept free ──┘
+//
+// A phase may use a share of the time that is left when it begins, besides what those that follow
+// take in any case. How long things take is learned while steps are made: a pair that is looked at,
+// a node that is modelled, a body that is remembered. A phase that cannot be interrupted is granted
+// as much as fits by what was learned; the others look at the clock between slices, so what is
+// learned wrongly costs quality and not time.
+//
+// The clock decides only how much is granted. That, logged, replays the step with FixedWork.
+// (Dingliana 2002, sec. 3.3.1; eq. 3.9)
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/scheduling/work_meter.hpp"
+
+namespace impetus::inline scheduling {
+
+/// Tells what time it is to whoever meters a step's work; the engine has none of its own.
+class WorkClock {
+ public:
+  virtual ~WorkClock() = default;
+  /// Nanoseconds since an arbitrary instant; never goes back.
+  [[nodiscard]] virtual std::int64_t now_ns() const = 0;
+};
+
+/// What one thing takes, as learned from many: rises at once, and falls slowly.
+class LearnedTime {
+ public:
+  explicit LearnedTime(double first_guess_ns) : ns_(first_guess_ns) {}
+
+  /// `units` things took `elapsed_ns`. A time far above what is known may be an interruption of the
+  /// program, so a single one at most doubles it.
+  void learn(double elapsed_ns, double units);
+
+  [[nodiscard]] double ns() const { return ns_; }
+
+ private:
+  double ns_;
+};
+
+/// Grants work until a step's time is up, by a clock.
+class DeadlineWork final : public WorkMeter {
+ public:
+  /// `clock` must outlive it. Grants nothing before the first start_step().
+  DeadlineWork(const WorkClock& clock, std::int64_t ns_per_step);
+
+  /// Starts the next step's time; call it just before World::step().
+  void start_step();
+
+  std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t reserved) override;
+  void begin(StepPart part, std::int64_t units) override;
+  void finish() override;
+
+ private:
+  /// How far a phase has come in this step.
+  struct Granting {
+    std::int64_t granted{0};
+    std::int64_t slice_end{0};  ///< granted without another look at the clock
+    std::int64_t asked{0};      ///< at the last look at the clock
+    std::int64_t looked_ns{0};  ///< when that was
+    std::int64_t until_ns{0};   ///< when its time is up
+    bool begun{false};
+    bool refused{false};
+  };
+
+  void begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting);
+  [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
+  [[nodiscard]] std::int64_t fitting_units(WorkPhase phase, std::int64_t now_ns,
+                                           const Granting& granting) const;
+  [[nodiscard]] std::int64_t kept_for_later_ns(std::int64_t reserved) const;
+  void grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns, Granting& granting);
+
+  LearnedTime& unit_time(WorkPhase phase) { return unit_times_[static_cast<std::size_t>(phase)]; }
+  LearnedTime& part_time(StepPart part) { return part_times_[static_cast<std::size_t>(part)]; }
+  [[nodiscard]] double part_ns(StepPart part) const {
+    return part_times_[static_cast<std::size_t>(part)].ns();
+  }
+
+  const WorkClock* clock_;
+  std::int64_t ns_per_step_;
+
+  // Of this step.
+  std::array<Granting, kWorkPhases> phases_{};
+  bool started_{false};
+  std::int64_t start_ns_{0};
+  std::int64_t end_ns_{0};        ///< of what can be interrupted
+  std::int64_t pairs_{0};         ///< that are to be refined
+  std::int64_t reserved_{0};      ///< units of refinement, for the parts that follow it
+  std::int64_t later_end_ns_{0};  ///< what is kept free of refinement begins then, at the earliest
+  std::int64_t later_began_ns_{0};  ///< modelling
+  StepPart part_{StepPart::kMove};
+  std::int64_t part_began_ns_{0};
+  std::int64_t part_units_{0};
+
+  // Learned.
+  std::array<LearnedTime, kWorkPhases> unit_times_;
+  std::array<LearnedTime, kStepParts> part_times_;
+  LearnedTime reserved_unit_time_{4.0};
+};
+
+}  // namespace impetus::inline scheduling

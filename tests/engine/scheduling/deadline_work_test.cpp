@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "engine/scheduling/deadline_work.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/world/world.hpp"
+#include "tests/engine/builders.hpp"
+#include "tests/engine/crowds.hpp"
+
+namespace impetus::deadline_work_test {
+
+/// Goes on by the same time at every look.
+class TickingClock final : public WorkClock {
+ public:
+  explicit TickingClock(std::int64_t tick_ns) : tick_ns_(tick_ns) {}
+  [[nodiscard]] std::int64_t now_ns() const override { return now_ns_ += tick_ns_; }
+
+ private:
+  std::int64_t tick_ns_;
+  mutable std::int64_t now_ns_{0};
+};
+
+/// Asks for refinement with nothing reserved.
+std::int64_t ask(DeadlineWork& meter, std::int64_t total) {
+  return meter.request(WorkPhase::kRefinement, total, 0);
+}
+
+TEST(DeadlineWork, GrantsWhatIsAskedBeforeTheDeadline) {
+  const TickingClock clock(1);
+  DeadlineWork meter(clock, 1'000'000);
+  meter.start_step();
+  for (std::int64_t total = 100; total <= 10'000; total += 100) {
+    EXPECT_GE(ask(meter, total), total);
+  }
+}
+
+TEST(DeadlineWork, OnceRefusedTheAnswerNeverRises) {
+  for (std::size_t phase = 0; phase < kWorkPhases; ++phase) {
+    const TickingClock clock(100'000);
+    DeadlineWork meter(clock, 1'000'000);
+    meter.start_step();
+    std::int64_t most = 0;
+    std::int64_t total = 1;
+    while (most >= total - 1) {
+      most = meter.request(static_cast<WorkPhase>(phase), total, 0);
+      total = most + 1;
+      ASSERT_LT(total, 1'000'000) << "never refused";
+      if (most < total - 1) {
+        break;
+      }
+      if (meter.request(static_cast<WorkPhase>(phase), total, 0) < total) {
+        break;
+      }
+    }
+    most = meter.request(static_cast<WorkPhase>(phase), total, 0);
+    for (const std::int64_t other : {total + 1, total + 100, std::int64_t{1}}) {
+      EXPECT_EQ(meter.request(static_cast<WorkPhase>(phase), other, 0), most) << other;
+    }
+  }
+}
+
+TEST(DeadlineWork, ARequestAfterTheDeadlineIsRefused) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock, 5);
+  meter.start_step();
+  for (std::size_t phase = 0; phase < kWorkPhases; ++phase) {
+    EXPECT_EQ(meter.request(static_cast<WorkPhase>(phase), 1, 0), 0);
+  }
+}
+
+TEST(DeadlineWork, NothingIsGrantedBeforeTheFirstStep) {
+  const TickingClock clock(10);
+  DeadlineWork meter(clock, 1'000'000'000);
+  EXPECT_EQ(ask(meter, 1), 0);
+}
+
+TEST(DeadlineWork, TheNextStepHasItsOwnTime) {
+  const TickingClock clock(1'000);
+  DeadlineWork meter(clock, 1'600);
+  for (int step = 0; step < 3; ++step) {
+    meter.start_step();
+    EXPECT_GE(ask(meter, 500), 500);
+    EXPECT_LT(ask(meter, 50'000), 50'000);
+  }
+}
+
+TEST(DeadlineWork, WhatIsReservedMustStillFitBeforeTheDeadline) {
+  // Where refinement begins half of the time that is left is its own at least: 250 us. Later looks
+  // are refused when what is reserved, at some ns a unit, does not fit into the rest.
+  for (const std::int64_t reserved : {std::int64_t{0}, std::int64_t{1'000'000}}) {
+    const TickingClock clock(100'000);
+    DeadlineWork meter(clock, 1'000'000);
+    meter.start_step();
+    int granted = 0;
+    while (meter.request(WorkPhase::kRefinement, 1'000'000 * (granted + 1) + reserved, reserved) >=
+           1'000'000 * (granted + 1) + reserved) {
+      ++granted;
+    }
+    // Begun at 100, looked at 200, 300 ... us, the end is at 1,090: nine looks. Half of the 890 us
+    // that were left at the first are kept, where so much is reserved.
+    EXPECT_EQ(granted, reserved == 0 ? 9 : 5);
+  }
+}
+
+TEST(DeadlineWork, AShareOfTheTimeIsKeptForTheResponse) {
+  const TickingClock clock(50'000);
+  DeadlineWork meter(clock, 1'000'000);
+  meter.start_step();
+  std::int64_t total = 1;
+  while (meter.request(WorkPhase::kEntry, total, 0) >= total) {
+    total += 1'000'000;
+  }
+  // Of .94 ms that were left at the first look .4 may be used: seven or eight looks.
+  EXPECT_NEAR(static_cast<double>(total) / 1e6, 8.0, 1.0);
+  EXPECT_GE(meter.request(WorkPhase::kResponse, 1, 0), 1) << "the response has time of its own";
+}
+
+TEST(DeadlineWork, WhatAPairTakesIsLearnedFromSteps) {
+  // Pairs of 1,000 ns where 250 were guessed: after some steps no more are granted than fit.
+  class StandingClock final : public WorkClock {
+   public:
+    [[nodiscard]] std::int64_t now_ns() const override { return now; }
+    std::int64_t now{0};
+  };
+  StandingClock clock;
+  DeadlineWork meter(clock, 1'000'000);
+  std::int64_t granted = 0;
+  for (int step = 0; step < 20; ++step) {
+    meter.start_step();
+    meter.begin(StepPart::kMove, 1);
+    meter.begin(StepPart::kPair, 1);
+    granted = meter.request(WorkPhase::kPairs, 1'000'000, 0);
+    meter.begin(StepPart::kRefine, granted);
+    clock.now += 1'000 * granted;
+    ask(meter, granted);
+    meter.finish();
+  }
+  EXPECT_NEAR(static_cast<double>(granted), 495.0, 10.0) << "half of the budget";
+}
+
+TEST(DeadlineWork, AStepUnderItReplaysWithWhatItGranted) {
+  constexpr int kSteps = 240;
+  constexpr int kDepth = 4;
+  World timed = enclosed_l_blocks(27, kDepth);
+  World again = timed;
+  const TickingClock clock(1'000);
+  int short_of_work = 0;
+  int cut_elsewhere = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    // From no time at all to plenty, so that every kind of cut occurs.
+    DeadlineWork meter(clock, 1'000 * (step % 40));
+    meter.start_step();
+    const StepReport report = timed.step(step_of(kStep_s), meter);
+    FixedWork recorded(grants_of(report));
+    const StepReport replayed = again.step(step_of(kStep_s), recorded);
+    ASSERT_EQ(replayed.state.hash, report.state.hash) << "step " << step;
+    ASSERT_EQ(replayed.work_granted, report.work_granted) << "step " << step;
+    ASSERT_EQ(replayed.work_spent, report.work_spent) << "step " << step;
+    ASSERT_EQ(replayed.degradations, report.degradations) << "step " << step;
+    ASSERT_EQ(replayed.grants, report.grants) << "step " << step;
+    cut_elsewhere += report.grants.cut_beyond_refinement() ? 1 : 0;
+    for (const CollisionReport& collision : report.collisions) {
+      short_of_work += collision.stop == StopReason::kBudgetSpent ? 1 : 0;
+    }
+  }
+  EXPECT_GT(short_of_work, 0) << "the deadline cut nothing";
+  EXPECT_GT(cut_elsewhere, 0) << "the deadline cut nothing but refinement";
+}
+
+}  // namespace impetus::deadline_work_test
