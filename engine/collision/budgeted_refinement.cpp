@@ -137,21 +137,22 @@ class Rounds {
   }
 
   void run(WorkMeter& meter, WorkDone& done) {
+    PhaseWork tests(meter, WorkPhase::kTests, done.grants);
     while (waiting_count_ > 0) {
       const std::size_t list = shares_.next_list(waits_, done.by_list);
       const std::size_t rank = waiting_[list].next();
       const std::size_t index = order_[rank];
       PairRefinement& refinement = pairs_[index].refinement;
-      if (refinement.resolved() || !granted(index, meter, done)) {
+      if (refinement.resolved() || !granted(index, meter, tests, done)) {
         dequeue(list);
         continue;
       }
       const int level = refinement.level();
-      const std::int64_t tests = refinement.next_block();
+      const std::int64_t block = refinement.next_block();
       refinement.refine_one_block();
-      ledger_.note(pairs_[index], index, tests);
+      ledger_.note(pairs_[index], index, block);
       if (!done.by_list.empty()) {
-        done.by_list[list] += costs_.of_tests(pairs_[index], tests);
+        done.by_list[list] += costs_.of_tests(pairs_[index], block);
       }
       // Where it is served by its place alone, a finer level changes nothing.
       if (refinement.level() != level && looks_at_progress_) {
@@ -162,8 +163,12 @@ class Rounds {
   }
 
  private:
-  bool granted(std::size_t index, WorkMeter& meter, WorkDone& done) {
+  bool granted(std::size_t index, WorkMeter& meter, PhaseWork& tests, WorkDone& done) {
     const WorkLedger::Demand demand = ledger_.for_next_block(pairs_[index], index);
+    if (!tests.spend(costs_.of_tests(pairs_[index], pairs_[index].refinement.next_block()),
+                     demand.reserved)) {
+      return false;
+    }
     done.granted = std::max(done.granted,
                             meter.request(WorkPhase::kRefinement, demand.total, demand.reserved));
     if (done.granted < demand.total) {
@@ -252,6 +257,7 @@ const WorkDone& WorkSharing::refine(std::span<RefinedPair> pairs,
   done_.floor = ledger_.total();
   done_.peak = done_.floor;
   done_.granted = meter.request(WorkPhase::kRefinement, ledger_.total(), ledger_.reserved());
+  done_.grants = {};
   done_.by_list.assign(lists.size() > 1 ? lists.size() : 0, 0);
   if (!order.empty()) {
     const PhaseCosts costs(settings.costs, settings.contacts);

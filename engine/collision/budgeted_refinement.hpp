@@ -33,6 +33,7 @@ struct WorkDone {
   std::vector<std::int64_t> by_list;  ///< on tests beyond the floor; empty when there is one list
   std::int64_t reserved{0};           ///< for the later phases, when refinement ended
   std::int64_t peak{0};               ///< the most that was spent and reserved at any time
+  WorkGrants grants{};                ///< of WorkPhase::kTests, where they were refused
 };
 
 /// What the work is counted by, and in which order each list's pairs get it.

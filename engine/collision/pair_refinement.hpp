@@ -56,8 +56,11 @@ class PairRefinement {
     expanding_.take_from(store);
   }
 
-  /// Forgets what overlaps and gives the memory back; to be begun anew before anything is asked.
+  /// Forgets what overlaps and gives the memory back: until it begins anew it is of nothing, and
+  /// resolved.
   void give_memory_back() {
+    level_ = 0;
+    next_block_ = 0;
     committed_.give_back();
     expanding_.give_back();
   }

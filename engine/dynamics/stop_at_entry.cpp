@@ -18,6 +18,8 @@ constexpr double kUnknown = -1.0;
 /// What it takes to look whether a pair is fast, and to stop two bodies, beside a test of nodes.
 constexpr std::int64_t kLookUnits = 6;
 constexpr std::int64_t kStopUnits = 60;
+/// To find the way of a body.
+constexpr std::int64_t kWayUnits = 6;
 
 bool comes_before(const BodyPair& x, const BodyPair& y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -39,6 +41,10 @@ class StopsInOrder {
   void run() {
     memory_.farthest_m.assign(states_.size(), kUnknown);
     if (all_are_slow()) {
+      return;
+    }
+    if (!has_work(kWayUnits * static_cast<std::int64_t>(states_.size()))) {
+      leave_fast_pairs();
       return;
     }
     begin();
@@ -185,6 +191,16 @@ class StopsInOrder {
     return std::nullopt;
   }
 
+  /// Nobody is searched: pairs that are not surely slow are taken for fast.
+  void leave_fast_pairs() {
+    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
+      if (!is_slow(pair, 1.0)) {
+        result_.unsearched.push_back(bodies(pair));
+      }
+    }
+    sort_unsearched();
+  }
+
   /// Nobody stops any more.
   void leave_entries() {
     for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
@@ -307,10 +323,7 @@ class StopsInOrder {
 
   /// Those pairs that stopped a body where it is now, and those that were not searched.
   void report() {
-    std::vector<BodyPair>& pairs = result_.unsearched;
-    std::sort(pairs.begin(), pairs.end(), comes_before);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    result_.ran_out |= !pairs.empty();
+    sort_unsearched();
     for (std::size_t pair = 0; pair < memory_.last.size(); ++pair) {
       const auto& [a, b] = bodies(pair);
       if (memory_.last[pair] && (memory_.ways[at(a)].stop == *memory_.last[pair] ||
@@ -318,6 +331,13 @@ class StopsInOrder {
         result_.stopped.push_back({bodies(pair), *memory_.last[pair]});
       }
     }
+  }
+
+  void sort_unsearched() {
+    std::vector<BodyPair>& pairs = result_.unsearched;
+    std::sort(pairs.begin(), pairs.end(), comes_before);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    result_.ran_out |= !pairs.empty();
   }
 
   const StepMade& step_;

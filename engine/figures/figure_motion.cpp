@@ -114,8 +114,9 @@ void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> 
   }
 }
 
-/// Of the beginning impulses, at most.
+/// Of the beginning impulses, at most; and those that are made whatever work is granted.
 constexpr int kMostIterations = 24;
+constexpr int kLeastIterations = 2;
 
 /// By how much the child's anchor and axis miss the parent's: in world (metres), and across the
 /// axis (radians).
@@ -194,31 +195,35 @@ void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& m
                     falls.empty() ? falls : falls.subspan(first, count), rotation,
                     std::span(states).subspan(first, count)};
   int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
-  while (motion_parts > 1 && !work.spend(std::int64_t{figure.part_count} * (motion_parts - 1))) {
+  while (motion_parts > 1 &&
+         !work.spend(std::int64_t{figure.part_count} * (motion_parts - 1) * kLeastIterations)) {
     motion_parts /= 2;
   }
   for (int i = 0; i < motion_parts; ++i) {
-    advance_part(parts, dt_s / motion_parts);
+    advance_part(parts, dt_s / motion_parts, work);
   }
 }
 
-void FigureMotion::advance_part(const Parts& parts, double dt_s) {
+void FigureMotion::advance_part(const Parts& parts, double dt_s, PhaseWork& work) {
   start_.assign(parts.states.begin(), parts.states.end());
   const double before_J = kinetic_energy(parts.models, parts.states);
   solver_.look_at(parts.states);
-  arrive_together(parts, dt_s);
+  arrive_together(parts, dt_s, work);
   stop_across_hinges(parts.states);
   bring_to_energy(before_J + work_of_gravity(parts.models, parts.falls, start_, parts.states),
                   /*may_grow=*/!any_supported(parts.falls), parts.models, parts.states);
 }
 
-void FigureMotion::arrive_together(const Parts& parts, double dt_s) {
+void FigureMotion::arrive_together(const Parts& parts, double dt_s, PhaseWork& work) {
   std::fill(impulses_.begin(), impulses_.end(), PartImpulse{});
   double error = arrive(parts, dt_s);
   double least = error;
   best_ = impulses_;
   for (int iteration = 0; iteration < kMostIterations && error > kHingeTolerance && dt_s > 0.0;
        ++iteration) {
+    if (iteration >= kLeastIterations && !work.spend(parts.figure.part_count)) {
+      break;
+    }
     if (iteration == 0) {
       look_at_middle(parts);
     }

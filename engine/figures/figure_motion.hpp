@@ -62,8 +62,8 @@ class FigureMotion {
     std::span<BodyState> states;
   };
 
-  void advance_part(const Parts& parts, double dt_s);
-  void arrive_together(const Parts& parts, double dt_s);
+  void advance_part(const Parts& parts, double dt_s, PhaseWork& work);
+  void arrive_together(const Parts& parts, double dt_s, PhaseWork& work);
   /// With the impulses so far; returns by how much the hinges miss.
   double arrive(const Parts& parts, double dt_s);
   double note_errors(const Parts& parts, double dt_s);

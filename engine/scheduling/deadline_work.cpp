@@ -8,26 +8,32 @@ namespace impetus::inline scheduling {
 namespace {
 
 /// First guesses, of a machine of 2022; each is corrected within a few steps.
-constexpr double kNsPerUnit[kWorkPhases] = {2'000.0, 250.0, 30.0, 8.0, 15.0, 60.0, 60.0};
-constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 250.0, 15.0, 150.0, 250.0};
+constexpr double kNsPerUnit[kWorkPhases] = {500.0, 1'000.0, 30.0, 500.0, 8.0,
+                                            8.0,   60.0,    80.0, 80.0};
+constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 1'000.0, 20.0, 150.0, 250.0};
 
 /// Of the time that is left when a phase begins, besides what later ones take in any case.
-constexpr double kShareOfRest[kWorkPhases] = {0.45, 0.5, 0.4, 1.0, 0.5, 0.7, 1.0};
+constexpr double kShareOfRest[kWorkPhases] = {0.4, 0.45, 0.4, 0.6, 1.0, 1.0, 0.5, 0.7, 1.0};
 
 /// Of what is left when refinement begins: so much it gets at least, whatever is reserved, since
 /// coarser contacts are more contacts.
-constexpr double kLeastShareOfRefinement = 0.5;
+constexpr double kLeastShareOfRefinement = 0.3;
 
 /// Of the time that is left, in a slice; a slice is not shorter than the least, so that looks at
 /// the clock stay cheap beside the work.
 constexpr double kShareOfSlice = 0.2;
 constexpr double kLeastSlice_ns = 1'500.0;
-constexpr double kMostSlice_ns = 40'000.0;
+constexpr double kMostSlice_ns = 20'000.0;
 
 /// Of the budget, kept free for what nobody measures.
-constexpr double kMargin = 0.01;
+constexpr double kMargin = 0.015;
 
-constexpr double kFall = 0.05;
+constexpr double kFall = 0.1;
+
+/// A slice is at most so many times as many units as the one before: what is known of a phase may
+/// be of other steps.
+constexpr std::int64_t kMostGrowth = 2;
+constexpr std::int64_t kFirstSlice = 8;
 constexpr double kMostRise = 2.0;
 
 bool can_be_interrupted(WorkPhase phase) {
@@ -111,22 +117,25 @@ void DeadlineWork::finish() {
 }
 
 std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int64_t reserved) {
+  if (phase == WorkPhase::kRefinement) {
+    return total;  // its tests are asked for as kTests, whose total does not fall
+  }
   Granting& granting = phases_[index_of(phase)];
   if (!started_ || granting.refused) {
     return granting.granted;
   }
-  if (total <= granting.slice_end) {
-    return granting.granted = std::max(granting.granted, total);
+  if (total <= granting.granted) {
+    return granting.granted;
   }
   const std::int64_t now_ns = clock_->now_ns();
   if (!granting.begun) {
     begin_phase(phase, now_ns, granting);
   } else {
     unit_time(phase).learn(static_cast<double>(now_ns - granting.looked_ns),
-                           static_cast<double>(total - reserved - granting.asked));
+                           static_cast<double>(total - granting.asked));
   }
-  granting.asked = total - reserved;
-  reserved_ = phase == WorkPhase::kRefinement ? reserved : reserved_;
+  granting.asked = total;
+  reserved_ = phase == WorkPhase::kTests ? reserved : reserved_;
   granting.looked_ns = now_ns;
   if (!can_be_interrupted(phase)) {
     granting.granted = std::min(total, fitting_units(phase, now_ns, granting));
@@ -136,7 +145,7 @@ std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int
     }
     return granting.granted;
   }
-  const std::int64_t kept_ns = phase == WorkPhase::kRefinement ? kept_for_later_ns(reserved) : 0;
+  const std::int64_t kept_ns = phase == WorkPhase::kTests ? kept_for_later_ns(reserved) : 0;
   grant_slice(phase, total, granting.until_ns - kept_ns - now_ns, granting);
   return granting.granted;
 }
@@ -144,11 +153,14 @@ std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int
 void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting) {
   granting.begun = true;
   const double in_part_ns = static_cast<double>(now_ns - part_began_ns_);
-  if (phase == WorkPhase::kRefinement || phase == WorkPhase::kResponse) {
+  if (phase == WorkPhase::kTests || phase == WorkPhase::kResponse) {
     part_time(part_).learn(in_part_ns, static_cast<double>(part_units_));
   }
   granting.until_ns = until_ns(phase, now_ns);
-  if (phase == WorkPhase::kRefinement) {
+  if (phase == WorkPhase::kTests) {
+    const Granting& roots = phases_[index_of(WorkPhase::kRoots)];
+    ordering_time_.learn(roots.begun ? static_cast<double>(now_ns - roots.looked_ns) : 0.0,
+                         static_cast<double>(pairs_));
     later_end_ns_ = now_ns + static_cast<std::int64_t>(kLeastShareOfRefinement *
                                                        static_cast<double>(end_ns_ - now_ns));
   }
@@ -158,6 +170,8 @@ std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const 
   double due_ns = 0.0;
   if (phase == WorkPhase::kEntry) {
     due_ns = part_ns(StepPart::kRefine) * static_cast<double>(pairs_);
+  } else if (phase == WorkPhase::kRoots) {
+    due_ns = ordering_time_.ns() * static_cast<double>(pairs_);
   }
   const double rest_ns = static_cast<double>(end_ns_ - now_ns) - due_ns;
   return now_ns + static_cast<std::int64_t>(kShareOfRest[index_of(phase)] * std::max(0.0, rest_ns));
@@ -185,9 +199,9 @@ void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t
   }
   const double slice_ns =
       std::clamp(kShareOfSlice * static_cast<double>(left_ns), kLeastSlice_ns, kMostSlice_ns);
-  granting.slice_end = total + static_cast<std::int64_t>(slice_ns / unit_time(phase).ns());
-  // What refinement is granted is logged, so it is what was asked for; others ask less often.
-  granting.granted = phase == WorkPhase::kRefinement ? total : granting.slice_end;
+  granting.slice = std::min(static_cast<std::int64_t>(slice_ns / unit_time(phase).ns()),
+                            std::max(kFirstSlice, kMostGrowth * granting.slice));
+  granting.granted = total + granting.slice;
 }
 
 }  // namespace impetus::inline scheduling

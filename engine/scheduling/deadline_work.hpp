@@ -62,8 +62,8 @@ class DeadlineWork final : public WorkMeter {
   /// How far a phase has come in this step.
   struct Granting {
     std::int64_t granted{0};
-    std::int64_t slice_end{0};  ///< granted without another look at the clock
     std::int64_t asked{0};      ///< at the last look at the clock
+    std::int64_t slice{0};      ///< units that were granted then, beyond
     std::int64_t looked_ns{0};  ///< when that was
     std::int64_t until_ns{0};   ///< when its time is up
     bool begun{false};
@@ -103,6 +103,7 @@ class DeadlineWork final : public WorkMeter {
   std::array<LearnedTime, kWorkPhases> unit_times_;
   std::array<LearnedTime, kStepParts> part_times_;
   LearnedTime reserved_unit_time_{4.0};
+  LearnedTime ordering_time_{500.0};  ///< of a pair, between its root and the first test
 };
 
 }  // namespace impetus::inline scheduling

@@ -1,7 +1,7 @@
 // How much work a step may do: every phase that can be interrupted asks, in units that do not
 // depend on the machine.
 //
-//   motion ─> pairs ─> entry ─> refinement ─> model ─> response ─> visible
+//   motion ─> pairs ─> entry ─> roots ─> tests, refinement ─> model ─> response ─> visible
 //     each:  |<---- total that is asked for ---->|      granted up to here, or refused
 //
 // The engine reads no clock. A meter grants work when asked; what each phase was granted, logged,
@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace impetus::inline scheduling {
 
@@ -26,16 +27,22 @@ inline constexpr std::int64_t kUnlimitedTests = INT64_MAX;
 
 /// What asks for work in a step, in its order.
 enum class WorkPhase : std::uint8_t {
-  kMotion,      ///< of figures: parts of a step that bodies take, beyond one each
-  kPairs,       ///< pairs of bodies that are looked at; those with walls always are
+  kMotion,      ///< of figures: bodies moved anew, beyond the least that brings them on
+  kPairs,       ///< pairs of bodies that are kept as candidates
   kEntry,       ///< node pairs tested, and pairs looked at, along the ways of fast bodies
-  kRefinement,  ///< units of WorkCosts: tests, and what is reserved for what follows
+  kRoots,       ///< pairs whose roots are tested; those with walls always are
+  kTests,       ///< of refinement, beyond the roots and least levels; in units of WorkCosts
+  kRefinement,  ///< the same from the step's floor on, with what is reserved for what follows
   kModel,       ///< overlapping node pairs, and kPairUnits for each pair, made contacts
   kResponse,    ///< contacts looked at, in passes over all
   kVisible,     ///< contacts looked at, the most visible first, once kResponse was refused
 };
 
-inline constexpr std::size_t kWorkPhases = 7;
+inline constexpr std::size_t kWorkPhases = 9;
+
+/// As they are told of, in the order of the phases.
+inline constexpr std::array<std::string_view, kWorkPhases> kWorkPhaseNames{
+    "motion", "pairs", "entry", "roots", "tests", "refinement", "model", "response", "visible"};
 
 /// Where a phase stands that asks for nothing: the beginning of one, with what it does in any case.
 enum class StepPart : std::uint8_t { kMove, kPair, kEnter, kRefine, kModel, kRespond, kRemember };
@@ -74,11 +81,12 @@ class WorkMeter {
  public:
   virtual ~WorkMeter() = default;
 
-  /// Asks that the phase's work may come to `total` units; `reserved` of refinement's are for the
-  /// parts that follow it, and 0 of the others'. Returns the total granted so far: the work may be
-  /// done only if the answer is at least `total`. Totals may fall, when a reserve is released. Once
-  /// a request is refused the phase's answer never rises again within the step, and it is no
-  /// smaller than any before: that makes the totals sufficient for a replay.
+  /// Asks that the phase's work may come to `total` units. `reserved` units are for the parts that
+  /// follow refinement: in kRefinement's total, besides that of kTests, and 0 for the others.
+  /// Returns the total granted so far: the work may be done only if the answer is at least `total`.
+  /// kRefinement's totals may fall, when a reserve is released; the others' do not. Once a request
+  /// is refused the phase's answer never rises again within the step, and it is no smaller than any
+  /// before: that makes the totals sufficient for a replay.
   virtual std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t reserved) = 0;
 
   /// A part of the step begins, which does `units` things whatever is granted: bodies, pairs or
@@ -114,8 +122,8 @@ class PhaseWork {
       : meter_(&meter), grants_(&grants), phase_(phase) {}
 
   /// Whether `units` more may be done; if so they count as done.
-  [[nodiscard]] bool spend(std::int64_t units) {
-    if (units > granted_ - done_ && !ask(units)) {
+  [[nodiscard]] bool spend(std::int64_t units, std::int64_t reserved = 0) {
+    if (units > granted_ - done_ && !ask(units, reserved)) {
       return false;
     }
     done_ += units;
@@ -127,9 +135,9 @@ class PhaseWork {
   [[nodiscard]] std::int64_t done() const { return done_; }
 
  private:
-  bool ask(std::int64_t units) {
+  bool ask(std::int64_t units, std::int64_t reserved) {
     if (!refused_) {
-      granted_ = std::max(granted_, meter_->request(phase_, done_ + units, 0));
+      granted_ = std::max(granted_, meter_->request(phase_, done_ + units, reserved));
       refused_ = units > granted_ - done_;
       if (refused_) {
         grants_->of(phase_) = granted_;

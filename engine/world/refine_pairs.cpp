@@ -69,25 +69,59 @@ void find_sight(const Step& step, RefinedPair& pair) {
   }
 }
 
-/// Tests the roots of a pair, and says how deep it may go.
-void begin_refining(const Step& step, const ScheduledPair& pair) {
-  const auto& [bodies, list] = pair;
-  const int greatest = step.settings.schedule.lists[at(list)].greatest_level;
-  const int capped = level_capped_by_speed(step, bodies, greatest);
-  const bool walls = is_wall(bodies.b);
-  RefinedPair& begun = step.memory.refined.add();
-  begun.bodies = bodies;
-  begun.list = list;
-  begun.walls = walls ? walls_in_reach(step, at(bodies.a)) : 1;
-  begun.hinged = step.world.is_of_figure(bodies);
-  PlacedTree& a = step.world.placed[at(bodies.a)];
-  if (walls) {
-    begun.refinement.begin(a, *step.settings.enclosure, greatest);
-  } else {
-    begun.refinement.begin(a, step.world.placed[at(bodies.b)], capped,
-                           capped < greatest ? StopReason::kCapped : StopReason::kGreatestLevel);
+/// Tests the root of a body against the walls, and says how deep it may go.
+void begin_at_walls(const Step& step, int greatest_level, RefinedPair& begun) {
+  begun.walls = walls_in_reach(step, at(begun.bodies.a));
+  begun.refinement.begin(step.world.placed[at(begun.bodies.a)], *step.settings.enclosure,
+                         greatest_level);
+}
+
+/// The same of the roots of two bodies.
+void begin_between(const Step& step, int greatest_level, RefinedPair& begun) {
+  const auto [a, b] = begun.bodies;
+  const int capped = level_capped_by_speed(step, begun.bodies, greatest_level);
+  begun.refinement.begin(
+      step.world.placed[at(a)], step.world.placed[at(b)], capped,
+      capped < greatest_level ? StopReason::kCapped : StopReason::kGreatestLevel);
+}
+
+void add_pairs(const Step& step) {
+  StepMemory& memory = step.memory;
+  memory.refined.clear();
+  memory.refined.expect(memory.order.pairs().size(), step.world.models.size());
+  for (const MeasuredPair& pair : memory.order.pairs()) {
+    RefinedPair& added = memory.refined.add();
+    added.bodies = pair.scheduled.pair;
+    added.list = pair.scheduled.list;
+    added.walls = 1;
+    added.hinged = step.world.is_of_figure(added.bodies);
   }
-  find_sight(step, begun);
+}
+
+/// Tests the roots of all pairs, first those with walls. A pair for which no work is left stays
+/// unlooked at, as if it were apart; none with a wall.
+void begin_refining(const Step& step) {
+  const std::span<RefinedPair> pairs = step.memory.refined.all();
+  const std::vector<PriorityList>& lists = step.settings.schedule.lists;
+  for (RefinedPair& pair : pairs) {
+    if (is_wall(pair.bodies.b)) {
+      begin_at_walls(step, lists[at(pair.list)].greatest_level, pair);
+      find_sight(step, pair);
+    }
+  }
+  PhaseWork roots = step.work_of(WorkPhase::kRoots);
+  for (RefinedPair& pair : pairs) {
+    if (is_wall(pair.bodies.b)) {
+      continue;
+    }
+    if (roots.spend(1)) {
+      begin_between(step, lists[at(pair.list)].greatest_level, pair);
+      find_sight(step, pair);
+    } else {
+      step.memory.report.degradations |= kPairsLeft;
+      ++step.memory.report.pairs_left;
+    }
+  }
 }
 
 /// What is responded to whatever the budget: folds of figures, of which nothing is refined.
@@ -107,6 +141,7 @@ void report_work(const WorkDone& work, StepReport& report) {
   report.work_reserved = work.reserved;
   report.work_peak = work.peak;
   report.list_work = work.by_list;
+  report.grants.of(WorkPhase::kTests) = work.grants.of(WorkPhase::kTests);
   if (report.work_granted < report.work_floor) {
     report.degradations |= kFloorOverBudget;
   }
@@ -119,12 +154,10 @@ void refine_pairs(const Step& step) {
   const Measuring measuring{schedule, step.input, step.world.models, step.world.states};
   StepMemory& memory = step.memory;
   step.meter.begin(StepPart::kRefine, static_cast<std::int64_t>(memory.order.pairs().size()));
-  memory.refined.clear();
   memory.work_of_folds = work_of_folds(step);
   memory.report.work_floor += memory.work_of_folds;
-  for (const MeasuredPair& pair : memory.order.pairs()) {
-    begin_refining(step, pair.scheduled);
-  }
+  add_pairs(step);
+  begin_refining(step);
   const std::span<RefinedPair> pairs = memory.refined.all();
   const RefinementSettings settings{schedule.traversal, step.settings.costs, step.settings.contacts,
                                     memory.report.work_floor};

@@ -142,33 +142,38 @@ void impose(const Step& step) {
   }
 }
 
-/// Takes from a body what would carry its centre through a wall in the next step, as if the wall
-/// pushed at its centre: its energy falls, and nothing turns it.
-void stop_centre_at_walls(const Enclosure& enclosure, double dt_s, const BodyModel& model,
-                          BodyState& state) {
+/// Brings a body whose centre is beyond a wall back to it, and takes from it what would carry its
+/// centre through in the next step, as if the wall pushed at its centre: its kinetic energy does not
+/// grow, and nothing turns it.
+void stop_centre_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
+                          const BodyModel& model, BodyState& state) {
   for (int wall = 0; wall < kWallCount; ++wall) {
     const double room_m = -reach_beyond(enclosure, wall, Sphere{state.pose.position, 0.0});
     const Vector3 outward = -inward_normal(enclosure, wall);
+    if (room_m < 0.0) {
+      state.pose.position += room_m * outward;
+    }
     const double outward_Ns = outward.dot(state.linear_momentum);
-    const double allowed_Ns = std::max(0.0, room_m) / (dt_s * model.inverse_mass);
+    const double fall_m = std::max(0.0, 0.5 * outward.dot(gravity_m_s2) * dt_s * dt_s);
+    const double allowed_Ns = std::max(0.0, room_m - fall_m) / (dt_s * model.inverse_mass);
     if (outward_Ns > allowed_Ns) {
       state.linear_momentum -= (outward_Ns - allowed_Ns) * outward;
     }
   }
 }
 
-/// Where work was cut, contacts with walls may be at bounds that turn, or not be modelled in time.
+/// Once work was cut: what was left unanswered then can push bodies out for long.
 void keep_centres_inside(const Step& step) {
   const WorldSettings& settings = step.settings;
-  if (!settings.enclosure || !(step.input.dt_s > 0.0) ||
-      !step.memory.report.grants.cut_beyond_refinement()) {
+  step.world.was_cut |= step.memory.report.grants.cut_beyond_refinement();
+  if (!settings.enclosure || !(step.input.dt_s > 0.0) || !step.world.was_cut) {
     return;
   }
   for (const MovedBound& bound : step.memory.bounds) {
     const auto body = static_cast<std::size_t>(&bound - step.memory.bounds.data());
     if (bound.movable && !step.world.finite.is_out(body)) {
-      stop_centre_at_walls(*settings.enclosure, step.input.dt_s, step.world.models[body],
-                           step.world.states[body]);
+      stop_centre_at_walls(*settings.enclosure, settings.gravity_m_s2, step.input.dt_s,
+                           step.world.models[body], step.world.states[body]);
     }
   }
 }

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -80,6 +81,14 @@ class RefinedPairs {
       pair.refinement.give_memory_back();
     }
     count_ = 0;
+  }
+
+  /// Room for `pairs`, so far beyond it in a world of `bodies` that it is rarely moved later.
+  void expect(std::size_t pairs, std::size_t bodies) {
+    constexpr std::size_t kPairsOfABody = 16;
+    if (pairs > pairs_.capacity()) {
+      pairs_.reserve(std::max(2 * pairs, kPairsOfABody * bodies));
+    }
   }
 
   RefinedPair& add() {

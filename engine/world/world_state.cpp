@@ -90,10 +90,23 @@ WorldState::WorldState(std::vector<BodyModel> bodies, std::vector<BodyState> beg
     }
     placed.emplace_back(*body.tree);
   }
+  order_bodies();
   if (!settings.figures.empty()) {
     figures = ValuePointer(Figures(settings.figures, models));
     figures->begin(settings.figures, states);
   }
+}
+
+/// Bodies are put in order along the axes at the start, which takes many times as long as keeping
+/// them so.
+void WorldState::order_bodies() {
+  std::vector<MovedBound> bounds;
+  for (std::size_t body = 0; body < models.size(); ++body) {
+    const Sphere bound{states[body].pose.position, models[body].tree->bounding_radius_m()};
+    bounds.push_back({bound, 0.0, models[body].inverse_mass > 0.0});
+  }
+  std::vector<PairBounds> pairs;
+  broad_phase.find(bounds, pairs);
 }
 
 const TouchingPair* WorldState::touched_before(BodyPair bodies) const {

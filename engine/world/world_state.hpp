@@ -76,8 +76,12 @@ struct WorldState {
   PriorityMemory priorities;
   std::vector<TouchingPair> touching;  ///< when the last step ended, sorted by bodies
   bool has_spun{false};  ///< bodies 0 and 1 had the collision that an imposed spin waits for
+  bool was_cut{false};   ///< some step so far was granted less than it asked for, but refinement
   bool watches_node_contacts{false};
   bool watches_pairs{false};
+
+ private:
+  void order_bodies();
 };
 
 }  // namespace impetus::inline world

@@ -9,6 +9,7 @@
 #include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_migration_3_4.hpp"
 #include "experiments/store/embedded_migration_4_5.hpp"
+#include "experiments/store/embedded_migration_5_6.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 #include "experiments/store/rows.hpp"
@@ -88,6 +89,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 5) {
     database.exec(kMigrationFrom4To5Sql);
+  }
+  if (version < 6) {
+    database.exec(kMigrationFrom5To6Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

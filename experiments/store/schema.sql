@@ -161,6 +161,8 @@ CREATE TABLE step (
   pops INTEGER NOT NULL DEFAULT 0,          -- pairs that touch at a coarser level than before
   largest_pop_deg REAL,                     -- visual angle that bounds grew by; NULL: no pop
   stopped_short INTEGER NOT NULL DEFAULT 0, -- pairs stopped at entry, or they had passed through
+  cut_work TEXT,                      -- units granted to phases that were refused some, other than
+                                      -- refinement, as entry 1200; NULL: none was
   PRIMARY KEY (attempt_id, interval, step)
 ) STRICT, WITHOUT ROWID;
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/store/step_rows.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <optional>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "experiments/store/rows.hpp"
@@ -32,6 +35,34 @@ std::vector<BodyDigest> unpack(const std::string& bytes) {
         static_cast<std::uint16_t>(low | high << 8);
   }
   return bodies;
+}
+
+/// "entry 1200 model 300"; nothing where nothing was refused.
+std::optional<std::string> text_of(const WorkGrants& cut) {
+  std::string text;
+  for (std::size_t phase = 0; phase < kWorkPhases; ++phase) {
+    if (cut.units[phase] != kUnlimitedTests) {
+      text += (text.empty() ? "" : " ") + std::string(kWorkPhaseNames[phase]) + " " +
+              std::to_string(cut.units[phase]);
+    }
+  }
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// Throws std::invalid_argument, with one sentence, where somebody changed the text by hand.
+WorkGrants grants_from(const std::string& text) {
+  WorkGrants cut;
+  std::istringstream words(text);
+  std::string phase;
+  while (words >> phase) {
+    const auto* const name = std::find(kWorkPhaseNames.begin(), kWorkPhaseNames.end(), phase);
+    if (name == kWorkPhaseNames.end() ||
+        !(words >> cut.units[static_cast<std::size_t>(name - kWorkPhaseNames.begin())])) {
+      throw std::invalid_argument(
+          "step.cut_work: expected phases and units, as entry 1200, got \"" + text + "\"");
+    }
+  }
+  return cut;
 }
 
 GazeInput gaze_from(SQLite::Statement& query, int first) {
@@ -80,7 +111,8 @@ void insert_steps(SQLite::Database& database, std::int64_t id,
          {"pops", step.pops},
          {"stopped_short", step.stopped_short},
          {"largest_pop_deg", step.pops > 0 ? std::optional(step.largest_pop_deg) : std::nullopt},
-         {"interval", step.interval}});
+         {"interval", step.interval},
+         {"cut_work", text_of(step.cut_work)}});
   }
 }
 
@@ -90,7 +122,7 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
                           "SELECT step, work_granted, work_spent, degradations, hash, digests, "
                           "fixation_x_m, fixation_y_m, fixation_taken_ns, fixation_age_ns, "
                           "region_x_m, region_y_m, region_radius_deg, coalesce(shown_frame, -1), "
-                          "pops, stopped_short, coalesce(largest_pop_deg, 0.0) "
+                          "pops, stopped_short, coalesce(largest_pop_deg, 0.0), cut_work "
                           "FROM step WHERE attempt_id = ? AND interval = ? ORDER BY step");
   query.bind(1, attempt_id);
   query.bind(2, interval);
@@ -109,6 +141,9 @@ std::vector<StepRecord> load_steps(SQLite::Database& database, std::int64_t atte
     step.stopped_short = query.getColumn(15).getInt64();
     step.largest_pop_deg = query.getColumn(16).getDouble();
     step.interval = interval;
+    if (!query.getColumn(17).isNull()) {
+      step.cut_work = grants_from(query.getColumn(17).getString());
+    }
     steps.push_back(std::move(step));
   }
   return steps;

@@ -107,7 +107,9 @@ TEST(Traversal, GrantsInSlicesDoTheWorkOfOneGrant) {
       RefusingWork slices(random, 1 + random.below(200));
       const WorkDone shown = refine_by_lists(live.pairs, kTwoLists, slices, settings);
       RandomPairs replay(seed);
-      FixedWork total(shown.granted);
+      WorkGrants granted = shown.grants;
+      granted.of(WorkPhase::kRefinement) = shown.granted;
+      FixedWork total(granted);
       const WorkDone again = refine_by_lists(replay.pairs, kTwoLists, total, settings);
       expect_same_contacts(live, replay);
       EXPECT_EQ(again.spent, shown.spent);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "tests/engine/crowds.hpp"
+#include "tests/engine/squeezed_steps.hpp"
 
 namespace impetus::squeezed_million_test {
 
@@ -35,6 +35,26 @@ TEST(PhaseBudgetLong, SpentAndReservedStayWithinTheBudgetOrTheFloorInAMillionSte
   RecordProperty("steps_over_their_budget", std::to_string(over));
   EXPECT_GT(contacts, 1'000'000);
   EXPECT_GT(over, 100'000);
+}
+
+TEST(PhaseBudgetLong, AnyPhaseCutAnywhereInAMillionStepsLeavesAValidAnswerThatReplays) {
+  constexpr std::uint64_t kSeed = 41;
+  constexpr int kCrowds = 4'000;
+  constexpr int kSteps = 250;
+  RandomStream random(kSeed, "a million cut steps");
+  const std::vector<BodyModel> kinds = bodies_of_every_tree_kind();
+  int steps_cut = 0;
+  for (int crowd = 0; crowd < kCrowds; ++crowd) {
+    WorldSettings settings = random_settings(random);
+    settings.rotation = Rotation::kEnergyKept;
+    const int bodies = 2 + static_cast<int>(random.below(5));
+    SqueezedSteps seen;
+    expect_squeezed_steps_hold(random, squeezed_crowd(random, kinds, bodies, 0.1, settings), kSteps,
+                               1e-9, seen);
+    ASSERT_FALSE(testing::Test::HasFatalFailure()) << "crowd " << crowd;
+    steps_cut += seen.steps_cut;
+  }
+  EXPECT_GT(steps_cut, 800'000);
 }
 
 }  // namespace impetus::squeezed_million_test

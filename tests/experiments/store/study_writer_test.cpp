@@ -88,6 +88,8 @@ TEST(StudyWriter, AStepIsKeptBitForBit) {
   attempt.steps[4].state.bodies[0] = {0x0000, 0xffff, 0x00ff, 0xff00};
   attempt.steps[5].degradations = 0xffffffffU;
   attempt.steps[6].work_granted = std::numeric_limits<std::int64_t>::max();
+  attempt.steps[7].cut_work.of(WorkPhase::kEntry) = 1'200;
+  attempt.steps[7].cut_work.of(WorkPhase::kVisible) = 0;
   {
     EnrolledStudy at(path);
     StudyWriter writer(at.study, at.enrolment, facts());
@@ -102,6 +104,7 @@ TEST(StudyWriter, AStepIsKeptBitForBit) {
     EXPECT_EQ(steps[i].work_granted, attempt.steps[i].work_granted);
     EXPECT_EQ(steps[i].work_spent, attempt.steps[i].work_spent);
     EXPECT_EQ(steps[i].degradations, attempt.steps[i].degradations);
+    EXPECT_EQ(steps[i].cut_work, attempt.steps[i].cut_work);
     EXPECT_EQ(steps[i].state.hash, attempt.steps[i].state.hash);
     EXPECT_EQ(steps[i].state.bodies, attempt.steps[i].state.bodies);
   }
