@@ -32,6 +32,35 @@ void weigh(NodeContact& contact, const NodePair& nodes, const MovingTree& a, con
   contact.outward_b = outward_in_world(b.tree, of_b);
 }
 
+/// The same of spheres, of which nothing is found that is not asked for.
+void weigh_spheres(NodeContact& contact, unsigned terms, const NodePair& nodes, double radius_a_m,
+                   double radius_b_m, const MovingTree& a, const MovingTree& b) {
+  const TouchPoint& touch = contact.touch;
+  const NodeSurface& of_a = a.tree.tree().surface(nodes.a);
+  const NodeSurface& of_b = b.tree.tree().surface(nodes.b);
+  if ((terms & kEntryTerm) != 0) {
+    const Vector3 moving = a.motion.velocity_at(touch.point) - b.motion.velocity_at(touch.point);
+    contact.approach_m_s = -touch.normal.dot(moving);
+    contact.since_entry_s = time_since_entry_s(radius_a_m + radius_b_m, touch.depth_m,
+                                               contact.approach_m_s, moving.norm());
+  }
+  if ((terms & kGroupTerm) != 0) {
+    contact.node_m = std::min(radius_a_m, radius_b_m);
+    contact.group_a = of_a.group;
+    contact.group_b = of_b.group;
+  }
+  if ((terms & kChanceTerm) != 0) {
+    contact.interpenetration =
+        interpenetration(Sphere{{}, radius_a_m}, Sphere{{}, radius_b_m}, touch);
+    contact.occupancy_a = static_cast<double>(of_a.occupancy);
+    contact.occupancy_b = static_cast<double>(of_b.occupancy);
+  }
+  if ((terms & kOutwardTerm) != 0) {
+    contact.outward_a = outward_in_world(a.tree, of_a);
+    contact.outward_b = outward_in_world(b.tree, of_b);
+  }
+}
+
 /// A wall is solid, and faces inwards everywhere.
 void weigh_at_wall(NodeContact& contact, std::int32_t node, const MovingTree& a) {
   const TouchPoint& touch = contact.touch;
@@ -88,20 +117,31 @@ void ContactModelling::add_touches(std::span<const TouchPoint> touches) {
   }
 }
 
-void ContactModelling::add_touches_of_spheres(const PairRefinement& pair, const MovingTree& a,
-                                              const MovingTree& b, const Vector3& fallback) {
+void ContactModelling::add_contacts_of_spheres(const PairRefinement& pair, const MovingTree& a,
+                                               const MovingTree& b, const Vector3& fallback,
+                                               unsigned terms) {
   SpherePairs spheres{};
   TouchPoint touches[kLanes];
+  NodePair nodes[kLanes];
+  NodeContact contact;
   int lanes = 0;
   const SphereLanes of_a = a.tree.world_lanes_of_visited();
   const SphereLanes of_b = b.tree.world_lanes_of_visited();
   const auto add_lanes = [&] {
     touches_of_pairs(spheres, fallback, touches);
-    add_touches({touches, static_cast<std::size_t>(lanes)});
+    if (terms == 0) {
+      add_touches({touches, static_cast<std::size_t>(lanes)});
+    }
+    for (int lane = 0; terms != 0 && lane < lanes; ++lane) {
+      contact.touch = touches[lane];
+      weigh_spheres(contact, terms, nodes[lane], spheres.a[3][lane], spheres.b[3][lane], a, b);
+      add(contact);
+    }
     lanes = 0;
   };
   pair.overlapping().for_each([&](std::int32_t node_a, std::int32_t node_b) {
     spheres.put(lanes, of_a, node_a, of_b, node_b);
+    nodes[lanes] = {node_a, node_b};
     if (++lanes == kLanes) {
       add_lanes();
     }
@@ -131,8 +171,8 @@ void ContactModelling::add_pair_contacts(BodyPair bodies, const PairRefinement& 
   const Vector3 fallback = fallbacks.first_usable();
   const bool weighs = reduction_of(model).weighs();
   begin(bodies, model, fallback, watched);
-  if (pair.of_spheres() && !weighs) {
-    add_touches_of_spheres(pair, a, b, fallback);
+  if (pair.of_spheres()) {
+    add_contacts_of_spheres(pair, a, b, fallback, reduction_of(model).terms());
   } else {
     for (const NodePair& nodes : pair.overlapping()) {
       NodeContact contact;

@@ -77,8 +77,8 @@ class ContactModelling {
              std::vector<Contact>* watched);
   void add(const NodeContact& contact);
   void add_touches(std::span<const TouchPoint> touches);
-  void add_touches_of_spheres(const PairRefinement& pair, const MovingTree& a, const MovingTree& b,
-                              const Vector3& fallback);
+  void add_contacts_of_spheres(const PairRefinement& pair, const MovingTree& a, const MovingTree& b,
+                               const Vector3& fallback, unsigned terms);
   void add_reduced_to(std::vector<Contact>& contacts, int most, double size_m);
 
   std::shared_ptr<const ContactReduction> reduction_;  ///< that sums_ are of; none: average

@@ -30,7 +30,7 @@ class ContactPatches {
   /// Adds a contact of weight P ≥ 0.
   void add(const NodeContact& contact, double weight);
 
-  void clear() { patches_.clear(); }
+  void clear();
 
   /// Adds one contact for each patch, in the order in which they began: normal ΣPn made unit, point
   /// ΣPp / ΣP, greatest depth. Weights that are all zero count as equal.
@@ -56,13 +56,29 @@ class ContactPatches {
     [[nodiscard]] double half_length_m(const Vector3& direction) const;
     [[nodiscard]] bool is_near(const Patch& other) const;
     [[nodiscard]] bool faces_as(const Patch& other) const;
-    [[nodiscard]] bool may_be_of(const Patch& patch) const;
     void join(const Patch& other);
+    /// As join() with the patch of one contact.
+    void join_one(const NodeContact& contact, double weight_of_it);
   };
 
-  Patch* patch_for(const Patch& contact);
+  /// The patches of one pair of groups, by their places, from first to last.
+  struct OfGroups {
+    std::uint64_t groups{0};  ///< both
+    std::uint32_t round{0};   ///< of another round: of nobody
+    std::int32_t first{0};
+    std::int32_t last{0};
+  };
+
+  static Patch patch_of(const NodeContact& contact, double weight);
+  Patch* patch_for(const NodeContact& contact, const OfGroups& of_groups);
+  OfGroups& entry_of(std::uint64_t groups);
+  void begin_patch(const NodeContact& contact, double weight, OfGroups& of_groups);
+  void make_room();
 
   std::vector<Patch> patches_;
+  std::vector<std::int32_t> next_;   ///< of the same groups, by patch; -1: none
+  std::vector<OfGroups> by_groups_;  ///< a power of two, at least twice as many as patches
+  std::uint32_t round_{1};
   mutable std::vector<Patch> whole_;  ///< memory for patches that are one again
 };
 
@@ -84,6 +100,8 @@ class PatchSums : public ContactSums {
 /// Sums of the reduction `groups`.
 class GroupedContacts final : public PatchSums {
  public:
+  static constexpr unsigned kTerms = kGroupTerm;
+
   void add(const NodeContact& contact) override { patches_.add(contact, /*weight=*/1.0); }
 };
 
@@ -106,6 +124,8 @@ inline Vector3 density_contact_normal(const NodeContact& contact) {
 /// Sums of the reduction `density`.
 class DensityContacts final : public PatchSums {
  public:
+  static constexpr unsigned kTerms = kGroupTerm | kOutwardTerm;
+
   void add(const NodeContact& contact) override {
     NodeContact faced = contact;
     faced.touch.normal = density_contact_normal(contact);
@@ -119,6 +139,8 @@ class DensityContacts final : public PatchSums {
 /// Sums of the reduction `weighted`.
 class WeightedContacts final : public PatchSums {
  public:
+  static constexpr unsigned kTerms = kGroupTerm | kChanceTerm;
+
   void add(const NodeContact& contact) override {
     patches_.add(contact, collision_probability(contact));
   }

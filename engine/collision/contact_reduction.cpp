@@ -43,6 +43,7 @@ class EveryContact final : public ContactSums {
 class FirstContact final : public ContactSums {
  public:
   static constexpr std::int64_t kMost = 1;
+  static constexpr unsigned kTerms = kEntryTerm;
 
   void begin(const Vector3& /*fallback*/) override { first_.clear(); }
 

@@ -55,6 +55,13 @@ inline double collision_probability(const NodeContact& contact) {
 /// nothing moves.
 double time_since_entry_s(double reach_m, double depth_m, double approach_m_s, double speed_m_s);
 
+/// What a reduction can look at of a node contact beside where it touches.
+inline constexpr unsigned kEntryTerm = 1;    ///< approach_m_s and since_entry_s
+inline constexpr unsigned kGroupTerm = 2;    ///< node_m and the groups
+inline constexpr unsigned kChanceTerm = 4;   ///< interpenetration and the occupancies
+inline constexpr unsigned kOutwardTerm = 8;  ///< the density normals
+inline constexpr unsigned kAllTerms = kEntryTerm | kGroupTerm | kChanceTerm | kOutwardTerm;
+
 /// What a reduction keeps of the node contacts of one pair, or of a body and a wall, as they come.
 class ContactSums {
  public:
@@ -62,6 +69,8 @@ class ContactSums {
   static constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   /// Whether it looks at more of a node contact than where it touches; the rest costs time.
   static constexpr bool kWeighs = true;
+  /// What it looks at if so; the others may be as a NodeContact begins.
+  static constexpr unsigned kTerms = kAllTerms;
 
   virtual ~ContactSums() = default;
 
@@ -93,6 +102,7 @@ class ContactReduction {
   [[nodiscard]] virtual std::unique_ptr<ContactSums> make_sums() const = 0;
   [[nodiscard]] virtual std::int64_t most() const = 0;  ///< see ContactSums::kMost
   [[nodiscard]] virtual bool weighs() const = 0;        ///< see ContactSums::kWeighs
+  [[nodiscard]] virtual unsigned terms() const { return weighs() ? kAllTerms : 0; }
 };
 
 /// The reduction by a class of sums.
@@ -104,6 +114,7 @@ class ReductionBy final : public ContactReduction {
   }
   [[nodiscard]] std::int64_t most() const override { return Sums::kMost; }
   [[nodiscard]] bool weighs() const override { return Sums::kWeighs; }
+  [[nodiscard]] unsigned terms() const override { return Sums::kWeighs ? Sums::kTerms : 0; }
 };
 
 /// The reduction called `name`. Throws std::invalid_argument that lists the names there are.

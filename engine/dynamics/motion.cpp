@@ -2,7 +2,10 @@
 #include "engine/dynamics/motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 
 #include "engine/numerics/elementary_functions.hpp"
@@ -69,14 +72,63 @@ constexpr double kRounding = 1e-15;
 /// Geometric mean of the turns about the two axes in a part of the step (radians).
 constexpr double kPartOfTurn = 0.2;
 
-/// Right-handed, unit columns.
-Matrix3 principal_axes(const BodyModel& model) {
-  Matrix3 axes = eigenvectors_of(model.inverse_inertia);
-  if (axes.determinant() < 0.0) {
-    axes.col(2) = -axes.col(2);
+/// The axes about which a body turns steadily, and how easily.
+struct PrincipalAxes {
+  Quaternion axes;  ///< right-handed, from them to the body
+  Vector3 inverse;  ///< of the principal moments
+};
+
+PrincipalAxes principal_axes_of(const Matrix3& inverse_inertia) {
+  Matrix3 columns = eigenvectors_of(inverse_inertia);
+  if (columns.determinant() < 0.0) {
+    columns.col(2) = -columns.col(2);
   }
-  return axes;
+  PrincipalAxes found{Quaternion(columns), {}};
+  const Matrix3 axes = found.axes.toRotationMatrix();
+  found.inverse = (axes.transpose() * inverse_inertia * axes).diagonal();
+  return found;
 }
+
+/// Principal axes that were asked for, by the bits of the inverse inertia: finding them takes as
+/// long as the turn, and bodies of one shape ask for the same ones in every step. What is kept
+/// decides nothing.
+class KnownAxes {
+ public:
+  PrincipalAxes of(const Matrix3& inverse_inertia) {
+    std::array<std::uint64_t, 9> bits;
+    std::memcpy(bits.data(), inverse_inertia.data(), sizeof bits);
+    Slot& slot = slots_[slot_of(bits)];
+    if (!slot.taken || slot.inertia != bits) {
+      const PrincipalAxes found = principal_axes_of(inverse_inertia);
+      slot.taken = true;
+      slot.inertia = bits;
+      std::copy_n(found.axes.coeffs().data(), 4, slot.axes.begin());
+      std::copy_n(found.inverse.data(), 3, slot.inverse.begin());
+    }
+    const auto& [x, y, z, w] = slot.axes;
+    return {Quaternion(w, x, y, z), {slot.inverse[0], slot.inverse[1], slot.inverse[2]}};
+  }
+
+ private:
+  static constexpr std::size_t kSlots = 16;
+
+  /// As plain numbers, which a thread begins with for nothing.
+  struct Slot {
+    bool taken;
+    std::array<std::uint64_t, 9> inertia;
+    std::array<double, 4> axes;
+    std::array<double, 3> inverse;
+  };
+
+  static std::size_t slot_of(const std::array<std::uint64_t, 9>& bits) {
+    const std::uint64_t diagonal = bits[0] + 3 * bits[4] + 5 * bits[8];
+    return static_cast<std::size_t>((diagonal * 0x9e3779b97f4a7c15) >> 60);
+  }
+
+  std::array<Slot, kSlots> slots_;
+};
+
+thread_local KnownAxes known_axes;
 
 /// About a unit axis; any finite angle.
 Quaternion turn_about(const Vector3& axis, double angle_rad) {
@@ -89,9 +141,10 @@ Quaternion turn_about(const Vector3& axis, double angle_rad) {
 class FarTurn {
  public:
   FarTurn(const BodyModel& model, const BodyState& state, double dt_s)
-      : dt_s_(dt_s), own_axes_(principal_axes(model)), momentum_(state.angular_momentum) {
-    const Matrix3 axes = own_axes_.toRotationMatrix();
-    inverse_ = (axes.transpose() * model.inverse_inertia * axes).diagonal();
+      : dt_s_(dt_s), momentum_(state.angular_momentum) {
+    const PrincipalAxes own = known_axes.of(model.inverse_inertia);
+    own_axes_ = own.axes;
+    inverse_ = own.inverse;
     turned_ = state.pose.orientation * own_axes_;
     seen_ = turned_.conjugate() * momentum_;
     choose_axes();

@@ -7,6 +7,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+// What is inlined into the function of each width, and the functions of the wider ones.
+#define IMPETUS_INLINED inline __attribute__((always_inline))
+#if defined(__x86_64__)
+#define IMPETUS_EIGHT_LANES __attribute__((target("avx512f")))
+#define IMPETUS_FOUR_LANES __attribute__((target("avx2")))
+#endif
+
 namespace impetus::inline numerics {
 
 /// Doubles of a block, whatever the width.
@@ -28,11 +39,40 @@ inline LaneWidth widest_lanes() {
   return LaneWidth::kTwo;
 }
 
-}  // namespace impetus::inline numerics
+/// A vector of so many doubles, and of as many bit patterns. They are passed by reference alone:
+/// how they would be passed by value depends on the width.
+template <int kWidth>
+struct Vectors;
+template <>
+struct Vectors<2> {
+  using Numbers = double __attribute__((vector_size(16)));
+  using Bits = std::int64_t __attribute__((vector_size(16)));
+};
+template <>
+struct Vectors<4> {
+  using Numbers = double __attribute__((vector_size(32)));
+  using Bits = std::int64_t __attribute__((vector_size(32)));
+};
+template <>
+struct Vectors<8> {
+  using Numbers = double __attribute__((vector_size(64)));
+  using Bits = std::int64_t __attribute__((vector_size(64)));
+};
 
-// What is inlined into the function of each width, and the functions of the wider ones.
-#define IMPETUS_INLINED inline __attribute__((always_inline))
-#if defined(__x86_64__)
-#define IMPETUS_EIGHT_LANES __attribute__((target("avx512f")))
-#define IMPETUS_FOUR_LANES __attribute__((target("avx2")))
-#endif
+template <typename Numbers>
+IMPETUS_INLINED void read(const double* from, Numbers& into) {
+  std::memcpy(&into, from, sizeof into);
+}
+
+/// Each lane's own root, exactly rounded.
+template <int kWidth>
+IMPETUS_INLINED void take_roots(typename Vectors<kWidth>::Numbers& numbers) {
+  double lanes[kWidth];
+  std::memcpy(lanes, &numbers, sizeof lanes);
+  for (int lane = 0; lane < kWidth; ++lane) {
+    lanes[lane] = std::sqrt(lanes[lane]);
+  }
+  std::memcpy(&numbers, lanes, sizeof lanes);
+}
+
+}  // namespace impetus::inline numerics

@@ -2,35 +2,10 @@
 #include "engine/volumes/sphere_lanes.hpp"
 
 #include <cassert>
-#include <cmath>
 #include <cstring>
 
 namespace impetus::inline volumes {
 namespace {
-
-// Vectors are passed by reference alone: how they would be passed by value depends on the width.
-template <int kWidth>
-struct Vectors;
-template <>
-struct Vectors<2> {
-  using Numbers = double __attribute__((vector_size(16)));
-  using Bits = std::int64_t __attribute__((vector_size(16)));
-};
-template <>
-struct Vectors<4> {
-  using Numbers = double __attribute__((vector_size(32)));
-  using Bits = std::int64_t __attribute__((vector_size(32)));
-};
-template <>
-struct Vectors<8> {
-  using Numbers = double __attribute__((vector_size(64)));
-  using Bits = std::int64_t __attribute__((vector_size(64)));
-};
-
-template <typename Numbers>
-IMPETUS_INLINED void read(const double* from, Numbers& into) {
-  std::memcpy(&into, from, sizeof into);
-}
 
 /// The bits of columns `column` to `column + kWidth`, of all rows.
 template <int kWidth>
@@ -105,16 +80,6 @@ IMPETUS_INLINED void place_by(const SphereLanes& own, const Pose& pose, const Ce
     std::memcpy(placed.y + lane, &py, sizeof py);
     std::memcpy(placed.z + lane, &pz, sizeof pz);
   }
-}
-
-template <int kWidth>
-IMPETUS_INLINED void take_roots(typename Vectors<kWidth>::Numbers& numbers) {
-  double lanes[kWidth];
-  std::memcpy(lanes, &numbers, sizeof lanes);
-  for (int lane = 0; lane < kWidth; ++lane) {
-    lanes[lane] = std::sqrt(lanes[lane]);
-  }
-  std::memcpy(&numbers, lanes, sizeof lanes);
 }
 
 template <int kWidth>

@@ -39,6 +39,12 @@ inline NodeGap gap_of_bounds(const Sphere& a, const Sphere& b) {
 /// Of the nodes themselves.
 NodeGap gap_of_nodes(const Volume& a, const Volume& b);
 
+/// How fast points of a block's spheres can move by their body's turning (metres a step).
+struct BlockTurning {
+  LaneValues a;  ///< by row
+  LaneValues b;  ///< by column
+};
+
 /// Rules out spheres of two bodies that go a stretch of their ways.
 class NearSpheres {
  public:
@@ -50,23 +56,24 @@ class NearSpheres {
   /// and are not so far off that rounding counts. Else nothing is ruled out.
   void place(const Pose& a, const Pose& b);
 
-  /// The pairs of a block that could touch by more than `hair_m` within `time`, whichever way the
-  /// bodies move. `turning` is how fast points of each sphere can move by their body's turning.
+  /// The pairs of a block that could touch by more than `hair_m` within `time`: of the others
+  /// apart_for() is true. Finds how fast the points of each sphere move by their body's turning.
   [[nodiscard]] std::uint64_t within(double time, double hair_m, const SphereBlock& block,
-                                     const LaneValues& turning_a,
-                                     const LaneValues& turning_b) const;
+                                     BlockTurning& turning, LaneWidth width = widest_lanes()) const;
 
-  /// Whether two spheres cannot, by the way the bodies move. With the offset o and its length d,
-  /// (d − r_a − r_b + hair) d ≥ time (max(0, −o·v) + turning d).
+  /// Whether two spheres cannot, by the way the bodies move: with the offset o, its length d and
+  ///   q = d² − time max(0, −o·v),   R = r_a + r_b − hair + margin + time turning,
+  /// (d − R) d ≥ time max(0, −o·v) where q ≥ R d, which is q² ≥ R² d² when neither is negative.
   [[nodiscard]] bool apart_for(double time, double hair_m, const Sphere& a, const Sphere& b,
                                double turning_m) const {
-    const Vector3 offset = a.centre - b.centre;
-    const double distance_m = offset.norm();
-    const double gap_m = distance_m - a.radius_m - b.radius_m;
     const double margin = margin_m(time);
-    const double closing = std::max(0.0, -offset.dot(velocity_));
-    return reaches_hold_ && gap_m > margin &&
-           (gap_m + hair_m - margin - time * turning_m) * distance_m >= time * closing;
+    const Vector3 offset = a.centre - b.centre;
+    const double square_m2 = offset.squaredNorm();
+    const double left_m2 = std::max(0.0, square_m2 + std::min(0.0, time * offset.dot(velocity_)));
+    const double reach_m = a.radius_m + b.radius_m + margin;
+    const double needed_m = std::max(margin, reach_m + (time * turning_m - hair_m));
+    return reaches_hold_ && square_m2 > reach_m * reach_m &&
+           left_m2 * left_m2 >= needed_m * needed_m * square_m2;
   }
 
  private:
@@ -76,10 +83,13 @@ class NearSpheres {
   }
 
   Vector3 velocity_{Vector3::Zero()};
-  double speed_m_{0.0};    ///< a step, without the turning
-  double fastest_m_{0.0};  ///< with it
+  double turn_a_{0.0};
+  double turn_b_{0.0};
+  double fastest_m_{0.0};  ///< a step, with the turning
   double reach_a_m_{0.0};
   double reach_b_m_{0.0};
+  Vector3 centre_a_{Vector3::Zero()};
+  Vector3 centre_b_{Vector3::Zero()};
   bool reaches_hold_{false};
 };
 

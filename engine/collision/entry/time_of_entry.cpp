@@ -16,16 +16,7 @@ constexpr double kHairShare = 0.125;
 constexpr double kRestShare = 0.25;
 /// Of that depth: how much deeper bodies may overlap that did at the start.
 constexpr double kDeeperShare = 0.25;
-/// Deep in a voxel the nearest face may be one that it shares with the next: then nothing pushes
-/// out of the body. So much of its half-thickness is safe.
-constexpr double kSafeShareOfVoxel = 0.05;
 constexpr double kForever = std::numeric_limits<double>::infinity();
-
-/// How deep a finest node may be met without its being left on the wrong side (metres).
-double safe_depth_m(const VolumeTree& tree, int level) {
-  const double half_m = tree.least_half_thickness_m(level);
-  return tree.volumes().are_voxels() ? kSafeShareOfVoxel * half_m : half_m;
-}
 
 /// The search for the first entry of one pair.
 class EntrySearch {
@@ -289,15 +280,18 @@ class EntrySearch {
       count(std::int64_t{block.rows} * block.columns);
       return;
     }
-    const LaneValues turning_a = turning_of(block.a, block.rows, pose_a_, stretch_->turn_a);
-    const LaneValues turning_b = turning_of(block.b, block.columns, pose_b_, stretch_->turn_b);
-    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning_a, turning_b);
+    BlockTurning turning;
+    const std::uint64_t near = near_.within(safe_, hair_m_, block, turning);
+    if (level >= pair_.greatest_level && tests_ + block.rows * block.columns < pair_.most_tests) {
+      bound_last_block(block, near, turning, at_least);
+      return;
+    }
     for_each_set(
         block, near, [] { return false; },
         [&](int row, int column) {
           const Sphere a = sphere_of(block.a, row);
           const Sphere b = sphere_of(block.b, column);
-          const double turning_m = turning_a[lane(row)] + turning_b[lane(column)];
+          const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
           if (at_least < safe_ && !near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
             bound_spheres({block.first.a + row, block.first.b + column}, a, b, turning_m, level,
                           at_least);
@@ -305,13 +299,27 @@ class EntrySearch {
         });
   }
 
-  /// How fast points of each sphere can move by their body's turning.
-  static LaneValues turning_of(const SphereLanes& lanes, int count, const Pose& pose, double turn) {
-    LaneValues speeds_m{};
-    for (int index = 0; turn > 0.0 && index < count; ++index) {
-      speeds_m[lane(index)] = turning_speed_m(sphere_of(lanes, index), pose, turn);
+  /// The same of finest nodes, of which nothing is counted that is left.
+  void bound_last_block(const SphereBlock& block, std::uint64_t near, const BlockTurning& turning,
+                        double at_least) {
+    count(std::int64_t{block.rows} * block.columns);
+    for (; near != 0 && at_least < safe_; near &= near - 1) {
+      const int bit = std::countr_zero(near);
+      const int row = bit / kLanes;
+      const int column = bit % kLanes;
+      const Sphere a = sphere_of(block.a, row);
+      const Sphere b = sphere_of(block.b, column);
+      const double turning_m = turning.a[lane(row)] + turning.b[lane(column)];
+      if (near_.apart_for(safe_, hair_m_, a, b, turning_m)) {
+        continue;
+      }
+      double time = std::max(at_least, time_apart(gap_of_bounds(a, b), turning_m));
+      if (time <= 0.0) {
+        const NodePair nodes{block.first.a + row, block.first.b + column};
+        time = std::max(time, time_of_overlap(nodes, turning_m));
+      }
+      safe_ = time >= safe_ ? safe_ : time;
     }
-    return speeds_m;
   }
 
   /// For how long nodes so far apart do not overlap by more than a hair; 0 when they overlap.
@@ -379,10 +387,6 @@ class EntrySearch {
 
 }  // namespace
 
-double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level) {
-  return safe_depth_m(a, level) + safe_depth_m(b, level);
-}
-
 bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
   const double way_m =
       way_from(0.0, stretches_of(pair.path_a, pair.path_b), pair.a.tree().bounding_radius_m(),
@@ -392,15 +396,5 @@ bool is_fast(const PairOnTheWay& pair, double share_of_slow_way) {
 }
 
 Entry time_of_entry(const PairOnTheWay& pair) { return EntrySearch(pair).run(); }
-
-int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level) {
-  const int finest = std::max(a.level_count(), b.level_count()) - 1;
-  for (int level = 1; level <= std::min(finest, greatest_level); ++level) {
-    if (way_m > std::min(a.least_half_thickness_m(level), b.least_half_thickness_m(level))) {
-      return level - 1;
-    }
-  }
-  return greatest_level;
-}
 
 }  // namespace impetus::inline collision

@@ -25,6 +25,7 @@
 #include <optional>
 
 #include "engine/collision/entry/body_path.hpp"
+#include "engine/collision/entry/slow_way.hpp"
 #include "engine/collision/placed_tree.hpp"
 #include "engine/scheduling/priority.hpp"
 #include "engine/scheduling/work_meter.hpp"
@@ -47,11 +48,6 @@ struct PairOnTheWay {
   std::int64_t most_tests{kMostEntryTests};  ///< at least 1
   PhaseWork* work{nullptr};  ///< asked for the tests, where work is metered; then it ends there too
 };
-
-/// What a pair may move without being fast (metres): the least half-thickness of a's nodes and
-/// that of b's, of voxels a twentieth. Bodies that move less against each other cannot get past
-/// their middles between one step and the next.
-double slow_way_m(const VolumeTree& a, const VolumeTree& b, int level);
 
 /// Whether the bodies move further against each other within the step than this share of what a
 /// slow pair may.
@@ -81,11 +77,5 @@ struct StoppedAtEntry {
   BodyPair bodies;
   double fraction{0.0};  ///< of the step that both were moved
 };
-
-/// The deepest level, no deeper than `greatest_level`, to which a pair is refined whose points move
-/// by up to `way_m` against each other in the step: at every level from 1 to it, no node is thinner
-/// than twice that way. The coarsest is never refused. (Dingliana 2002, alg. 5.3.1, corrected: by
-/// the relative way, and once for the pair)
-int capped_level(const VolumeTree& a, const VolumeTree& b, double way_m, int greatest_level);
 
 }  // namespace impetus::inline collision

@@ -137,6 +137,22 @@ TEST(ContactReduction, GroupsAverageEachPairOfSurfaceGroupsApart) {
   expect_contact(left[2], {0, 9, 0}, kX, 0.5);
 }
 
+TEST(ContactReduction, AsManyGroupsAsThereAreStayApartInTheOrderInWhichTheyCame) {
+  constexpr int kPairs = 300;
+  std::vector<NodeContact> contacts;
+  for (int round = 0; round < 2; ++round) {
+    for (int pair = 0; pair < kPairs; ++pair) {
+      contacts.push_back(
+          on_groups(at({0.5 * pair, 2.0 * round, 0.0}, kZ, 0.1), pair % 17, pair / 17));
+    }
+  }
+  const std::vector<TouchPoint> left = reduced("groups", contacts);
+  ASSERT_EQ(left.size(), std::size_t{kPairs});
+  for (int pair = 0; pair < kPairs; ++pair) {
+    expect_contact(left[static_cast<std::size_t>(pair)], {0.5 * pair, 1.0, 0.0}, kZ, 0.1);
+  }
+}
+
 TEST(ContactReduction, AGroupWhoseConeOpensIsSplit) {
   const std::vector<TouchPoint> left =
       reduced("groups", {at({0, 0, 0}, kY, 0.1), at({4, 0, 0}, -kY, 0.2), at({0, 2, 0}, kY, 0.3),

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/engine/builders.hpp"
 
@@ -87,6 +88,23 @@ TEST(FarTurn, StepsThatTheIterationsTakeWellAreLeftToThem) {
   EXPECT_TRUE(turns_far(model, turning(model, {500.0, 0.0, 0.0}), 1.0 / 240.0));
   const BodyModel round = block_of({1.0, 1.0, 1.0});
   EXPECT_FALSE(turns_far(round, turning(round, {500.0, 0.0, 0.0}), 1.0 / 240.0));
+}
+
+// What is kept of one body's inertia is of no other.
+TEST(FarTurn, IsTheSameWhoeverWasTurnedBefore) {
+  RandomStream random(kSeed, "many bodies");
+  std::vector<BodyModel> models;
+  std::vector<BodyState> states;
+  std::vector<Quaternion> alone;
+  for (int body = 0; body < 100; ++body) {
+    models.push_back(random_body(random, 1));
+    states.emplace_back().angular_momentum = 5.0 * random_direction(random);
+    alone.push_back(turned_far(models.back(), states.back(), 0.5));
+  }
+  for (int trial = 0; trial < 1'000; ++trial) {
+    const std::size_t body = random.below(100);
+    ASSERT_EQ(turned_far(models[body], states[body], 0.5).coeffs(), alone[body].coeffs());
+  }
 }
 
 }  // namespace impetus::far_turn_test
