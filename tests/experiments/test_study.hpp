@@ -41,7 +41,7 @@ inline std::string in_child(const std::function<std::string()>& act) {
   close(pipe_ends[1]);
   std::string words;
   std::array<char, 4096> part{};
-  for (ssize_t size = 0; (size = read(pipe_ends[0], part.data(), part.size())) > 0;) {
+  for (ssize_t size = 0; (size = ::read(pipe_ends[0], part.data(), part.size())) > 0;) {
     words.append(part.data(), static_cast<std::size_t>(size));
   }
   close(pipe_ends[0]);

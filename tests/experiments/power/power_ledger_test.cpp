@@ -108,7 +108,7 @@ TEST_F(PowerLedgerTest, AnotherProcessTakesWhatIsLeftAndAllThatAKilledOneHad) {
     _exit(1);
   }
   char taken = 0;
-  ASSERT_EQ(read(ready[0], &taken, 1), 1);
+  ASSERT_EQ(::read(ready[0], &taken, 1), 1);
   EXPECT_EQ(taken, 4);
   PowerLedger ledger(path(), a_question());
   EXPECT_EQ(ledger.take(kRequest, 100).size(), 2U);
@@ -161,7 +161,7 @@ TEST(ProcessMark, TellsARunningProcessFromOneThatEndedAndFromWords) {
   }
   waitpid(child, nullptr, 0);
   char text[200];
-  const ssize_t length = read(mark[0], text, sizeof text);
+  const ssize_t length = ::read(mark[0], text, sizeof text);
   ASSERT_GT(length, 0);
   EXPECT_FALSE(still_runs(std::string(text, static_cast<std::size_t>(length))));
   for (const char* words : {"", "a", "a:b", "a:b:c", ":::", "x:1:y", "../..:../..:../.."}) {
