@@ -114,8 +114,10 @@ int preview(const PreviewOptions& options) {
   const BuildingLine told;
   const JsonDocument scene = load_scene(options.scene);
   require_no_recording(scene);
-  show(scene, options);
-  return kDone;
+  return staged_from(scene, [&] {
+    show(scene, options);
+    return kDone;
+  });
 }
 
 }  // namespace

@@ -301,10 +301,7 @@ void tell(const std::vector<TradeChoice>& choices, double pairs,
               folder.string().c_str(), draw_trade_figure(folder).c_str());
 }
 
-int trade(const TradeOptions& options) {
-  const BuildingLine told;
-  check(options);
-  const JsonDocument scene = load_scene(options.scene);
+int trade(const JsonDocument& scene, const TradeOptions& options) {
   const std::filesystem::path folder = options.out;
   ShapeLibrary shapes;
   const ScreenGeometry screen = chosen_screen(options.screen_file);
@@ -338,6 +335,13 @@ int trade(const TradeOptions& options) {
   write_whole_file(folder / "choices.json", settings_text(trade, choices));
   tell(choices, pairs, folder);
   return kDone;
+}
+
+int load_and_trade(const TradeOptions& options) {
+  const BuildingLine told;
+  check(options);
+  const JsonDocument scene = load_scene(options.scene);
+  return staged_from(scene, [&] { return trade(scene, options); });
 }
 
 }  // namespace
@@ -377,7 +381,7 @@ void add_trade(CLI::App& app, Command& chosen) {
       if (options->reductions.empty()) {
         options->reductions = all_reductions();
       }
-      return trade(*options);
+      return load_and_trade(*options);
     };
   });
 }

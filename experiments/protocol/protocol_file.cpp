@@ -71,7 +71,7 @@ std::string hash_of(const json& protocol, const json& scene) {
 /// What was read becomes a protocol of this scene, checked.
 Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_participants(protocol);
-  require_scene(scene);
+  require_scene(scene, *protocol.shapes);
   protocol.hash = hash_of(protocol.document.value, scene.value);
   protocol.scene = std::move(scene);
   check_design(protocol);
@@ -108,8 +108,11 @@ json demonstration_scene(const Protocol& protocol, const Demonstration& demonstr
   return scene;
 }
 
-Protocol make_protocol(JsonDocument document, JsonDocument scene) {
-  return with_scene(read_protocol(std::move(document)), std::move(scene));
+Protocol make_protocol(JsonDocument document, JsonDocument scene,
+                       std::shared_ptr<ShapeLibrary> shapes) {
+  Protocol protocol = read_protocol(std::move(document));
+  protocol.shapes = std::move(shapes);
+  return with_scene(std::move(protocol), std::move(scene));
 }
 
 Protocol load_protocol(const std::filesystem::path& path) {

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "experiments/design/design.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/script.hpp"
+#include "experiments/scenes/shape_library.hpp"
 #include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline protocol {
@@ -44,14 +46,18 @@ struct Protocol {
   JsonDocument document;
   JsonDocument scene;
   std::string hash;  ///< of both values; white space does not count
+
+  /// What checks build, trials stage: each shape is built once.
+  std::shared_ptr<ShapeLibrary> shapes{std::make_shared<ShapeLibrary>()};
 };
 
 /// Reads the protocol and the scene beside it. Throws InputError naming file, place, what was
 /// expected and what was there.
 Protocol load_protocol(const std::filesystem::path& path);
 
-/// The same from texts, as a study file keeps them.
-Protocol make_protocol(JsonDocument document, JsonDocument scene);
+/// The same from texts, as a study file keeps them; `shapes` may be shared with other protocols.
+Protocol make_protocol(JsonDocument document, JsonDocument scene,
+                       std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>());
 
 /// The scene with the levels of `condition` put in. `condition` names factors of the protocol.
 nlohmann::json scene_under(const Protocol& protocol, const Condition& condition);

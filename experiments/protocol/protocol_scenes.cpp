@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
@@ -91,8 +92,10 @@ int deepest_level_of(const Protocol& protocol) {
 }
 
 StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometry& screen) const {
-  StagedScene staged = build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
-                                   start_of(trial), trial.seed, deepest_level_);
+  StagedScene staged = staged_from(protocol_->scene, [&] {
+    return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
+                       start_of(trial), trial.seed, deepest_level_);
+  });
   const auto& gaze = protocol_->script.gaze;
   staged.gaze_latency_s += gaze ? gaze->extra_latency_ms / 1e3 : 0.0;
   return staged;
@@ -103,8 +106,10 @@ StagedScene ProtocolScenes::stage_demonstration(const std::string& id,
   const std::vector<Demonstration>& all = protocol_->script.demonstrations;
   const auto shown =
       std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.id == id; });
-  return build_scene(demonstration_scene(*protocol_, *shown), screen, round_hold_to_hz_, *shapes_,
-                     "demonstration", /*seed=*/1, deepest_level_);
+  return staged_from(protocol_->scene, [&] {
+    return build_scene(demonstration_scene(*protocol_, *shown), screen, round_hold_to_hz_, *shapes_,
+                       "demonstration", /*seed=*/1, deepest_level_);
+  });
 }
 
 StagedScene ProtocolScenes::stage(const Condition& condition, const ScreenGeometry& screen) const {

@@ -28,9 +28,11 @@ int deepest_level_of(const Protocol& protocol);
 class ProtocolScenes final : public Scenes {
  public:
   /// `protocol` must outlive this. `round_hold_to_hz` > 0 rounds imposed holds to that grid.
-  /// `shapes` may be shared with other scenes.
+  /// `shapes` may be shared with other scenes; left out, they are the protocol's.
+  ProtocolScenes(const Protocol& protocol, double round_hold_to_hz)
+      : ProtocolScenes(protocol, round_hold_to_hz, protocol.shapes) {}
   ProtocolScenes(const Protocol& protocol, double round_hold_to_hz,
-                 std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>())
+                 std::shared_ptr<ShapeLibrary> shapes)
       : protocol_(&protocol),
         round_hold_to_hz_(round_hold_to_hz),
         shapes_(std::move(shapes)),

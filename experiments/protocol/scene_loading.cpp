@@ -62,11 +62,16 @@ void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesyste
 
 }  // namespace
 
-void require_scene(const JsonDocument& scene) {
+void require_scene(const JsonDocument& scene, ShapeLibrary& shapes) {
   require_schema(scene);
-  for (const SceneProblem& problem : scene_problems(scene.value)) {
+  for (const SceneProblem& problem : scene_problems(scene.value, shapes)) {
     refuse(scene, problem.pointer, problem.message);
   }
+}
+
+void require_scene(const JsonDocument& scene) {
+  ShapeLibrary shapes;
+  require_scene(scene, shapes);
 }
 
 std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "experiments/settings/schema_sentences.hpp"
 
@@ -30,6 +31,19 @@ JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more
 std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene);
 
 /// Throws InputError unless the scene is valid by its schema and its own rules.
+/// `shapes` builds what it is made of.
+void require_scene(const JsonDocument& scene, ShapeLibrary& shapes);
 void require_scene(const JsonDocument& scene);
+
+/// What `build` returns, which stages the scene; that it has no room is refused with the name of
+/// its file.
+template <typename Build>
+auto staged_from(const JsonDocument& scene, const Build& build) {
+  try {
+    return build();
+  } catch (const NoRoom& none) {
+    refuse(scene, none.pointer(), none.what());
+  }
+}
 
 }  // namespace impetus::inline protocol

@@ -205,7 +205,7 @@ std::optional<std::vector<BodyState>> distractor_states(const Scene& scene,
   return std::nullopt;
 }
 
-void add_distractor_problems(const Scene& scene, SceneProblems& problems) {
+void add_distractor_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   if (count_of(scene) == 0) {
     return;
   }
@@ -218,7 +218,6 @@ void add_distractor_problems(const Scene& scene, SceneProblems& problems) {
   }
   const ScreenGeometry screen = screen_for_checks();
   const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
-  ShapeLibrary library;
   SceneBodies bodies = bodies_of(scene, metres_per_degree(screen.viewing_distance_m), library);
   add_distractors(scene, bodies);
   add_shells(scene, viewer, bodies);

@@ -28,6 +28,6 @@ std::optional<std::vector<BodyState>> distractor_states(const Scene& scene,
                                                         std::uint64_t seed);
 
 /// Adds what is wrong with distractors beyond the schema; all else about the meeting is right.
-void add_distractor_problems(const Scene& scene, SceneProblems& problems);
+void add_distractor_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

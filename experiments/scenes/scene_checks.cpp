@@ -104,7 +104,7 @@ void add_meeting_problems(const Scene& scene, SceneProblems& problems) {
 }
 
 /// Of bodies or of figures.
-void add_crowd_problems(const Scene& scene, SceneProblems& problems) {
+void add_crowd_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   require_key(scene.enclosure.has_value(), "enclosure", "for a crowd", problems);
   require_key(scene.duration_s.has_value(), "duration_s", "for a crowd", problems);
   const std::string why = "beside a crowd";
@@ -112,7 +112,7 @@ void add_crowd_problems(const Scene& scene, SceneProblems& problems) {
   refuse_key(scene.meeting.has_value(), "meeting", why, problems);
   refuse_key(scene.distractors.has_value(), "distractors", why, problems);
   refuse_key(scene.figures.has_value(), "figures", why, problems);
-  if (problems.empty() && !crowd_has_room(scene)) {
+  if (problems.empty() && !crowd_has_room(scene, library)) {
     problems.add_got(scene.crowd ? "/crowd/count" : "/figure_crowd/count",
                      std::string("expected as many ") + (scene.crowd ? "bodies" : "figures") +
                          " as the enclosure has room for");
@@ -156,35 +156,35 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
 }
 
 /// Of a scene with a crowd.
-void add_problems_of_crowd(const Scene& scene, SceneProblems& problems) {
+void add_problems_of_crowd(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   if (scene.crowd) {
     add_shape_problems(scene.crowd->shape, scene.meshes, "/crowd/shape", "_deg", problems);
     refuse_key(scene.figure_crowd.has_value(), "figure_crowd", "beside a crowd", problems);
   }
   if (problems.empty()) {
-    add_limit_problems(scene, problems);
+    add_limit_problems(scene, library, problems);
   }
   if (problems.empty()) {
-    add_crowd_problems(scene, problems);
+    add_crowd_problems(scene, library, problems);
   }
 }
 
 /// Of a scene whose bodies and figures are named.
-void add_problems_of_named(const Scene& scene, SceneProblems& problems) {
+void add_problems_of_named(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   const auto bodies = scene.named_bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     add_shape_problems(bodies[i].shape, scene.meshes, "/bodies/" + std::to_string(i) + "/shape",
                        "_deg", problems);
   }
   if (problems.empty()) {
-    add_limit_problems(scene, problems);
+    add_limit_problems(scene, library, problems);
   }
   add_name_problems(bodies, "/bodies", problems);
   add_name_problems(scene.named_figures(), "/figures", problems);
   if (!scene.meeting) {
     add_free_problems(scene, problems);
     if (problems.empty()) {
-      add_overlap_problems(scene, problems);
+      add_overlap_problems(scene, library, problems);
     }
     return;
   }
@@ -194,29 +194,34 @@ void add_problems_of_named(const Scene& scene, SceneProblems& problems) {
   }
   add_meeting_problems(scene, problems);
   if (problems.empty()) {
-    add_touching_problems(scene, problems);
+    add_touching_problems(scene, library, problems);
   }
   if (problems.empty()) {
-    add_distractor_problems(scene, problems);
+    add_distractor_problems(scene, library, problems);
   }
 }
 
 }  // namespace
 
-std::vector<SceneProblem> scene_problems(const nlohmann::json& scene) {
+std::vector<SceneProblem> scene_problems(const nlohmann::json& scene, ShapeLibrary& library) {
   const Scene settings(scene);
   SceneProblems problems(scene);
   add_part_problems(settings, problems);
   if (settings.has_crowd()) {
-    add_problems_of_crowd(settings, problems);
+    add_problems_of_crowd(settings, library, problems);
   } else if (!settings.bodies && !settings.figures) {
     problems.add("",
                  "expected one of the keys \"bodies\", \"figures\", \"crowd\" and "
                  "\"figure_crowd\", all are missing");
   } else {
-    add_problems_of_named(settings, problems);
+    add_problems_of_named(settings, library, problems);
   }
   return problems.list();
+}
+
+std::vector<SceneProblem> scene_problems(const nlohmann::json& scene) {
+  ShapeLibrary library;
+  return scene_problems(scene, library);
 }
 
 }  // namespace impetus::inline scenes

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
@@ -24,6 +25,17 @@ namespace {
 
 double rounded_to_frames(double duration_s, double hz) {
   return std::floor(duration_s * hz + 0.5) / hz;
+}
+
+/// "... on a screen of 37.6 cm x 30.1 cm seen from 57 cm, got 250"
+[[noreturn]] void refuse_start(const std::string& pointer, const std::string& what,
+                               const std::string& limit, const ScreenGeometry& screen,
+                               std::size_t count) {
+  char of_screen[80];
+  std::snprintf(of_screen, sizeof of_screen, " on a screen of %g cm x %g cm seen from %g cm",
+                100.0 * screen.width_m, 100.0 * screen.height_m, 100.0 * screen.viewing_distance_m);
+  throw NoRoom(pointer, "expected as many " + what + " as " + limit + of_screen + ", got " +
+                            std::to_string(count));
 }
 
 std::vector<BodyState> free_states(const Scene& scene, const SceneBodies& bodies,
@@ -67,7 +79,8 @@ std::vector<BodyState> meeting_states_of(const Scene& scene, const SceneBodies& 
   std::vector<BodyState> states = meeting_states(scene, viewer, bodies);
   const auto others = distractor_states(scene, bodies, states, viewer, hold_s, seed);
   if (!others) {
-    throw std::runtime_error("the distractors found no room");
+    refuse_start("/distractors/count", "bodies", "there is room for beside the two", viewer.screen,
+                 bodies.models.size() - states.size());
   }
   states.insert(states.end(), others->begin(), others->end());
   return states;
@@ -82,7 +95,9 @@ std::vector<BodyState> starting_states(const Scene& scene, const SceneBodies& bo
   }
   auto states = crowd_states_of(scene, bodies, m_per_deg, viewer, start);
   if (!states) {
-    throw std::runtime_error("the crowd found no room to start in");
+    refuse_start(scene.crowd ? "/crowd/count" : "/figure_crowd/count",
+                 scene.crowd ? "bodies" : "figures", "the enclosure has room for", viewer.screen,
+                 scene.any_crowd().count);
   }
   return *std::move(states);
 }
@@ -183,9 +198,8 @@ StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double
   return staged;
 }
 
-bool crowd_has_room(const Scene& scene) {
+bool crowd_has_room(const Scene& scene, ShapeLibrary& library) {
   constexpr int kRoot = 0;  // it holds the whole body
-  ShapeLibrary library;
   const ScreenGeometry screen = screen_for_checks();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
@@ -199,8 +213,7 @@ bool crowd_has_room(const Scene& scene) {
   return true;
 }
 
-StartingOverlaps starting_overlaps_of(const Scene& scene) {
-  ShapeLibrary library;
+StartingOverlaps starting_overlaps_of(const Scene& scene, ShapeLibrary& library) {
   const StagedScene staged = staged_scene(scene, screen_for_checks(), 0.0, library, "check",
                                           /*seed=*/1, kGreatestTreeDepth);
   const World& world = staged.world;

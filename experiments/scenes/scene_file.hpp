@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/shape_library.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline scenes {
 
@@ -26,18 +28,32 @@ const std::vector<FrameBoundValue>& frame_bound_values();
 /// Of build_scene(): a hold keeps its length, whatever the display.
 inline constexpr double kUnroundedHold = 0.0;
 
+/// The bodies find no places in which to start, on the screen and in the start that are asked for:
+/// checks try another screen and ten starts.
+class NoRoom : public InputError {
+ public:
+  NoRoom(std::string pointer, const std::string& message)
+      : InputError(message), pointer_(std::move(pointer)) {}
+
+  /// Where the scene says how many there are.
+  [[nodiscard]] const std::string& pointer() const { return pointer_; }
+
+ private:
+  std::string pointer_;
+};
+
 /// Builds the scene for a screen, with shapes from `library`. `round_hold_to_hz` > 0 rounds an
 /// imposed hold to whole frames of that rate. `start` names a crowd's random start: the same name,
 /// the same start. `seed` is the trial's: random spin and distractors are drawn with it. No tree is
 /// built beyond `deepest_level`, for whoever knows that nothing will reach it.
-/// Precondition: scene_problems() is empty.
+/// Precondition: scene_problems() is empty. Throws NoRoom.
 StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double round_hold_to_hz,
                         ShapeLibrary& library, const std::string& start = "preview",
                         std::uint64_t seed = 1, int deepest_level = kGreatestTreeDepth);
 
 /// Whether a crowd, of figures too, finds room to start in, ten times out of ten. Precondition: the
 /// scene has a crowd and an enclosure.
-bool crowd_has_room(const Scene& scene);
+bool crowd_has_room(const Scene& scene, ShapeLibrary& library);
 
 /// What a scene's start has that it should not have.
 struct StartingOverlaps {
@@ -50,6 +66,6 @@ struct StartingOverlaps {
 /// The pairs of named bodies and figures' parts, and of these and walls, that overlap at the start,
 /// at the coarsest level at which the schedule may leave them; not those that a figure's own rules
 /// leave out. Precondition: as for build_scene().
-StartingOverlaps starting_overlaps_of(const Scene& scene);
+StartingOverlaps starting_overlaps_of(const Scene& scene, ShapeLibrary& library);
 
 }  // namespace impetus::inline scenes

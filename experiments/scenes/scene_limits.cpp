@@ -118,10 +118,10 @@ std::string shape_place(const Scene& scene, const SceneBodies& bodies, std::size
   return "/bodies/" + std::to_string(body) + "/shape";
 }
 
-void add_weight_problems(const Scene& scene, double m_per_deg, SceneProblems& problems) {
+void add_weight_problems(const Scene& scene, double m_per_deg, ShapeLibrary& library,
+                         SceneProblems& problems) {
   Scene shallow = scene;  // the mass is that of the mesh, whatever the tree
   shallow.engine.tree_depth = 0;
-  ShapeLibrary library;
   const SceneBodies bodies = bodies_of(shallow, m_per_deg, library);
   const std::size_t shapes = scene.crowd ? 1 : bodies.shapes.size();
   for (std::size_t i = 0; i < shapes; ++i) {
@@ -166,7 +166,7 @@ void add_spin_problem(const SpinLimits& limits, const std::string& place, SceneP
 
 }  // namespace
 
-void add_limit_problems(const Scene& scene, SceneProblems& problems) {
+void add_limit_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   const double m_per_deg = metres_per_degree(screen_for_checks().viewing_distance_m);
   if (scene.crowd) {
     add_size_problems(scene.crowd->shape, "/crowd/shape", m_per_deg, problems);
@@ -178,7 +178,7 @@ void add_limit_problems(const Scene& scene, SceneProblems& problems) {
   }
   add_figure_size_problems(scene, m_per_deg, problems);
   if (problems.empty()) {
-    add_weight_problems(scene, m_per_deg, problems);
+    add_weight_problems(scene, m_per_deg, library, problems);
   }
   add_fall_problems(scene, problems);
   if (scene.imposed && scene.imposed->random_spin) {

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "experiments/scenes/scene.hpp"
+#include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline scenes {
 
 /// Adds each with its limit and what was there, in metres, kilograms and seconds. Precondition: the
-/// scene's shapes are solids.
-void add_limit_problems(const Scene& scene, SceneProblems& problems);
+/// scene's shapes are solids, which `library` builds.
+void add_limit_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

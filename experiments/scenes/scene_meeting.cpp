@@ -131,7 +131,7 @@ std::vector<BodyState> meeting_states(const Scene& scene, const Viewer& viewer,
   return {a, b};
 }
 
-void add_touching_problems(const Scene& scene, SceneProblems& problems) {
+void add_touching_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   const std::vector<BodySettings>& named = *scene.bodies;
   const MeetingSettings& meeting = *scene.meeting;
   const bool has_gap = meeting.gap_arcmin > 0.0;
@@ -147,7 +147,6 @@ void add_touching_problems(const Scene& scene, SceneProblems& problems) {
   const ScreenGeometry screen = screen_for_checks();
   const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
-  ShapeLibrary library;
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
   if (!can_meet(*bodies.models[0].tree, named[0].orientation, *bodies.models[1].tree,
                 named[1].orientation, meeting_level(scene.engine), aside_of(meeting, m_per_deg))) {

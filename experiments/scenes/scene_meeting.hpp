@@ -22,6 +22,6 @@ std::vector<BodyState> meeting_states(const Scene& scene, const Viewer& viewer,
                                       const SceneBodies& bodies);
 
 /// Adds what is wrong with offset and gap beyond the schema; all else about the meeting is right.
-void add_touching_problems(const Scene& scene, SceneProblems& problems);
+void add_touching_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes

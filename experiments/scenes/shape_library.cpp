@@ -2,6 +2,7 @@
 #include "experiments/scenes/shape_library.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -102,7 +103,19 @@ TriangleMesh scaled_to(double size_m, TriangleMesh mesh) {
   return mesh;
 }
 
+std::atomic<std::int64_t>& shapes_built() {
+  static std::atomic<std::int64_t> count{0};
+  return count;
+}
+
 }  // namespace
+
+std::size_t ShapeLibrary::size() const {
+  const std::lock_guard lock(building_);
+  return shapes_.size();
+}
+
+std::int64_t ShapeLibrary::built_by_all() { return shapes_built(); }
 
 VolumeTree ShapeLibrary::tree_of(const TriangleMesh& mesh, const TreeSettings& tree) const {
   return builds_at_once(mesh, tree) ? build_tree(mesh, tree) : cache_.tree(mesh, tree, progress_);
@@ -156,6 +169,7 @@ const BodyShape& ShapeLibrary::shape(const ShapeSettings& description, const Mes
   const auto known = shapes_.find(key);
   if (known == shapes_.end()) {
     shapes_[key] = built(description, meshes, frame);
+    ++shapes_built();
   }
   return shapes_[key];
 }

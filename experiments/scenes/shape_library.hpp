@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -46,6 +48,12 @@ class ShapeLibrary {
   const BodyShape& shape(const ShapeSettings& description, const Meshes& meshes,
                          const ShapeFrame& frame);
 
+  /// How many shapes this library has built.
+  [[nodiscard]] std::size_t size() const;
+
+  /// How many all libraries of this process have built.
+  [[nodiscard]] static std::int64_t built_by_all();
+
   /// The meshes to draw in place of a shape's mesh where there is a crowd of it.
   std::shared_ptr<const DrawnLevels> coarser(const std::shared_ptr<const TriangleMesh>& mesh);
 
@@ -63,7 +71,8 @@ class ShapeLibrary {
 
   TreeCache cache_;
   Progress progress_;
-  std::mutex building_;  ///< held from looking for a shape to having it; what is built stays
+  /// Held from looking for a shape to having it; what is built stays.
+  mutable std::mutex building_;
   std::map<Key, BodyShape> shapes_;
   std::map<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const DrawnLevels>> coarser_;
 };

@@ -133,7 +133,6 @@ void print_scene(const BudgetScene& scene, int runs) {
     for (int run = 0; run < runs; ++run) {
       found.push_back(run_once());
       all.push_back(found.back());
-      std::fprintf(stderr, "[%d %.1e]", all.back().outside, all.back().energy_ratio);
     }
     return summary_of(std::move(found)).longest_ms;
   };

@@ -179,7 +179,7 @@ Script bench_script() {
   Script script;
   script.timing = {500.0, 700.0};
   script.gaze.emplace();
-  script.asked = read_questions({{"clicks", {{"merge_within_ms", 100}}}});
+  script.asked = {find_kind("click")->block.read({{"merge_within_ms", 100}})};
   return script;
 }
 

@@ -116,8 +116,7 @@ ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
 
 StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
   const Stimulus shown = stimulus(attempt, interval);
-  return ProtocolScenes(*shown.protocol, shown.round_hold_to_hz, shapes_)
-      .stage(shown.trial, attempt.screen);
+  return ProtocolScenes(*shown.protocol, shown.round_hold_to_hz).stage(shown.trial, attempt.screen);
 }
 
 const nlohmann::json& ReplayLibrary::changed(const StoredAttempt& attempt,
@@ -139,8 +138,10 @@ StagedScene ReplayLibrary::stage_changed(const StoredAttempt& attempt, std::int6
   // As deep as the study's own, so that its own settings give its own trees.
   const int deepest =
       std::max(deepest_level_of(*shown.protocol), deepest_level_of(scene["engine"]));
-  return build_scene(scene, attempt.screen, shown.round_hold_to_hz, *shapes_, start_of(shown.trial),
-                     shown.trial.seed, deepest);
+  return staged_from(shown.protocol->scene, [&] {
+    return build_scene(scene, attempt.screen, shown.round_hold_to_hz, *shapes_,
+                       start_of(shown.trial), shown.trial.seed, deepest);
+  });
 }
 
 void ReplayLibrary::check_changed(const StoredAttempt& attempt) {
@@ -162,7 +163,7 @@ const Protocol& ReplayLibrary::protocol(std::int64_t id) {
   const std::string place = study_.name() + ", protocol " + texts.name;
   return protocols_
       .emplace(id, make_protocol(parse_json(place, texts.protocol_json),
-                                 parse_json(place + ", scene", texts.scene_json)))
+                                 parse_json(place + ", scene", texts.scene_json), shapes_))
       .first->second;
 }
 

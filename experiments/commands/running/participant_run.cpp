@@ -155,7 +155,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
                      sync_.verdict + "; --override-sync-test goes on and marks every trial");
   }
   const double rounding_hz = options_.allow_rounding ? laboratory_->display().refresh_hz() : 0.0;
-  const ProtocolScenes scenes(protocol, rounding_hz, part_.shapes);
+  const ProtocolScenes scenes(protocol, rounding_hz);
   const SteadyClock work_clock;
   const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,      writer,
                     laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};

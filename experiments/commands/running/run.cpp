@@ -73,7 +73,7 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
   const Enrolment enrolment =
       resumed ? *resumed : enrol_anew(study, part, options, new_plan(study, part, options));
   StudyWriter writer(study, enrolment, facts_without_laboratory());
-  const ProtocolScenes scenes(part.protocol, 0.0, part.shapes);
+  const ProtocolScenes scenes(part.protocol, 0.0);
   ProgressLine line("simulating");
   run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
                  assumed_screen(), writer, [&line](double share) { line.tell(share); });
@@ -195,7 +195,7 @@ bool nobody_takes_part(const Series& series) {
 }
 
 int run_without_participants(const std::filesystem::path& file, const RunOptions& options) {
-  RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
+  RunPart part{load_protocol(file), {}};
   const RunOptions nobody = as_nobody(options);
   plan_for(part.protocol, nobody.participant, nobody.seed.value_or(1));
   solve_what_is_asked(part);

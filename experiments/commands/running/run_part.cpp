@@ -27,7 +27,7 @@ ScreenCorner photodiode_corner(const RunOptions& options) {
 
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
-  RunPart part{load_protocol(file), {}, std::make_shared<ShapeLibrary>()};
+  RunPart part{load_protocol(file), {}};
   if (!observer.empty()) {
     part.lab.observer = load_observer(observer, file);
     check_observer(part.protocol, *part.lab.observer);
@@ -47,15 +47,16 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
 
 void build_shapes(const RunPart& part) {
   ProgressLine line("building the bodies");
-  part.shapes->tell([&line](double share) { line.tell(share); });
-  ProtocolScenes(part.protocol, 0.0, part.shapes)
+  part.protocol.shapes->tell([&line](double share) { line.tell(share); });
+  ProtocolScenes(part.protocol, 0.0)
       .build_shapes(expected_screen(part.lab).value_or(assumed_screen()));
-  part.shapes->tell({});
+  part.protocol.shapes->tell({});
 }
 
 void solve_what_is_asked(RunPart& part) {
   ProgressLine line("solving what the plan needs");
-  part.solved = solve(part.protocol, *part.shapes, [&line](double share) { line.tell(share); });
+  part.solved =
+      solve(part.protocol, *part.protocol.shapes, [&line](double share) { line.tell(share); });
 }
 
 }  // namespace impetus::inline commands

@@ -39,8 +39,7 @@ struct RunOptions {
 /// One protocol of a run; a run of a series has several.
 struct RunPart {
   Protocol protocol;
-  LaboratoryOptions lab;  ///< without participant and seed
-  std::shared_ptr<ShapeLibrary> shapes;
+  LaboratoryOptions lab;            ///< without participant and seed
   std::vector<SolvedFor> solved{};  ///< for the plan of whoever comes
   std::string series{};             ///< "": it is alone
   std::int64_t series_place{1};     ///< from 1

@@ -143,7 +143,7 @@ void check_standard(const Protocol& protocol) {
   }
   const std::string place = "/two_interval/standard";
   for (const FactorLevel& level : question->standard_levels()) {
-    const std::string message = complaint(scene_under(protocol, {level}));
+    const std::string message = complaint(scene_under(protocol, {level}), *protocol.shapes);
     if (!message.empty()) {
       refuse(protocol.document, place + "/" + level.factor, message);
     }
@@ -151,7 +151,7 @@ void check_standard(const Protocol& protocol) {
   for (const Condition& cell : cells(protocol.design)) {
     const Condition standard = question->standard(cell);
     const json scene = scene_under(protocol, standard);
-    const auto problems = scene_problems(scene);
+    const auto problems = scene_problems(scene, *protocol.shapes);
     if (!problems.empty()) {
       refuse(protocol.document, place,
              problems.front().pointer + " of the scene under " + to_json(standard).dump() + ": " +

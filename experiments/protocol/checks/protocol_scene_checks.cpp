@@ -83,11 +83,11 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
 
 }  // namespace
 
-std::string complaint(const json& scene) {
+std::string complaint(const json& scene, ShapeLibrary& shapes) {
   if (const auto problem = find_scene_schema_problem(scene)) {
     return problem->message;
   }
-  const auto problems = scene_problems(scene);
+  const auto problems = scene_problems(scene, shapes);
   return problems.empty() ? "" : problems.front().message;
 }
 
@@ -105,14 +105,14 @@ void check_levels(const Protocol& protocol) {
     const Factor& factor = protocol.design.factors[i];
     for (std::size_t j = 0; j < factor.levels.size(); ++j) {
       const json scene = scene_under(protocol, {{factor.name, factor.levels[j]}});
-      const std::string message = complaint(scene);
+      const std::string message = complaint(scene, *protocol.shapes);
       if (!message.empty()) {
         refuse(protocol.document, item(item("/design/factors", i) + "/levels", j), message);
       }
     }
   }
   for (const Condition& cell : cells(protocol.design)) {
-    const auto problems = scene_problems(scene_under(protocol, cell));
+    const auto problems = scene_problems(scene_under(protocol, cell), *protocol.shapes);
     if (!problems.empty()) {
       refuse(protocol.document, "/design/factors",
              problems.front().pointer + " of the scene under " + to_json(cell).dump() + ": " +
@@ -124,14 +124,14 @@ void check_levels(const Protocol& protocol) {
 void check_catch_scenes(const Protocol& protocol) {
   for (std::size_t i = 0; i < protocol.design.catch_trials.size(); ++i) {
     for (const FactorLevel& level : protocol.design.catch_trials[i].condition) {
-      const std::string message = complaint(scene_under(protocol, {level}));
+      const std::string message = complaint(scene_under(protocol, {level}), *protocol.shapes);
       if (!message.empty()) {
         refuse(protocol.document,
                item("/design/catch_trials", i) + "/condition" + "/" + level.factor, message);
       }
     }
-    const std::string message =
-        complaint(scene_under(protocol, protocol.design.catch_trials[i].condition));
+    const std::string message = complaint(
+        scene_under(protocol, protocol.design.catch_trials[i].condition), *protocol.shapes);
     if (!message.empty()) {
       refuse(protocol.document, item("/design/catch_trials", i) + "/condition", message);
     }
@@ -155,7 +155,7 @@ void check_demonstrations(const Protocol& protocol) {
       }
     }
     const json scene = demonstration_scene(protocol, demonstration);
-    const std::string message = complaint(scene);
+    const std::string message = complaint(scene, *protocol.shapes);
     if (!message.empty()) {
       refuse(protocol.document, place + "/set", message);
     }

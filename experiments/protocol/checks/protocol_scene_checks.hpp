@@ -12,7 +12,7 @@ namespace impetus::inline protocol {
 bool names_single_value(const nlohmann::json& scene, const std::string& pointer);
 
 /// What the scene's schema or the scene itself says against `scene`; "" when it can be shown.
-std::string complaint(const nlohmann::json& scene);
+std::string complaint(const nlohmann::json& scene, ShapeLibrary& shapes);
 
 /// Every level and every cell, put into the scene, leaves a scene that can be shown. Throws
 /// InputError.

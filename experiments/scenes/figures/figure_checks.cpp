@@ -351,8 +351,8 @@ void add_figure_problems(const Scene& scene, SceneProblems& problems) {
   }
 }
 
-void add_overlap_problems(const Scene& scene, SceneProblems& problems) {
-  const StartingOverlaps overlaps = starting_overlaps_of(scene);
+void add_overlap_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
+  const StartingOverlaps overlaps = starting_overlaps_of(scene, library);
   const auto place = [&](std::int32_t body) {
     const std::size_t figure = figure_with(overlaps.figures, body);
     return figure < overlaps.figures.size() ? place_of_figure(figure)

@@ -14,6 +14,6 @@ void add_figure_problems(const Scene& scene, SceneProblems& problems);
 /// Adds what is wrong with where a scene's named bodies and figures start: any that overlap, at the
 /// coarsest level at which they may stay, and parts that are folded onto their neighbours.
 /// Precondition: as for build_scene(), and no crowd.
-void add_overlap_problems(const Scene& scene, SceneProblems& problems);
+void add_overlap_problems(const Scene& scene, ShapeLibrary& library, SceneProblems& problems);
 
 }  // namespace impetus::inline scenes
