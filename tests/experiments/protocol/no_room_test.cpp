@@ -46,7 +46,6 @@ TEST(NoRoom, CommandsRefuseTheScene) {
   expect_refused(folder, {"trade", "s.json", "--screen", "screen.json"}, "s.json:" + kSentence);
   EXPECT_FALSE(std::filesystem::exists(folder / "trade"));
 #ifdef IMPETUS_PROGRAM_HAS_WINDOW
-  expect_refused(folder, {"preview", "s.json", "--screen", "screen.json"}, "s.json:" + kSentence);
   expect_refused(folder, {"preview", "s.json", "--screen", "screen.json", "--strip", "a.png"},
                  "s.json:" + kSentence);
 #endif
