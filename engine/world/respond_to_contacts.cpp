@@ -143,8 +143,8 @@ void impose(const Step& step) {
 }
 
 /// Brings a body whose centre is beyond a wall back to it, and takes from it what would carry its
-/// centre through in the next step, as if the wall pushed at its centre: its kinetic energy does not
-/// grow, and nothing turns it.
+/// centre through in the next step, as if the wall pushed at its centre: its kinetic energy does
+/// not grow, and nothing turns it.
 void stop_centre_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
                           const BodyModel& model, BodyState& state) {
   for (int wall = 0; wall < kWallCount; ++wall) {
