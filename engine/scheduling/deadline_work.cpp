@@ -67,8 +67,7 @@ DeadlineWork::DeadlineWork(const WorkClock& clock, std::int64_t ns_per_step)
       part_times_(guesses(kNsPerThing)) {}
 
 void DeadlineWork::start_step() {
-  start_ns_ = clock_->now_ns();
-  end_ns_ = start_ns_ + ns_per_step_ -
+  end_ns_ = clock_->now_ns() + ns_per_step_ -
             static_cast<std::int64_t>(kMargin * static_cast<double>(ns_per_step_));
   phases_ = {};
   pairs_ = 0;

@@ -89,7 +89,6 @@ class DeadlineWork final : public WorkMeter {
   // Of this step.
   std::array<Granting, kWorkPhases> phases_{};
   bool started_{false};
-  std::int64_t start_ns_{0};
   std::int64_t end_ns_{0};        ///< of what can be interrupted
   std::int64_t pairs_{0};         ///< that are to be refined
   std::int64_t reserved_{0};      ///< units of refinement, for the parts that follow it
