@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/numerics/at.hpp"
+
 namespace impetus::inline collision {
 namespace {
 
@@ -98,7 +100,7 @@ bool could_meet(const MovedBound& a, const MovedBound& b) {
   return overlap(swept, b.bound);
 }
 
-void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs) {
+void find_among_all(const std::vector<MovedBound>& bodies, std::vector<BodyPair>& pairs) {
   pairs.clear();
   for (std::size_t b = 1; b < bodies.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
@@ -106,37 +108,52 @@ void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBound
         continue;
       }
       if (could_meet(bodies[a], bodies[b])) {
-        const BodyPair pair{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)};
-        pairs.push_back({pair, bodies[a].bound, bodies[b].bound});
+        pairs.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)});
       }
     }
   }
 }
 
-std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
-  std::vector<PairBounds> pairs;
-  find_among_all(bodies, pairs);
-  return pairs;
+void take_bounds(const std::vector<MovedBound>& bodies, const std::vector<BodyPair>& pairs,
+                 std::vector<PairBounds>& candidates) {
+  candidates.clear();
+  for (const BodyPair& pair : pairs) {
+    candidates.push_back({pair, bodies[at(pair.a)].bound, bodies[at(pair.b)].bound});
+  }
 }
 
-void SweptIntervals::take(const std::vector<SweptInterval>& sorted) {
-  size_ = sorted.size();
-  const std::size_t readable = size_ + kLanes - 1;
+std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies) {
+  std::vector<BodyPair> pairs;
+  find_among_all(bodies, pairs);
+  std::vector<PairBounds> candidates;
+  take_bounds(bodies, pairs, candidates);
+  return candidates;
+}
+
+void SweptIntervals::clear() {
   for (std::vector<double>* ends : {&least_, &greatest_, &across_least_[0], &across_least_[1],
                                     &across_greatest_[0], &across_greatest_[1]}) {
-    ends->resize(readable);
+    ends->clear();
   }
-  for (std::size_t i = 0; i < size_; ++i) {
-    least_[i] = sorted[i].least;
-    greatest_[i] = sorted[i].greatest;
+}
+
+std::size_t SweptIntervals::add(const std::vector<SweptInterval>& sorted) {
+  const std::size_t first = least_.size();
+  for (const SweptInterval& interval : sorted) {
+    least_.push_back(interval.least);
+    greatest_.push_back(interval.greatest);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      across_least_[axis][i] = sorted[i].across_least[axis];
-      across_greatest_[axis][i] = sorted[i].across_greatest[axis];
+      across_least_[axis].push_back(interval.across_least[axis]);
+      across_greatest_[axis].push_back(interval.across_greatest[axis]);
     }
   }
   // Nothing reaches what is not there, not even what has no end.
-  std::fill(least_.begin() + static_cast<std::ptrdiff_t>(size_), least_.end(),
-            std::numeric_limits<double>::quiet_NaN());
+  const std::size_t behind_gap = least_.size() + kLanes;
+  for (std::vector<double>* ends : {&least_, &greatest_, &across_least_[0], &across_least_[1],
+                                    &across_greatest_[0], &across_greatest_[1]}) {
+    ends->resize(behind_gap, std::numeric_limits<double>::quiet_NaN());
+  }
+  return first;
 }
 
 SweptIntervals::Ends SweptIntervals::from(std::size_t index) const {
@@ -237,44 +254,59 @@ std::size_t SweepAndPrune::strip_at(double place_m) const {
   return static_cast<std::size_t>(std::clamp(strip, 0.0, static_cast<double>(strip_count_) - 1.0));
 }
 
-void SweepAndPrune::sweep(std::size_t strip) {
-  const std::vector<SweptInterval>& intervals = strips_[strip];
-  swept_.take(intervals);
-  for (std::size_t i = 0; i < intervals.size(); ++i) {
-    const SweptInterval& x = intervals[i];
-    for (std::size_t first = i + 1; swept_.reaches(i, first); first += kLanes) {
-      for (std::uint32_t bits = swept_.meeting(i, first); bits != 0; bits &= bits - 1) {
-        const SweptInterval& y =
-            intervals[first + static_cast<std::size_t>(std::countr_zero(bits))];
-        const bool found_before =
-            strip_count_ > 1 && strip_at(std::max(x.across_least[0], y.across_least[0])) != strip;
-        if ((x.movable || y.movable) && !found_before) {
-          found_.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
-        }
+void SweepAndPrune::begin_sweep() {
+  swept_.clear();
+  strip_places_.clear();
+  sweeping_.clear();
+  for (std::size_t strip = 0; strip < strip_count_; ++strip) {
+    const std::size_t begin = swept_.add(strips_[strip]);
+    strip_places_.push_back(begin);
+    for (std::size_t place = begin; place < begin + strips_[strip].size(); ++place) {
+      if (swept_.reaches(place, place + 1)) {
+        sweeping_.push_back({strip, place, place + 1});
       }
     }
   }
 }
 
-/// By (b, a): by a first, then by b, each in the order before.
-void SweepAndPrune::sort_found(std::size_t bodies) {
-  const auto sort_by = [&](std::int32_t BodyPair::*body, const std::vector<BodyPair>& from,
-                           std::vector<BodyPair>& to) {
-    places_.assign(bodies + 1, 0);
-    for (const BodyPair& pair : from) {
-      ++places_[static_cast<std::size_t>(pair.*body) + 1];
+void SweepAndPrune::sweep(PhaseWork* work, std::vector<BodyPair>& pairs) {
+  while (!sweeping_.empty()) {
+    std::size_t go_on = 0;
+    for (Sweeping one : sweeping_) {
+      const std::uint32_t meeting = swept_.meeting(one.place, one.next);
+      if (work != nullptr && !work->spend(1 + std::popcount(meeting))) {
+        return;
+      }
+      find_in_block(one, meeting, pairs);
+      one.next += kLanes;
+      if (swept_.reaches(one.place, one.next)) {
+        sweeping_[go_on++] = one;
+      }
     }
-    std::partial_sum(places_.begin(), places_.end(), places_.begin());
-    to.resize(from.size());
-    for (const BodyPair& pair : from) {
-      to[places_[static_cast<std::size_t>(pair.*body)]++] = pair;
-    }
-  };
-  sort_by(&BodyPair::a, found_, half_sorted_);
-  sort_by(&BodyPair::b, half_sorted_, found_);
+    sweeping_.resize(go_on);
+  }
 }
 
-void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs) {
+/// Keeps the pairs of a body and those of its block that it meets, a bit each, in the first strip
+/// that both reach.
+void SweepAndPrune::find_in_block(const Sweeping& one, std::uint32_t meeting,
+                                  std::vector<BodyPair>& pairs) {
+  const std::vector<SweptInterval>& intervals = strips_[one.strip];
+  const std::size_t begin = strip_places_[one.strip];
+  const SweptInterval& x = intervals[one.place - begin];
+  for (; meeting != 0; meeting &= meeting - 1) {
+    const SweptInterval& y =
+        intervals[one.next - begin + static_cast<std::size_t>(std::countr_zero(meeting))];
+    const bool found_before =
+        strip_count_ > 1 && strip_at(std::max(x.across_least[0], y.across_least[0])) != one.strip;
+    if ((x.movable || y.movable) && !found_before) {
+      pairs.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
+    }
+  }
+}
+
+void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<BodyPair>& pairs,
+                         PhaseWork* work) {
   const int axis = widest_axis(bodies);
   cover(bodies, axis);
   sort();
@@ -282,19 +314,39 @@ void SweepAndPrune::find(const std::vector<MovedBound>& bodies, std::vector<Pair
   std::transform(intervals_.begin(), intervals_.end(), order.begin(),
                  [](const SweptInterval& interval) { return interval.body; });
   part_into_strips();
-  found_.clear();
-  for (std::size_t strip = 0; strip < strip_count_; ++strip) {
-    sweep(strip);
-  }
-  sort_found(bodies.size());
+  begin_sweep();
   pairs.clear();
-  for (const BodyPair& pair : found_) {
-    const MovedBound& a = bodies[static_cast<std::size_t>(pair.a)];
-    const MovedBound& b = bodies[static_cast<std::size_t>(pair.b)];
-    if (could_meet(a, b)) {
-      pairs.push_back({pair, a.bound, b.bound});
+  sweep(work, pairs);
+  std::erase_if(pairs, [&bodies](const BodyPair& pair) {
+    return !could_meet(bodies[at(pair.a)], bodies[at(pair.b)]);
+  });
+}
+
+/// By a first, then by b, each in the order before.
+void SweepAndPrune::put_in_order(std::size_t bodies, std::vector<BodyPair>& pairs) {
+  const auto sort_by = [&](std::int32_t BodyPair::*body, const std::vector<BodyPair>& from,
+                           std::vector<BodyPair>& to) {
+    places_.assign(bodies + 1, 0);
+    for (const BodyPair& pair : from) {
+      ++places_[at(pair.*body) + 1];
     }
-  }
+    std::partial_sum(places_.begin(), places_.end(), places_.begin());
+    to.resize(from.size());
+    for (const BodyPair& pair : from) {
+      to[places_[at(pair.*body)]++] = pair;
+    }
+  };
+  sort_by(&BodyPair::a, pairs, half_sorted_);
+  sort_by(&BodyPair::b, half_sorted_, pairs);
+}
+
+std::vector<PairBounds> SweepAndPrune::candidates(const std::vector<MovedBound>& bodies) {
+  std::vector<BodyPair> pairs;
+  find(bodies, pairs);
+  put_in_order(bodies.size(), pairs);
+  std::vector<PairBounds> candidates;
+  take_bounds(bodies, pairs, candidates);
+  return candidates;
 }
 
 }  // namespace impetus::inline collision

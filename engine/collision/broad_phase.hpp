@@ -13,6 +13,10 @@
 // and a pair is found in the first strip that both reach. So a body is compared with those near it
 // along two axes, and the cost of a body hardly depends on how many others there are.
 //
+// A sweep goes in rounds: each body is compared with the next block of those that begin behind it,
+// then each with the block after that. So one that is stopped has compared everybody with those
+// that begin nearest behind him.
+//
 // Intervals are conservative and pairs are tested as candidate_pairs() tests them, so the result is
 // the same to the last bit. A body whose interval is not a finite number meets every other.
 // (Baraff 1992; Cohen et al. 1995; Dingliana 2002, sec. 5.3.2)
@@ -26,6 +30,7 @@
 
 #include "engine/numerics/lanes.hpp"
 #include "engine/scheduling/priority.hpp"
+#include "engine/scheduling/work_meter.hpp"
 
 namespace impetus::inline collision {
 
@@ -45,8 +50,12 @@ bool could_meet(const MovedBound& a, const MovedBound& b);
 /// (Dingliana 2002, sec. 5.3.2: space-time bounds)
 std::vector<PairBounds> candidate_pairs(const std::vector<MovedBound>& bodies);
 
-/// What candidate_pairs(bodies) returns, in place of what `pairs` held.
-void find_among_all(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs);
+/// The bodies of candidate_pairs(bodies), in its order, in place of what `pairs` held.
+void find_among_all(const std::vector<MovedBound>& bodies, std::vector<BodyPair>& pairs);
+
+/// The pairs with their bodies' bounds, in place of what `candidates` held.
+void take_bounds(const std::vector<MovedBound>& bodies, const std::vector<BodyPair>& pairs,
+                 std::vector<PairBounds>& candidates);
 
 /// What a body covers along the axis of the sweep and across it.
 struct SweptInterval {
@@ -59,14 +68,18 @@ struct SweptInterval {
 };
 
 /// The intervals of a sweep, each end in an array of its own: what is compared, a block at a time.
+/// Strip follows upon strip, with a gap between that nobody reaches.
 class SweptIntervals {
  public:
-  /// Takes intervals sorted by their least ends; forgets those before.
-  void take(const std::vector<SweptInterval>& sorted);
+  void clear();
 
-  /// Whether interval `first` begins within interval `index`, or there is none left.
+  /// Adds a strip's intervals, sorted by their least ends. Returns the place of the first.
+  std::size_t add(const std::vector<SweptInterval>& sorted);
+
+  /// Whether the interval at `first`, of the same strip or in the gap behind it, begins within that
+  /// at `index`.
   [[nodiscard]] bool reaches(std::size_t index, std::size_t first) const {
-    return first < size_ && least_[first] <= greatest_[index];
+    return least_[first] <= greatest_[index];
   }
 
   /// Which of the kLanes intervals from `first` on meet interval `index` along all axes: a bit
@@ -85,7 +98,6 @@ class SweptIntervals {
  private:
   [[nodiscard]] Ends from(std::size_t index) const;
 
-  std::size_t size_{0};
   std::vector<double> least_;
   std::vector<double> greatest_;
   std::array<std::vector<double>, 2> across_least_;
@@ -95,23 +107,32 @@ class SweptIntervals {
 /// Finds the candidate pairs of step after step, in memory that it keeps.
 class SweepAndPrune {
  public:
-  /// Finds what candidate_pairs(bodies) returns, in the same order; forgets what `pairs` held.
-  void find(const std::vector<MovedBound>& bodies, std::vector<PairBounds>& pairs);
+  /// Finds the bodies of candidate_pairs(bodies), in any order, in place of what `pairs` held.
+  /// Where `work` does not grant the whole sweep: those of them that were found until then.
+  void find(const std::vector<MovedBound>& bodies, std::vector<BodyPair>& pairs,
+            PhaseWork* work = nullptr);
 
-  /// The same, as a list of its own.
-  std::vector<PairBounds> candidates(const std::vector<MovedBound>& bodies) {
-    std::vector<PairBounds> pairs;
-    find(bodies, pairs);
-    return pairs;
-  }
+  /// Puts pairs of so many bodies in order of (b, a).
+  void put_in_order(std::size_t bodies, std::vector<BodyPair>& pairs);
+
+  /// What candidate_pairs(bodies) returns.
+  std::vector<PairBounds> candidates(const std::vector<MovedBound>& bodies);
 
  private:
   void cover(const std::vector<MovedBound>& bodies, int axis);
   void sort();
   void part_into_strips();
   [[nodiscard]] std::size_t strip_at(double place_m) const;
-  void sweep(std::size_t strip);
-  void sort_found(std::size_t bodies);
+  /// A body of a strip, and the place where its next block begins.
+  struct Sweeping {
+    std::size_t strip;
+    std::size_t place;
+    std::size_t next;
+  };
+
+  void begin_sweep();
+  void sweep(PhaseWork* work, std::vector<BodyPair>& pairs);
+  void find_in_block(const Sweeping& one, std::uint32_t meeting, std::vector<BodyPair>& pairs);
 
   std::array<std::vector<std::int32_t>, 3> orders_;  ///< bodies along each axis, last time
   std::vector<SweptInterval> intervals_;
@@ -120,7 +141,8 @@ class SweepAndPrune {
   double strips_begin_m_{0.0};
   double strip_width_m_{1.0};
   SweptIntervals swept_;
-  std::vector<BodyPair> found_;
+  std::vector<std::size_t> strip_places_;  ///< of each strip's first interval in swept_
+  std::vector<Sweeping> sweeping_;         ///< who still reaches somebody
   std::vector<BodyPair> half_sorted_;
   std::vector<std::size_t> places_;
 };

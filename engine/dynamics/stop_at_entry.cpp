@@ -135,13 +135,6 @@ class StopsInOrder {
     const auto& [a, b] = bodies(pair);
     memory_.pending[pair].reset();
     const double share = memory_.stops[at(a)] + memory_.stops[at(b)] > 0 ? kShareOnceStopped : 1.0;
-    const PairOnTheWay on_the_way{placed_[at(a)],
-                                  placed_[at(b)],
-                                  memory_.ways[at(a)],
-                                  memory_.ways[at(b)],
-                                  step_.greatest_level,
-                                  std::min(kMostEntryTests, step_.most_tests - result_.tests),
-                                  step_.work};
     if (is_slow(pair, share)) {
       return;
     }
@@ -149,6 +142,13 @@ class StopsInOrder {
       result_.unsearched.push_back(bodies(pair));
       return;
     }
+    const PairOnTheWay on_the_way{placed_[at(a)],
+                                  placed_[at(b)],
+                                  memory_.ways[at(a)],
+                                  memory_.ways[at(b)],
+                                  step_.greatest_level,
+                                  std::min(kMostEntryTests, step_.most_tests - result_.tests),
+                                  step_.work};
     if (!is_fast(on_the_way, share)) {
       return;
     }

@@ -8,12 +8,12 @@ namespace impetus::inline scheduling {
 namespace {
 
 /// First guesses, of a machine of 2022; each is corrected within a few steps.
-constexpr double kNsPerUnit[kWorkPhases] = {500.0, 1'000.0, 30.0, 500.0, 8.0,
-                                            8.0,   60.0,    80.0, 80.0};
+constexpr double kNsPerUnit[kWorkPhases] = {500.0, 10.0, 1'000.0, 30.0, 500.0,
+                                            8.0,   8.0,  60.0,    80.0, 80.0};
 constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 1'000.0, 20.0, 150.0, 250.0};
 
 /// Of the time that is left when a phase begins, besides what later ones take in any case.
-constexpr double kShareOfRest[kWorkPhases] = {0.4, 0.45, 0.4, 0.6, 1.0, 1.0, 0.5, 0.7, 1.0};
+constexpr double kShareOfRest[kWorkPhases] = {0.4, 0.3, 0.45, 0.4, 0.6, 1.0, 1.0, 0.5, 0.7, 1.0};
 
 /// Of what is left when refinement begins: so much it gets at least, whatever is reserved, since
 /// coarser contacts are more contacts.
@@ -90,6 +90,11 @@ void DeadlineWork::begin(StepPart part, std::int64_t units) {
         .learn(static_cast<double>(now_ns - part_began_ns_),
                static_cast<double>(std::min(model.asked, model.granted)));
   }
+  const Granting& entry = phases_[index_of(WorkPhase::kEntry)];
+  if (part == StepPart::kRefine && entry.refused) {
+    left_entry_time_.learn(static_cast<double>(now_ns - entry.looked_ns),
+                           static_cast<double>(pairs_));
+  }
   if (part == StepPart::kModel) {
     later_began_ns_ = now_ns;
   }
@@ -137,14 +142,13 @@ std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int
   reserved_ = phase == WorkPhase::kTests ? reserved : reserved_;
   granting.looked_ns = now_ns;
   if (!can_be_interrupted(phase)) {
-    granting.granted = std::min(total, fitting_units(phase, now_ns, granting));
-    granting.refused = granting.granted < total;
+    grant_what_fits(phase, total, now_ns, granting);
     if (phase == WorkPhase::kPairs) {
       pairs_ = granting.granted;
     }
     return granting.granted;
   }
-  const std::int64_t kept_ns = phase == WorkPhase::kTests ? kept_for_later_ns(reserved) : 0;
+  const std::int64_t kept_ns = kept_for_later_ns(phase, total, reserved);
   grant_slice(phase, total, granting.until_ns - kept_ns - now_ns, granting);
   return granting.granted;
 }
@@ -156,6 +160,11 @@ void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& g
     part_time(part_).learn(in_part_ns, static_cast<double>(part_units_));
   }
   granting.until_ns = until_ns(phase, now_ns);
+  if (phase == WorkPhase::kPairs) {
+    const Granting& sweep = phases_[index_of(WorkPhase::kSweep)];
+    sorting_time_.learn(static_cast<double>(now_ns - sweep.looked_ns),
+                        static_cast<double>(std::min(sweep.asked, sweep.granted)));
+  }
   if (phase == WorkPhase::kTests) {
     const Granting& roots = phases_[index_of(WorkPhase::kRoots)];
     ordering_time_.learn(roots.begun ? static_cast<double>(now_ns - roots.looked_ns) : 0.0,
@@ -168,7 +177,7 @@ void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& g
 std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const {
   double due_ns = 0.0;
   if (phase == WorkPhase::kEntry) {
-    due_ns = part_ns(StepPart::kRefine) * static_cast<double>(pairs_);
+    due_ns = (left_entry_time_.ns() + part_ns(StepPart::kRefine)) * static_cast<double>(pairs_);
   } else if (phase == WorkPhase::kRoots) {
     due_ns = ordering_time_.ns() * static_cast<double>(pairs_);
   }
@@ -176,15 +185,29 @@ std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const 
   return now_ns + static_cast<std::int64_t>(kShareOfRest[index_of(phase)] * std::max(0.0, rest_ns));
 }
 
-std::int64_t DeadlineWork::fitting_units(WorkPhase phase, std::int64_t now_ns,
-                                         const Granting& granting) const {
+void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
+                                   Granting& granting) const {
   const double unit_ns =
       phase == WorkPhase::kPairs ? part_ns(StepPart::kRefine) : unit_times_[index_of(phase)].ns();
-  return static_cast<std::int64_t>(
-      std::max(0.0, static_cast<double>(granting.until_ns - now_ns) / unit_ns));
+  const auto fitting = [&](double time_ns) {
+    return static_cast<std::int64_t>(std::max(0.0, time_ns / unit_ns));
+  };
+  const auto left_ns = static_cast<double>(granting.until_ns - now_ns);
+  granting.granted = std::min(total, fitting(left_ns));
+  granting.refused = granting.granted < total;
+  if (granting.refused && phase == WorkPhase::kModel) {  // who comes first is found out before
+    granting.granted = fitting(left_ns - ordering_time_.ns() * static_cast<double>(pairs_));
+  }
 }
 
-std::int64_t DeadlineWork::kept_for_later_ns(std::int64_t reserved) const {
+std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total,
+                                             std::int64_t reserved) const {
+  if (phase == WorkPhase::kSweep) {
+    return static_cast<std::int64_t>(sorting_time_.ns() * static_cast<double>(total));
+  }
+  if (phase != WorkPhase::kTests) {
+    return 0;
+  }
   const auto wanted_ns =
       static_cast<std::int64_t>(reserved_unit_time_.ns() * static_cast<double>(reserved));
   return std::min(wanted_ns, std::max<std::int64_t>(0, end_ns_ - later_end_ns_));

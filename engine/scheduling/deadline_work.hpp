@@ -72,9 +72,10 @@ class DeadlineWork final : public WorkMeter {
 
   void begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting);
   [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
-  [[nodiscard]] std::int64_t fitting_units(WorkPhase phase, std::int64_t now_ns,
-                                           const Granting& granting) const;
-  [[nodiscard]] std::int64_t kept_for_later_ns(std::int64_t reserved) const;
+  void grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
+                       Granting& granting) const;
+  [[nodiscard]] std::int64_t kept_for_later_ns(WorkPhase phase, std::int64_t total,
+                                               std::int64_t reserved) const;
   void grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns, Granting& granting);
 
   LearnedTime& unit_time(WorkPhase phase) { return unit_times_[static_cast<std::size_t>(phase)]; }
@@ -102,7 +103,9 @@ class DeadlineWork final : public WorkMeter {
   std::array<LearnedTime, kWorkPhases> unit_times_;
   std::array<LearnedTime, kStepParts> part_times_;
   LearnedTime reserved_unit_time_{4.0};
-  LearnedTime ordering_time_{500.0};  ///< of a pair, between its root and the first test
+  LearnedTime left_entry_time_{50.0};  ///< of a pair, once the search for entries was refused
+  LearnedTime sorting_time_{20.0};     ///< of what the sweep found, for each of its units
+  LearnedTime ordering_time_{500.0};   ///< of a pair, between its root and the first test
 };
 
 }  // namespace impetus::inline scheduling

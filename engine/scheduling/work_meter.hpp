@@ -1,7 +1,7 @@
 // How much work a step may do: every phase that can be interrupted asks, in units that do not
 // depend on the machine.
 //
-//   motion ─> pairs ─> entry ─> roots ─> tests, refinement ─> model ─> response ─> visible
+//   motion ─> sweep ─> pairs ─> entry ─> roots ─> tests, refinement ─> model ─> response ─> visible
 //     each:  |<---- total that is asked for ---->|      granted up to here, or refused
 //
 // The engine reads no clock. A meter grants work when asked; what each phase was granted, logged,
@@ -28,6 +28,7 @@ inline constexpr std::int64_t kUnlimitedTests = INT64_MAX;
 /// What asks for work in a step, in its order.
 enum class WorkPhase : std::uint8_t {
   kMotion,      ///< of figures: bodies moved anew, beyond the least that brings them on
+  kSweep,       ///< blocks of bodies compared with one, and pairs found
   kPairs,       ///< pairs of bodies that are kept as candidates
   kEntry,       ///< node pairs tested, and pairs looked at, along the ways of fast bodies
   kRoots,       ///< pairs whose roots are tested; those with walls always are
@@ -38,11 +39,12 @@ enum class WorkPhase : std::uint8_t {
   kVisible,     ///< contacts looked at, the most visible first, once kResponse was refused
 };
 
-inline constexpr std::size_t kWorkPhases = 9;
+inline constexpr std::size_t kWorkPhases = 10;
 
 /// As they are told of, in the order of the phases.
 inline constexpr std::array<std::string_view, kWorkPhases> kWorkPhaseNames{
-    "motion", "pairs", "entry", "roots", "tests", "refinement", "model", "response", "visible"};
+    "motion", "sweep",      "pairs", "entry",    "roots",
+    "tests",  "refinement", "model", "response", "visible"};
 
 /// Where a phase stands that asks for nothing: the beginning of one, with what it does in any case.
 enum class StepPart : std::uint8_t { kMove, kPair, kEnter, kRefine, kModel, kRespond, kRemember };

@@ -90,25 +90,27 @@ void model_all(const Step& step, std::span<const RefinedPair> pairs) {
   }
 }
 
-/// Those with walls, and of the others those that are granted, the most urgent first.
+/// Those with walls, and of the others those that are granted, the most urgent first. Nothing is
+/// put in order where what is granted is not enough for a pair.
 void model_most_urgent(const Step& step, std::span<const RefinedPair> pairs, PhaseWork& work) {
   StepReport& report = step.memory.report;
   report.degradations |= kContactsLeft;
   for (std::size_t place = 0; place < pairs.size(); ++place) {
-    if (is_wall(pairs[place].bodies.b) && touches(pairs[place])) {
-      model_pair(step, place, pairs[place]);
+    const RefinedPair& pair = pairs[place];
+    if (is_wall(pair.bodies.b) && touches(pair)) {
+      model_pair(step, place, pair);
     }
+    report.contacts_left += !is_wall(pair.bodies.b) && touches(pair) ? 1 : 0;
+  }
+  if (work.granted() <= kPairUnits) {
+    return;
   }
   for (const std::size_t place : step.memory.order.all_places_by_priority(
            {step.settings.schedule, step.input, step.world.models, step.world.states})) {
     const RefinedPair& pair = pairs[place];
-    if (is_wall(pair.bodies.b) || !touches(pair)) {
-      continue;
-    }
-    if (work.spend(units_of(pair))) {
+    if (!is_wall(pair.bodies.b) && touches(pair) && work.spend(units_of(pair))) {
       model_pair(step, place, pair);
-    } else {
-      ++report.contacts_left;
+      --report.contacts_left;
     }
   }
 }

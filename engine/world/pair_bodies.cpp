@@ -1,6 +1,7 @@
 // The second phase of a step: who may have met, by the bounds of where bodies went.
 //
-//   candidates   bodies whose swept bounds touch, but those that are out or neighbours in a figure
+//   candidates   bodies whose swept bounds touch, but those that are out or neighbours in a figure;
+//                of more than can be found, those that begin near each other along an axis
 //   leave        of more than are granted, those that reach least into each other
 //   stop         fast pairs that would pass through each other, where they first touch
 //   walls        bodies that reach beyond the enclosure where they stand now
@@ -10,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "engine/collision/broad_phase.hpp"
 #include "engine/numerics/at.hpp"
@@ -22,62 +25,75 @@ namespace {
 /// So few are sooner all tested against each other than put in order; the pairs are the same.
 constexpr std::size_t kFewBodies = 24;
 
-void find_candidates(const Step& step) {
+/// Finds whose bounds touched on the way; whether all was granted that this takes.
+bool find_pairs(const Step& step, std::vector<BodyPair>& found) {
   WorldState& world = step.world;
-  std::vector<PairBounds>& candidates = step.memory.candidates;
+  PhaseWork work = step.work_of(WorkPhase::kSweep);
   if (step.memory.bounds.size() <= kFewBodies) {
-    find_among_all(step.memory.bounds, candidates);
+    find_among_all(step.memory.bounds, found);
   } else {
-    world.broad_phase.find(step.memory.bounds, candidates);
+    world.broad_phase.find(step.memory.bounds, found, &work);
   }
   if (world.finite.any_out()) {
-    std::erase_if(candidates, [&world](const PairBounds& pair) {
-      return world.finite.is_out(at(pair.pair.a)) || world.finite.is_out(at(pair.pair.b));
+    std::erase_if(found, [&world](const BodyPair& pair) {
+      return world.finite.is_out(at(pair.a)) || world.finite.is_out(at(pair.b));
     });
   }
   if (world.figures) {
-    std::erase_if(candidates, [&step, &world](const PairBounds& pair) {
-      return !world.figures->may_meet(step.settings.figures, pair.pair);
+    std::erase_if(found, [&step, &world](const BodyPair& pair) {
+      return !world.figures->may_meet(step.settings.figures, pair);
     });
-    world.figures->find_folds(step.settings.figures, world.finite, world.states);
   }
+  return !work.refused();
 }
 
 /// How deep the bounds of a pair reach into each other at the end of the step (metres); of bounds
 /// that met on the way alone, less than nothing.
-double overlap_m(const PairBounds& pair) {
-  return pair.a.radius_m + pair.b.radius_m - (pair.a.centre - pair.b.centre).norm();
+double overlap_m(const std::vector<MovedBound>& bounds, BodyPair pair) {
+  const Sphere& a = bounds[at(pair.a)].bound;
+  const Sphere& b = bounds[at(pair.b)].bound;
+  return a.radius_m + b.radius_m - (a.centre - b.centre).norm();
 }
 
-/// Keeps as many candidates as are granted, in their order: those that reach deepest into each
-/// other, of equals the first.
-void leave_shallow_candidates(const Step& step) {
-  std::vector<PairBounds>& candidates = step.memory.candidates;
+/// Keeps as many pairs as are granted: those that reach deepest into each other, of equals the
+/// first by (b, a). Returns how many are left.
+std::int64_t leave_shallow_pairs(const Step& step, std::vector<BodyPair>& found) {
   PhaseWork work = step.work_of(WorkPhase::kPairs);
-  if (work.spend(static_cast<std::int64_t>(candidates.size()))) {
-    return;
+  if (work.spend(static_cast<std::int64_t>(found.size()))) {
+    return 0;
   }
-  std::vector<CandidateDepth>& depths = step.memory.depths;
+  std::vector<PairDepth>& depths = step.memory.depths;
   depths.clear();
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    depths.push_back({overlap_m(candidates[i]), static_cast<std::int32_t>(i)});
+  for (const BodyPair& pair : found) {
+    depths.push_back({overlap_m(step.memory.bounds, pair), pair});
   }
-  const auto kept = static_cast<std::ptrdiff_t>(work.granted());
-  const auto goes_before = [](const CandidateDepth& x, const CandidateDepth& y) {
-    return x.overlap_m > y.overlap_m || (x.overlap_m == y.overlap_m && x.candidate < y.candidate);
+  const auto goes_before = [](const PairDepth& x, const PairDepth& y) {
+    return x.overlap_m != y.overlap_m
+               ? x.overlap_m > y.overlap_m
+               : std::pair(x.pair.b, x.pair.a) < std::pair(y.pair.b, y.pair.a);
   };
+  const auto kept = static_cast<std::ptrdiff_t>(work.granted());
   std::nth_element(depths.begin(), depths.begin() + kept, depths.end(), goes_before);
-  depths.resize(static_cast<std::size_t>(kept));
-  std::sort(depths.begin(), depths.end(), [](const CandidateDepth& x, const CandidateDepth& y) {
-    return x.candidate < y.candidate;
-  });
-  StepReport& report = step.memory.report;
-  report.degradations |= kPairsLeft;
-  report.pairs_left = static_cast<std::int64_t>(candidates.size() - depths.size());
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    candidates[i] = candidates[at(depths[i].candidate)];
+  const std::size_t left = found.size() - static_cast<std::size_t>(kept);
+  found.resize(static_cast<std::size_t>(kept));
+  std::transform(depths.begin(), depths.begin() + kept, found.begin(),
+                 [](const PairDepth& depth) { return depth.pair; });
+  return static_cast<std::int64_t>(left);
+}
+
+void find_candidates(const Step& step) {
+  WorldState& world = step.world;
+  StepMemory& memory = step.memory;
+  const bool found_all = find_pairs(step, memory.found);
+  memory.report.pairs_left = leave_shallow_pairs(step, memory.found);
+  if (!found_all || memory.report.pairs_left > 0) {
+    memory.report.degradations |= kPairsLeft;
   }
-  candidates.resize(depths.size());
+  world.broad_phase.put_in_order(memory.bounds.size(), memory.found);
+  take_bounds(memory.bounds, memory.found, memory.candidates);
+  if (world.figures) {
+    world.figures->find_folds(step.settings.figures, world.finite, world.states);
+  }
 }
 
 /// The candidates of which both bodies can stop: a part cannot where its figure goes on.
@@ -139,7 +155,6 @@ void pair_bodies(const Step& step) {
   WorldState& world = step.world;
   step.meter.begin(StepPart::kPair, static_cast<std::int64_t>(world.models.size()));
   find_candidates(step);
-  leave_shallow_candidates(step);
   step.meter.begin(StepPart::kEnter, static_cast<std::int64_t>(step.memory.candidates.size()));
   if (step.settings.tunnelling == Tunnelling::kStopAtEntry) {
     stop_fast_pairs(step);

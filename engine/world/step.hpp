@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "engine/collision/contact_model.hpp"
@@ -34,11 +36,17 @@ enum Degradation : std::uint32_t {
   /// stayed at coarser levels, or stopped early
   /// or the meter did
   kEntryTestsSpent = 16,
-  kMotionCut = 32,      ///< figures took the step in fewer parts than they should
-  kPairsLeft = 64,      ///< pairs of bodies that hardly reach into each other were not looked at
+  kMotionCut = 32,  ///< figures took the step in fewer parts than they should
+  kPairsLeft = 64,  ///< pairs of bodies were not found, or hardly reach into each other and were
+                    ///< not looked at
   kContactsLeft = 128,  ///< pairs that touch got no contact
   kResponseCut = 256,   ///< contacts were not answered until nothing approaches
 };
+
+/// Their names, by bit.
+inline constexpr std::array<std::string_view, 9> kDegradationNames{
+    "floor over budget", "approach remains", "not finite",    "stopped short", "entry search cut",
+    "motion cut",        "pairs left",       "contacts left", "response cut"};
 
 /// A contact that the response got.
 struct ReportedContact {
@@ -81,7 +89,7 @@ struct StepReport {
   /// What phases were granted that were refused something; beside `work_granted`, what a replay
   /// needs (grants_of()).
   WorkGrants grants{};
-  std::int64_t pairs_left{0};     ///< of bodies, that were not looked at
+  std::int64_t pairs_left{0};     ///< of bodies, that were found and not looked at
   std::int64_t contacts_left{0};  ///< pairs that touch and got no contact
   std::int64_t work_spent{0};     ///< on all phases, at most what was reserved for the later ones
   std::int64_t work_floor{0};     ///< what is done, and what follows it, whatever the budget

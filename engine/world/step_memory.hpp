@@ -126,10 +126,10 @@ class ModelledCollisions {
   std::size_t taken_{0};  ///< contacts that are of a collision
 };
 
-/// How deep the bounds of a candidate reach into each other, where not all can be looked at.
-struct CandidateDepth {
+/// How deep the bounds of a pair reach into each other, where not all can be looked at.
+struct PairDepth {
   double overlap_m;
-  std::int32_t candidate;
+  BodyPair pair;
 };
 
 /// What the phases of a step hand on to each other; kept between steps only to allocate nothing.
@@ -148,9 +148,10 @@ struct StepMemory {
   std::vector<Fall> falls;  ///< by body; none without gravity
   std::vector<MovedBound> bounds;
   // pair
+  std::vector<BodyPair> found;    ///< whose bounds touched on the way
+  std::vector<PairDepth> depths;  ///< means nothing between steps
   std::vector<PairBounds> candidates;
-  std::vector<CandidateDepth> depths;  ///< means nothing between steps
-  std::vector<PairBounds> stoppable;   ///< where there are figures: those that are of no part
+  std::vector<PairBounds> stoppable;  ///< where there are figures: those that are of no part
   EntryMemory entries;  ///< its result is that of the last step in which bodies could be stopped
   // prioritise
   StepOrder order;

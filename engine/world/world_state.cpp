@@ -105,7 +105,7 @@ void WorldState::order_bodies() {
     const Sphere bound{states[body].pose.position, models[body].tree->bounding_radius_m()};
     bounds.push_back({bound, 0.0, models[body].inverse_mass > 0.0});
   }
-  std::vector<PairBounds> pairs;
+  std::vector<BodyPair> pairs;
   broad_phase.find(bounds, pairs);
 }
 

@@ -1,4 +1,5 @@
-// `impetus check`: validates protocols and prints their designs.
+// `impetus check`: validates protocols and prints their designs; and scenes, with the least time
+// that their steps take on this machine.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -6,6 +7,9 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -16,8 +20,13 @@
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
 #include "experiments/protocol/protocol_page.hpp"
+#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/questions/rating.hpp"
+#include "experiments/record/ports.hpp"
+#include "experiments/run/step_floor.hpp"
+#include "experiments/trade/trade_choice.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -101,13 +110,77 @@ void print_design(const Protocol& protocol) {
   std::printf("  hash         %s\n", protocol.hash.c_str());
 }
 
+const nlohmann::json::json_pointer kBudget_ms("/engine/budget/ms_per_step");
+
+/// The floor of a scene whose budget is in milliseconds, on this machine, told in a line; none of
+/// others. Refuses a budget that lies below it: `document` and `when` say whose it is.
+std::optional<std::string> floor_line(const nlohmann::json& scene, const StagedScene& staged,
+                                      const JsonDocument& document, const std::string& when) {
+  if (!scene.contains(kBudget_ms)) {
+    return std::nullopt;
+  }
+  const double budget_ms = scene[kBudget_ms].get<double>();
+  const double floor = floor_ms(staged, ThreadClock());
+  const std::string bodies = std::to_string(staged.looks.size()) + " bodies";
+  if (floor > budget_ms) {
+    refuse(document, kBudget_ms.to_string(),
+           "expected at least " + two_digits(floor) + " ms, which a step of " + bodies +
+               " takes on this machine whatever is left undone" + when + ", got " +
+               json_text(scene[kBudget_ms]));
+  }
+  return two_digits(floor) + " ms of a budget of " + json_text(scene[kBudget_ms]) + " for " +
+         bodies + ", on this machine";
+}
+
+/// The same of all scenes that a protocol shows, each said once.
+void print_floors(const Protocol& protocol) {
+  std::set<std::string> measured;
+  for (const Condition& cell : cells(protocol.design)) {
+    const nlohmann::json scene = scene_under(protocol, cell);
+    if (!scene.contains(kBudget_ms) || !measured.insert(scene.dump()).second) {
+      continue;
+    }
+    const std::string when = cell.empty() ? "" : " under " + to_json(cell).dump();
+    const StagedScene staged = staged_from(protocol.scene, [&] {
+      return build_scene(scene, assumed_screen(), kUnroundedHold, *protocol.shapes);
+    });
+    std::printf("  floor        %s%s\n", floor_line(scene, staged, protocol.scene, when)->c_str(),
+                when.c_str());
+  }
+}
+
+/// A scene by itself: what is in it, and its floor.
+void check_scene(const std::filesystem::path& file) {
+  const JsonDocument scene = load_scene(file);
+  ShapeLibrary shapes;
+  const StagedScene staged = staged_from(
+      scene, [&] { return build_scene(scene.value, assumed_screen(), kUnroundedHold, shapes); });
+  const std::optional<std::string> floor = floor_line(scene.value, staged, scene, "");
+  std::printf("%s: valid, a scene\n  %s\n  bodies       %zu\n", scene.name.c_str(),
+              scene.value["title"].get<std::string>().c_str(), staged.looks.size());
+  std::printf("  floor        %s\n",
+              floor
+                  ? floor->c_str()
+                  : (two_digits(floor_ms(staged, ThreadClock())) + " ms on this machine").c_str());
+}
+
+bool is_scene(const std::filesystem::path& file) {
+  const nlohmann::json value = read_json(file).value;
+  return value.is_object() && value.contains("engine") && !value.contains("design");
+}
+
 void check_one(const std::filesystem::path& file, const CheckOptions& options) {
+  if (is_scene(file)) {
+    check_scene(file);
+    return;
+  }
   const Protocol protocol = load_protocol(file);
   check_frames(protocol, options.refresh_hz, options.allow_rounding);
   if (options.explain) {
     std::printf("%s", protocol_page(protocol).c_str());
   } else {
     print_design(protocol);
+    print_floors(protocol);
   }
 }
 
@@ -132,9 +205,9 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Validate protocols, or series of them, and print their designs");
-  command->add_option("files", options->files, "Files of protocols or series")->required();
+  CLI::App* command = app.add_subcommand(
+      "check", "Validate protocols, series of them, or scenes, and print what is in them");
+  command->add_option("files", options->files, "Files of protocols, series or scenes")->required();
   command
       ->add_option("--refresh", options->refresh_hz, "Frames per second of the display to be used")
       ->capture_default_str()

@@ -11,6 +11,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
+#include "experiments/trade/crowds/cut_trade.hpp"
 #include "experiments/trade/parting.hpp"
 #include "experiments/trade/trial_starts.hpp"
 
@@ -79,6 +80,18 @@ std::vector<TradeRow> crowd_part(const ScheduledTrade& trade, const ScheduledTra
     }
   }
   return crowd_rows(crowd, scene_title(trade.scene));
+}
+
+/// Phases cut one by one, by the scene's own order, by eccentricity and by chance.
+std::vector<TradeRow> cut_part(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
+                               const StagedScene& scene) {
+  ProgressLine line("steps cut short");
+  CutRequest request;
+  request.orders = {{kOwnScheduler}, {"eccentricity"}, {kRandomScheduler}};
+  request.thresholds = {options.parted_deg, options.parted_turn_deg};
+  request.seed = trade.seed;
+  return cut_rows(cut_trade(scene, request, [&line](double share) { line.tell(share); }),
+                  request.orders, scene_title(trade.scene));
 }
 
 std::vector<TradeRow> parting_part(const ScheduledTrade& trade,
@@ -151,6 +164,8 @@ std::vector<TradeRow> scheduled_trade_rows(const ScheduledTrade& trade,
   std::vector<TradeRow> rows;
   if (scene.world.models().size() >= kFewestOfACrowd) {
     rows = crowd_part(trade, options, scene, budgets);
+    const std::vector<TradeRow> cut = cut_part(trade, options, scene);
+    rows.insert(rows.end(), cut.begin(), cut.end());
   }
   if (options.starts > 0) {
     std::vector<TradeRow> more = parting_part(trade, options, starts, budgets);

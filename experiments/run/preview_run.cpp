@@ -86,6 +86,7 @@ void PreviewRun::restart() {
   contacts_.clear();
   node_contacts_.clear();
   pop_count_ = stopped_count_ = 0;
+  degraded_counts_ = {};
   work_.clear();
 }
 
@@ -158,6 +159,9 @@ void PreviewRun::keep(const StepReport& report) {
                    by_tests ? settings_.tests_per_step : report.work_granted});
   pop_count_ += static_cast<std::int64_t>(report.pops.size());
   stopped_count_ += static_cast<std::int64_t>(report.stopped.size());
+  for (std::size_t bit = 0; bit < degraded_counts_.size(); ++bit) {
+    degraded_counts_[bit] += (report.degradations >> bit) & 1U;
+  }
 }
 
 void PreviewRun::keep_contacts(const StepReport& report, const CollisionReport& collision) {

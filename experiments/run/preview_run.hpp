@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -75,6 +76,10 @@ class PreviewRun {
   [[nodiscard]] std::int64_t pop_count() const { return pop_count_; }
   /// Pairs that were stopped where they would have passed through each other.
   [[nodiscard]] std::int64_t stopped_count() const { return stopped_count_; }
+  /// Steps in which something kept them from being what they should, by kDegradationNames.
+  [[nodiscard]] const std::array<std::int64_t, kDegradationNames.size()>& degraded_counts() const {
+    return degraded_counts_;
+  }
   /// Kinetic energy now as a share of that at the onset; 0 when nothing moved then.
   [[nodiscard]] double energy_share() const;
   /// Scene time gone by as a share of what was asked for, over the last second or so.
@@ -127,6 +132,7 @@ class PreviewRun {
   std::int64_t collision_count_{0};
   std::int64_t pop_count_{0};
   std::int64_t stopped_count_{0};
+  std::array<std::int64_t, kDegradationNames.size()> degraded_counts_{};
   bool watches_node_contacts_{false};
 
   LatestDetail latest_;

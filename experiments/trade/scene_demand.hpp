@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -39,17 +38,6 @@ struct SceneDemand {
 
 /// Simulates the scene to its end, at most 2,400 steps of it, without its budget and schedule.
 SceneDemand demand_of(const StagedScene& scene, const Progress& progress = {});
-
-/// The time that this thread has computed, so that what else the machine does is not in it:
-/// CLOCK_THREAD_CPUTIME_ID in nanoseconds. Looking at it takes some tenths of a microsecond.
-class ThreadClock final : public Clock {
- public:
-  [[nodiscard]] std::int64_t now_ns() const override {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-  }
-};
 
 /// Milliseconds of each step in which bodies touch, all phases included, without budget: of the
 /// whole scene, or of what can be run in `most_s` seconds. Empty when nothing touches.

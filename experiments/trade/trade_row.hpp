@@ -18,13 +18,14 @@ namespace impetus::inline trade {
 /// One statistic of one measure under one setting. Texts that do not apply are empty, numbers that
 /// do not apply are absent.
 struct TradeRow {
-  std::string part;     ///< "scene", "impacts", "crowd", "parting"
+  std::string part;     ///< "scene", "impacts", "crowd", "cut", "parting"
   std::string subject;  ///< what it was measured on: "creature x creature", the scene
   std::string kind;     ///< of tree: tree_kind_names()
   std::optional<int> level{};
   std::string reduction;  ///< of contacts: reduction_names()
   std::string scheduler;
   std::string traversal;                 ///< "depth-first", "breadth-first", "best-first"
+  std::string phase;                     ///< of a step, that is cut: kCutPhases
   std::optional<std::int64_t> budget{};  ///< units of work a step; absent: unlimited
   std::string measure;                   ///< such as "normal_error"
   std::string unit;                      ///< such as "deg"; "1" of counts and shares

@@ -45,6 +45,13 @@ class PreviewPanel {
     if (panel_section("Budget of a step", true)) {
       changed_ |= draw_budget_controls(settings_);
     }
+    const bool tells_lacks = panel_section("What fell short", false);
+    panel_tooltip(
+        "In how many steps the budget, or a setting, left something undone: fewer parts of a "
+        "figure's motion, pairs not looked at, contacts not made or not answered to the end.");
+    if (tells_lacks) {
+      draw_degradations();
+    }
     if (panel_section("Contacts and response", true)) {
       changed_ |= draw_contact_controls(settings_);
     }
@@ -124,6 +131,17 @@ class PreviewPanel {
         "too slow for the scene: the run falls behind, and no step is skipped.");
     number("frames", "%.1f /s", frame_.frames_per_s);
     panel_tooltip("Pictures shown in a second, over the last half second or so.");
+    ImGui::EndTable();
+  }
+
+  /// In how many steps each thing that a step can lack was lacking.
+  void draw_degradations() const {
+    if (!ImGui::BeginTable("degradations", 4)) {
+      return;
+    }
+    for (std::size_t bit = 0; bit < kDegradationNames.size(); ++bit) {
+      panel_row(std::string(kDegradationNames[bit]), std::to_string(run_.degraded_counts()[bit]));
+    }
     ImGui::EndTable();
   }
 

@@ -1,5 +1,7 @@
 // The program as a researcher meets it: commands, sentences, exit status.
 // SPDX-License-Identifier: MIT
+#include <regex>
+
 #include "tests/experiments/command_lines.hpp"
 #include "tests/places/places.hpp"
 
@@ -103,6 +105,40 @@ TEST(Check, RefusesADelayThatIsNoWholeNumberOfTheDisplaysFrames) {
   EXPECT_EQ(run_program(folder, {"check", causality_file(), "--refresh", "85", "--allow-rounding"})
                 .status,
             0);
+}
+
+/// The creatures of the project under a budget in milliseconds.
+std::string creatures_within(double budget_ms) {
+  json scene = json::parse(shipped("stimuli/creatures-in-a-cube.json"));
+  scene["engine"]["budget"] = {{"ms_per_step", budget_ms}};
+  scene["crowd"]["count"] = 40;
+  return scene.dump();
+}
+
+TEST(Check, SaysOfASceneWhatItsStepsTakeWhateverTheBudget) {
+  const TemporaryFolder folder;
+  folder.write("scene.json", creatures_within(1'000.0));
+  const ProgramResult result = run_program(folder, {"check", "scene.json"});
+  EXPECT_EQ(result.status, 0) << result.errors;
+  EXPECT_TRUE(std::regex_search(
+      result.output,
+      std::regex(
+          "^scene.json: valid, a scene\n.*\n  bodies       40\n"
+          "  floor        [0-9.]+ ms of a budget of 1000 for 40 bodies, on this machine\n$")))
+      << result.output;
+}
+
+TEST(Check, RefusesABudgetBelowWhatAStepTakesInAnyCase) {
+  const TemporaryFolder folder;
+  folder.write("scene.json", creatures_within(1e-6));
+  const ProgramResult result = run_program(folder, {"check", "scene.json"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(std::regex_match(
+      result.errors,
+      std::regex("impetus: scene.json:/engine/budget/ms_per_step: expected at least [0-9.]+ ms, "
+                 "which a step of 40 bodies takes on this machine whatever is left undone, got "
+                 "1e-06\n")))
+      << result.errors;
 }
 
 TEST(Check, AnyUnreadableFileIsStatus1) {

@@ -12,6 +12,7 @@
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/trade/crowds/removal_curve.hpp"
+#include "experiments/trade/crowds/trajectory.hpp"
 #include "experiments/trade/crowds/work_beyond_floor.hpp"
 
 namespace impetus::inline trade {
@@ -19,14 +20,6 @@ namespace {
 
 constexpr std::array<ErrorOf, 2> kGapAndBound{&VisibleError::gap, &VisibleError::bound};
 constexpr int kChanceOrders = 16;
-
-/// A step of the trajectory, from which every order starts.
-struct Moment {
-  const SceneRun& before;
-  Fixation fixation;
-  std::optional<GazeRegion> region;
-  std::uint64_t seed{0};  ///< of what is random in it
-};
 
 /// Kinetic energy, and what gravity could add to it (J).
 struct Energy {
@@ -131,54 +124,6 @@ class References {
   std::vector<RemovalCurve> breadth_first_;
 };
 
-/// The scene along its trajectory at the finest level; the viewer's look goes with it.
-class Trajectory {
- public:
-  Trajectory(const StagedScene& scene, const CrowdRequest& request)
-      : run_(scene, request.seed),
-        seed_(request.seed),
-        looks_(request.seed, "looks"),
-        every_(std::max<std::int64_t>(1, std::llround(request.sampled_every_s * scene.step_hz))) {
-    run_.world().set_schedule({});
-  }
-
-  [[nodiscard]] static std::int64_t count_steps(const StagedScene& scene, double longest_s) {
-    return std::llround(std::floor(std::min(scene.duration_s, longest_s) * scene.step_hz));
-  }
-
-  /// Decides where the viewer looks in the next step; to be called once before each.
-  void look() {
-    const std::int64_t next = run_.number() + 1;
-    if (next % every_ == 0) {
-      const std::vector<BodyState>& states = run_.world().states();
-      fixation_ =
-          projected(run_.viewer_at(next), states[looks_.below(states.size())].pose.position);
-    }
-    region_ = run_.next_region(fixation_);
-  }
-
-  /// The next step, before it is taken.
-  [[nodiscard]] Moment moment() const {
-    return {run_, fixation_, region_, derived_seed(seed_, std::to_string(run_.number() + 1))};
-  }
-
-  const StepReport& step() {
-    FixedWork all(kUnlimitedTests);
-    return run_.step(fixation_, region_, all);
-  }
-
-  /// Whether orders are tried on the next step.
-  [[nodiscard]] bool is_sampled() const { return (run_.number() + 1) % every_ == 0; }
-
- private:
-  SceneRun run_;
-  std::uint64_t seed_;
-  RandomStream looks_;
-  std::int64_t every_;
-  Fixation fixation_;
-  std::optional<GazeRegion> region_;
-};
-
 /// Takes the scene along its trajectory and tries the orders on sampled steps.
 class Crowd {
  public:
@@ -188,7 +133,7 @@ class Crowd {
         request_(request),
         clock_(clock),
         progress_(progress),
-        steps_(Trajectory::count_steps(scene, request.longest_s)) {
+        steps_(count_steps(scene, request.longest_s)) {
     scene_.world.set_costs(costs_of_tests(scene.world.settings().costs));
   }
 
@@ -199,7 +144,7 @@ class Crowd {
         trade.orders.push_back({order, budget, {}});
       }
     }
-    Trajectory trajectory(scene_, request_);
+    Trajectory trajectory(scene_, request_.sampled_every_s, request_.seed);
     for (std::int64_t step = 1; step <= steps_; ++step) {
       trajectory.look();
       if (trajectory.is_sampled()) {
@@ -225,7 +170,7 @@ class Crowd {
       return request_.budgets;
     }
     std::vector<std::int64_t> work;
-    Trajectory pilot(scene_, request_);
+    Trajectory pilot(scene_, request_.sampled_every_s, request_.seed);
     for (std::int64_t step = 1; step <= steps_; ++step) {
       pilot.look();
       const bool is_sampled = pilot.is_sampled();

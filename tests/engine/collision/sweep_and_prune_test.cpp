@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -141,6 +142,32 @@ TEST(SweepAndPrune, TwoImmovableBodiesNeverPair) {
   const MovedBound fixed{{Vector3::Zero(), 1.0}, 0.0, false};
   EXPECT_TRUE(sweep.candidates({fixed, fixed}).empty());
   EXPECT_EQ(sweep.candidates({fixed, {{Vector3::Zero(), 1.0}}, fixed}).size(), 2U);
+}
+
+TEST(SweepAndPrune, AStoppedSweepHasFoundThoseThatBeginNearestBehindEach) {
+  constexpr std::size_t kBalls = 200;
+  std::vector<MovedBound> bounds;
+  for (std::size_t i = 0; i < kBalls; ++i) {  // each meets the 39 behind it
+    bounds.push_back({{Vector3{static_cast<double>(i), 0.0, 0.0}, 19.75}, 0.0});
+  }
+  // A round compares each ball with a block of those behind it, and finds all of them.
+  const std::int64_t round = (kLanes + 1) * kBalls;
+  WorkGrants grants;
+  grants.of(WorkPhase::kSweep) = round;
+  FixedWork meter(grants);
+  WorkGrants granted;
+  PhaseWork work(meter, WorkPhase::kSweep, granted);
+  std::vector<BodyPair> pairs;
+  SweepAndPrune().find(bounds, pairs, &work);
+  EXPECT_TRUE(work.refused());
+  for (std::size_t i = 0; i + kLanes < kBalls; ++i) {
+    for (std::size_t behind = 1; behind <= kLanes; ++behind) {
+      const BodyPair near{static_cast<std::int32_t>(i), static_cast<std::int32_t>(i + behind)};
+      ASSERT_EQ(std::count(pairs.begin(), pairs.end(), near), 1) << i << " and " << behind;
+    }
+  }
+  EXPECT_LE(pairs.size(), static_cast<std::size_t>(round));
+  EXPECT_LT(pairs.size(), candidate_pairs(bounds).size() / 3);
 }
 
 TEST(SweepAndPrune, ACopiedWorldResumesBitForBit) {

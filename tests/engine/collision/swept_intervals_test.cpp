@@ -46,7 +46,8 @@ TEST(SweptIntervals, ABlockMeetsWhatItsIntervalsMeet) {
     }
     std::sort(sorted.begin(), sorted.end(),
               [](const auto& x, const auto& y) { return x.least < y.least; });
-    swept.take(sorted);
+    swept.clear();
+    ASSERT_EQ(swept.add(sorted), 0U);
     for (std::size_t i = 0; i < sorted.size(); ++i) {
       ASSERT_FALSE(swept.reaches(i, sorted.size()));
       for (std::size_t first = i + 1; first < sorted.size(); ++first) {
