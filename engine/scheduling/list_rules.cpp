@@ -16,7 +16,16 @@ namespace {
 class ThresholdLists final : public ListRule {
  public:
   [[nodiscard]] unsigned terms() const override { return kPriorityTerm; }
-  [[nodiscard]] bool has_limits() const override { return true; }
+  [[nodiscard]] const ListLimits* limits() const override {
+    static constexpr ListLimits limits{
+        .words = "One fewer than lists, in the metric's own unit, from high priority to low.",
+        .least = -1e9,
+        .most = 1e9,
+        .is_of_metric = true,
+        .in_panel = "thresholds of the metric",
+        .of_one = "Pairs up to this measure fall into this list, the others into a later one."};
+    return &limits;
+  }
 
   [[nodiscard]] std::string problem(std::size_t lists, const std::vector<double>& limits,
                                     const PriorityMetric& metric) const override {
@@ -52,7 +61,18 @@ class ThresholdLists final : public ListRule {
 class ShareLists final : public ListRule {
  public:
   [[nodiscard]] unsigned terms() const override { return kPriorityTerm; }
-  [[nodiscard]] bool has_limits() const override { return true; }
+  [[nodiscard]] const ListLimits* limits() const override {
+    static constexpr ListLimits limits{
+        .words =
+            "In place of thresholds: the share of a step's pairs that each list but the last "
+            "takes, together at most 1.",
+        .least = 0.0,
+        .most = 1.0,
+        .in_panel = "shares of the pairs",
+        .unit_words = "of pairs",
+        .of_one = "The share of a step's pairs that falls into this list."};
+    return &limits;
+  }
 
   [[nodiscard]] std::string problem(std::size_t lists, const std::vector<double>& limits,
                                     const PriorityMetric& /*metric*/) const override {
@@ -138,5 +158,15 @@ std::shared_ptr<const ListRule> make_list_rule(std::string_view name) {
 std::string_view list_rule_name(const ListRule& rule) { return all_list_rules().name(rule); }
 
 std::vector<std::string_view> list_rule_names() { return all_list_rules().names(); }
+
+std::vector<std::string> limited_list_rule_names() {
+  std::vector<std::string> limited;
+  for (const std::string_view name : list_rule_names()) {
+    if (make_list_rule(name)->limits() != nullptr) {
+      limited.emplace_back(name);
+    }
+  }
+  return limited;
+}
 
 }  // namespace impetus::inline scheduling

@@ -51,6 +51,17 @@ enum ListTerm : unsigned {
   kRegionTerm = 2,    ///< ListInput::region
 };
 
+/// How scenes and panels speak of the limits that a rule parts the lists by (Schedule::limits).
+struct ListLimits {
+  std::string_view words;  ///< what a scene's limits mean, in one sentence
+  double least{0.0};       ///< a limit's range in a scene
+  double most{1.0};
+  bool is_of_metric{false};       ///< in the metric's own unit: of another metric they mean nothing
+  std::string_view in_panel;      ///< what lists are parted by, in a panel's choice
+  std::string_view unit_words{};  ///< above a panel's limits; of the metric's, its unit is said
+  std::string_view of_one;        ///< what one limit means, in one sentence
+};
+
 /// Decides which priority list a pair is put into.
 class ListRule {
  public:
@@ -59,8 +70,8 @@ class ListRule {
   /// The terms that the rule looks at; all, unless it says less.
   [[nodiscard]] virtual unsigned terms() const { return kPriorityTerm | kRegionTerm; }
 
-  /// Whether it parts the lists by Schedule::limits, one fewer than lists.
-  [[nodiscard]] virtual bool has_limits() const { return false; }
+  /// What is to be said of Schedule::limits, one fewer than lists; null when it has none.
+  [[nodiscard]] virtual const ListLimits* limits() const { return nullptr; }
 
   /// What is wrong with so many lists, and such limits of pairs measured by `metric`, as
   /// "expected ..., got ..."; empty when nothing is.
@@ -82,5 +93,8 @@ std::string_view list_rule_name(const ListRule& rule);
 
 /// The names make_list_rule() takes; the first is what a schedule does as it stands.
 std::vector<std::string_view> list_rule_names();
+
+/// Those of rules that part lists by limits: the keys by which scenes say them.
+std::vector<std::string> limited_list_rule_names();
 
 }  // namespace impetus::inline scheduling

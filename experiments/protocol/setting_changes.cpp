@@ -32,20 +32,26 @@ json list_at(int level) {
   return json::object({{"least_level", level}, {"greatest_level", level}});
 }
 
-/// Thresholds are in the unit of their metric, and a region has two lists: of another scheduler
-/// neither says anything, but shares of the pairs do.
+/// Limits in the unit of a metric say nothing of another scheduler, and a region has two lists and
+/// no limits; others, as shares of the pairs, keep their lists.
 void put_scheduler(json& engine, const json& value) {
   json schedule = engine.value("schedule", json::object());
   if (schedule.contains("scheduler") && schedule["scheduler"] == value) {
     return;
   }
   const int deepest = engine.value("tree_depth", 0);
-  const bool keeps_lists = schedule.contains("pair_shares") && !is_text(value, kRegionScheduler);
-  for (const char* key : {"thresholds", "terms", "point_deg"}) {
+  const bool by_region = is_text(value, kRegionScheduler);
+  bool keeps_lists = false;
+  for (const std::string& key : limited_list_rule_names()) {
+    if (by_region || make_list_rule(key)->limits()->is_of_metric) {
+      schedule.erase(key);
+    }
+    keeps_lists |= schedule.contains(key);
+  }
+  for (const char* key : {"terms", "point_deg"}) {
     schedule.erase(key);
   }
-  if (is_text(value, kRegionScheduler)) {
-    schedule.erase("pair_shares");
+  if (by_region) {
     schedule["lists"] = json::array({list_at(deepest), list_at(0)});
   } else if (!keeps_lists) {
     schedule["lists"] = json::array({json::object()});

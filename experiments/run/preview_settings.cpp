@@ -22,13 +22,17 @@ std::string name_of(const StagedScene& scene) {
   return scene.scheduler.empty() ? "distance" : scene.scheduler;
 }
 
-/// As many pairs and as much of the scheduler's range to each list.
+/// As much of the scheduler's range, or of the limits' own, to each list.
 void spread_limits(PreviewSettings& settings) {
   const MeasureRange range = measure_range(settings.scheduler);
   for (int list = 0; list + 1 < settings.list_count; ++list) {
     const double share = (list + 1.0) / settings.list_count;
-    settings.lists[at(list)].threshold = range.urgent + share * (range.relaxed - range.urgent);
-    settings.lists[at(list)].pair_share = 1.0 / settings.list_count;
+    for (const std::string& rule : limited_list_rule_names()) {
+      const ListLimits& limits = *make_list_rule(rule)->limits();
+      settings.lists[at(list)].limits[rule] =
+          limits.is_of_metric ? range.urgent + share * (range.relaxed - range.urgent)
+                              : limits.least + (limits.most - limits.least) / settings.list_count;
+    }
   }
 }
 
@@ -58,7 +62,9 @@ void take_world(PreviewSettings& settings, const StagedScene& scene) {
   const WorldSettings& world = scene.world.settings();
   settings.traversal = world.schedule.traversal;
   settings.persistence_steps = static_cast<int>(world.schedule.persistence_steps);
-  settings.by_pair_shares = world.schedule.rule == make_list_rule("pair_shares");
+  if (world.schedule.rule->limits() != nullptr) {
+    settings.rule = list_rule_name(*world.schedule.rule);
+  }
   settings.all_phases = !(world.costs == WorkCosts{});
   settings.metric_options = scene.metric_options;
   if (settings.metric_options.terms.empty()) {
@@ -130,7 +136,7 @@ PreviewSettings settings_of(const StagedScene& scene) {
     shown.least_level = std::min(list.least_level, settings.finest_level);
     shown.greatest_level = std::min(list.greatest_level, settings.finest_level);
     if (at(i) < schedule.limits.size()) {
-      (settings.by_pair_shares ? shown.pair_share : shown.threshold) = schedule.limits[at(i)];
+      shown.limits[settings.rule] = schedule.limits[at(i)];
     }
   }
   return settings;
@@ -169,9 +175,7 @@ WorkBudget budget_of(const PreviewSettings& settings) {
 Schedule schedule_of(const PreviewSettings& settings) {
   Schedule schedule;
   const bool by_region = settings.scheduler == kRegion;
-  schedule.rule = make_list_rule(by_region                 ? kRegion
-                                 : settings.by_pair_shares ? "pair_shares"
-                                                           : "thresholds");
+  schedule.rule = make_list_rule(by_region ? kRegion : settings.rule);
   schedule.metric = by_region
                         ? nullptr
                         : make_metric(settings.scheduler,
@@ -185,7 +189,7 @@ Schedule schedule_of(const PreviewSettings& settings) {
     schedule.lists.push_back(
         {list.share, list.least_level, limited ? list.greatest_level : kUnlimitedLevel});
     if (!by_region && i + 1 < settings.list_count) {
-      schedule.limits.push_back(settings.by_pair_shares ? list.pair_share : list.threshold);
+      schedule.limits.push_back(list.limits.at(settings.rule));
     }
   }
   return schedule;

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +25,11 @@ enum class BudgetUnit { kUnlimited, kTests, kMilliseconds };
 
 /// The controls of one priority list.
 struct PreviewList {
-  double share{1.0};       ///< relative to the other lists'
-  int least_level{0};      ///< done whatever the budget
-  int greatest_level{0};   ///< at the finest level: no limit
-  double threshold{0.0};   ///< in the scheduler's unit; the last list needs none
-  double pair_share{0.0};  ///< in place of the threshold, when lists go by shares
+  double share{1.0};      ///< relative to the other lists'
+  int least_level{0};     ///< done whatever the budget
+  int greatest_level{0};  ///< at the finest level: no limit
+  /// What parts it from the next, by the name of the list rule; the last list needs none.
+  std::map<std::string, double> limits{};
 };
 
 /// All that the preview's controls say.
@@ -41,8 +42,8 @@ struct PreviewSettings {
   BudgetUnit budget{BudgetUnit::kUnlimited};
   int tests_per_step{500};
   double ms_per_step{0.2};
-  bool all_phases{false};  ///< work counts contacts and response too
-  bool by_pair_shares{false};
+  bool all_phases{false};          ///< work counts contacts and response too
+  std::string rule{"thresholds"};  ///< with limits; of "region" its own
   std::shared_ptr<const Traversal> traversal = make_traversal("depth-first");
   int persistence_steps{0};
   MetricOptions metric_options{};    ///< the scene's own; its terms for the scheduler "weighted"

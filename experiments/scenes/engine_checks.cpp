@@ -52,7 +52,7 @@ void add_region_rule_problems(const ScheduleSettings& schedule, SceneProblems& p
     problems.add(kPlace + "/lists", "expected two lists, inside and outside the region, got " +
                                         std::to_string(schedule.lists.size()));
   }
-  for (const std::string& key : limits_keys()) {
+  for (const std::string& key : limited_list_rule_names()) {
     const auto limits = schedule.limits.find(key);
     if (limits != schedule.limits.end() && !limits->second.empty()) {
       problems.add_got(kPlace + "/" + key, "expected none with the scheduler region");
@@ -62,7 +62,7 @@ void add_region_rule_problems(const ScheduleSettings& schedule, SceneProblems& p
 
 void add_metric_rule_problems(const ScheduleSettings& schedule, SceneProblems& problems) {
   const std::string key = limits_key(schedule);
-  for (const std::string& other : limits_keys()) {
+  for (const std::string& other : limited_list_rule_names()) {
     if (other != key && schedule.limits.contains(other)) {
       problems.add_got(kPlace + "/" + other, "expected none beside " + key);
     }

@@ -45,10 +45,11 @@ Kind<PriorityList> list_kind() {
 }
 
 /// Limits of the list rule of this name.
-Row<ScheduleSettings> limits_row(const std::string& rule, NumberRange range,
-                                 const std::string& sentence) {
-  const Kind<std::vector<double>> limits = list(number(range), {0, kMostLists - 1});
-  return {rule, described(sentence, limits), false,
+Row<ScheduleSettings> limits_row(const std::string& rule) {
+  const ListLimits& said = *make_list_rule(rule)->limits();
+  const Kind<std::vector<double>> limits =
+      list(number({said.least, said.most}), {0, kMostLists - 1});
+  return {rule, described(std::string(said.words), limits), false,
           [rule, read = limits.read](const nlohmann::json& value, ScheduleSettings& into) {
             into.limits[rule] = read(value);
           }};
@@ -59,40 +60,40 @@ Kind<ScheduleSettings> schedule_kind() {
   std::vector<std::string> schedulers = texts(metric_names());
   schedulers.emplace_back(kRegionScheduler);
   std::sort(schedulers.begin(), schedulers.end());
+  std::vector<Row<S>> rows{
+      required("scheduler", &S::scheduler, one_of(schedulers),
+               "What decides a pair's list: a metric against thresholds, or, of region, whether "
+               "it lies inside. " +
+                   metrics_in_words())
+          .with("scheduler",
+                "distance, eccentricity, ..., region, with lists of its own:\n"
+                "    one, from the coarsest level to the finest, or those by\n"
+                "    shares of the pairs; of region the finest inside, the\n"
+                "    coarsest outside"),
+      row("point_deg", &S::point_deg,
+          screen_place_kind("For eccentricity, visible-frequency and weighted sums of them: "
+                            "degrees are counted from this point of the screen, wherever the "
+                            "viewer looks.")),
+      row("terms", &S::terms, list(term_kind(), {1, 16}),
+          "Of the scheduler weighted: each metric counts 1 at urgent and beyond, 0 at relaxed and "
+          "beyond, linear between them, times its weight."),
+      row("traversal", &S::traversal, one_of(texts(traversal_names())),
+          "Which pair of a list gets the next work; " + std::string(traversal_names().front()) +
+              " when left out. " + traversals_in_words())
+          .with("traversal", first_three(traversal_names())),
+      row("persistence_ms", &S::persistence_ms, number({0, 60000}),
+          "A pair that touches keeps the highest priority it had for so long, against popping; a "
+          "whole number of steps, 0 when left out.")
+          .with("persistence-ms", "how long a pair keeps its priority"),
+      required("lists", &S::lists, list(list_kind(), {1, kMostLists}),
+               "From high priority to low; the scheduler region takes two, inside and outside.")};
+  for (const std::string& rule : limited_list_rule_names()) {
+    rows.push_back(limits_row(rule));
+  }
   return object<S>(
       "Which collisions are refined first, and how deep. Left out: one list, nearest first, to the "
       "finest level.",
-      {required("scheduler", &S::scheduler, one_of(schedulers),
-                "What decides a pair's list: a metric against thresholds, or, of region, whether "
-                "it lies inside. " +
-                    metrics_in_words())
-           .with("scheduler",
-                 "distance, eccentricity, ..., region, with lists of its own:\n"
-                 "    one, from the coarsest level to the finest, or those by\n"
-                 "    shares of the pairs; of region the finest inside, the\n"
-                 "    coarsest outside"),
-       row("point_deg", &S::point_deg,
-           screen_place_kind("For eccentricity, visible-frequency and weighted sums of them: "
-                             "degrees are counted from this point of the screen, wherever the "
-                             "viewer looks.")),
-       row("terms", &S::terms, list(term_kind(), {1, 16}),
-           "Of the scheduler weighted: each metric counts 1 at urgent and beyond, 0 at relaxed and "
-           "beyond, linear between them, times its weight."),
-       row("traversal", &S::traversal, one_of(texts(traversal_names())),
-           "Which pair of a list gets the next work; " + std::string(traversal_names().front()) +
-               " when left out. " + traversals_in_words())
-           .with("traversal", first_three(traversal_names())),
-       row("persistence_ms", &S::persistence_ms, number({0, 60000}),
-           "A pair that touches keeps the highest priority it had for so long, against popping; a "
-           "whole number of steps, 0 when left out.")
-           .with("persistence-ms", "how long a pair keeps its priority"),
-       required("lists", &S::lists, list(list_kind(), {1, kMostLists}),
-                "From high priority to low; the scheduler region takes two, inside and outside."),
-       limits_row("thresholds", {-kBillion, kBillion},
-                  "One fewer than lists, in the metric's own unit, from high priority to low."),
-       limits_row("pair_shares", {0, 1},
-                  "In place of thresholds: the share of a step's pairs that each list but the last "
-                  "takes, together at most 1.")});
+      rows);
 }
 
 Kind<RegionSettings> region_kind() {

@@ -100,18 +100,8 @@ Schedule schedule_of(const EngineSettings& engine, double metres_per_degree) {
   return result;
 }
 
-std::vector<std::string> limits_keys() {
-  std::vector<std::string> keys;
-  for (const std::string_view name : list_rule_names()) {
-    if (make_list_rule(name)->has_limits()) {
-      keys.emplace_back(name);
-    }
-  }
-  return keys;
-}
-
 std::string limits_key(const ScheduleSettings& schedule) {
-  const std::vector<std::string> keys = limits_keys();
+  const std::vector<std::string> keys = limited_list_rule_names();
   const auto said = std::find_if(keys.rbegin(), keys.rend(), [&](const std::string& key) {
     return schedule.limits.contains(key);
   });

@@ -22,9 +22,7 @@ WorkBudget budget_of(const EngineSettings& engine);
 /// One list to the finest level, or to `level`, when the scene asks for none.
 Schedule schedule_of(const EngineSettings& engine, double metres_per_degree);
 
-/// The keys of a schedule that say what its lists are parted by, each the name of a list rule. Of
-/// several that a schedule says, the last is its key; of none, the first.
-std::vector<std::string> limits_keys();
+/// Of several of limited_list_rule_names() that a schedule says, the last; of none, the first.
 std::string limits_key(const ScheduleSettings& schedule);
 
 /// The deepest level to which any pair can be refined: of `level` or the lists, or the last of the

@@ -22,8 +22,14 @@ constexpr std::array<NamedValue<RegionKind>, 5> kRegions{{{RegionKind::kTracked,
                                                           {RegionKind::kFixed, "fixed"},
                                                           {RegionKind::kAllGood, "all-good"},
                                                           {RegionKind::kAllBad, "all-bad"}}};
-constexpr std::array<NamedValue<bool>, 2> kLimits{
-    {{false, "thresholds of the metric"}, {true, "shares of the pairs"}}};
+
+std::vector<NamedValue<std::string>> named_limits() {
+  std::vector<NamedValue<std::string>> named;
+  for (const std::string& rule : limited_list_rule_names()) {
+    named.push_back({rule, make_list_rule(rule)->limits()->in_panel.data()});  // of a literal
+  }
+  return named;
+}
 
 using SharedTraversal = std::shared_ptr<const Traversal>;
 
@@ -91,7 +97,7 @@ class SchedulerControls {
     panel_tooltip("Number of priority lists, 1 to 4.");
     if (settings_.list_count > 1) {
       changed_ |=
-          chosen_value("parted by", settings_.by_pair_shares, kLimits,
+          chosen_value("parted by", settings_.rule, named_limits(),
                        "Whether a pair's list follows from its metric, or from its rank among "
                        "the step's pairs.");
     }
@@ -116,6 +122,9 @@ class SchedulerControls {
     panel_tooltip("Degrees of visual angle; for a region that has an edge.");
   }
 
+  [[nodiscard]] const ListLimits& limits() const {
+    return *make_list_rule(settings_.rule)->limits();
+  }
   [[nodiscard]] bool has_limits() const { return !by_region_ && settings_.list_count > 1; }
 
   void draw_lists() {
@@ -123,10 +132,10 @@ class SchedulerControls {
     if (!ImGui::BeginTable("lists", 5, ImGuiTableFlags_SizingStretchSame)) {
       return;
     }
-    const std::string limit = !has_limits()              ? ""
-                              : settings_.by_pair_shares ? "of pairs"
-                              : range.unit.empty()       ? "until"
-                                                         : "until, " + std::string(range.unit);
+    const std::string limit = !has_limits()            ? ""
+                              : !limits().is_of_metric ? std::string(limits().unit_words)
+                              : range.unit.empty()     ? "until"
+                                                       : "until, " + std::string(range.unit);
     for (const char* name : {"list", "share", "least", "greatest", limit.c_str()}) {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", name);
@@ -165,17 +174,17 @@ class SchedulerControls {
   }
 
   void draw_limit(PreviewList& list, const MeasureRange& range) {
-    if (settings_.by_pair_shares) {
-      changed_ |= dragged_number("##pairs", list.pair_share, 0.005F, 0.0, 1.0, "%.2f",
-                                 "The share of a step's pairs that falls into this list.");
-      return;
+    double least = limits().least;
+    double most = limits().most;
+    double speed = (most - least) / 200.0;
+    if (limits().is_of_metric) {
+      const double relaxed = std::max(range.urgent, range.relaxed);
+      least = 0.0;
+      most = 10.0 * relaxed;
+      speed = relaxed / 300.0;
     }
-    const double most = std::max(range.urgent, range.relaxed);
-    changed_ |= dragged_number("##threshold", list.threshold, static_cast<float>(most / 300.0), 0.0,
-                               10.0 * most, "%.2f",
-                               "Pairs up to this " + settings_.scheduler +
-                                   " fall into this list, "
-                                   "the others into a later one.");
+    changed_ |= dragged_number("##limit", list.limits[settings_.rule], static_cast<float>(speed),
+                               least, most, "%.2f", std::string(limits().of_one));
   }
 
   void draw_order() {

@@ -121,6 +121,20 @@ TEST(OwnKinds, ATraversalIsAskedForEachPairThatWaitsAndHasNoPlaceForWhatIsNoNumb
   }
 }
 
+TEST(OwnKinds, WhoPartsListsByLimitsSaysWhatTheyMean) {
+  EXPECT_EQ(limited_list_rule_names(), (std::vector<std::string>{"thresholds", "pair_shares"}));
+  for (const std::string& name : limited_list_rule_names()) {
+    const ListLimits& limits = *make_list_rule(name)->limits();
+    EXPECT_LT(limits.least, limits.most) << name;
+    for (const std::string_view words : {limits.words, limits.in_panel, limits.of_one}) {
+      EXPECT_FALSE(words.empty()) << name;
+    }
+    EXPECT_NE(limits.is_of_metric, !limits.unit_words.empty()) << name;  // whose unit is shown
+  }
+  EXPECT_EQ(make_list_rule("region")->limits(), nullptr);
+  EXPECT_EQ(WallsApart().limits(), nullptr);
+}
+
 TEST(OwnKinds, NamesMakeTheSameObjectAndOthersAreRefused) {
   for (const std::string_view name : traversal_names()) {
     EXPECT_EQ(traversal_name(*make_traversal(name)), name);

@@ -332,7 +332,7 @@ TEST(SceneSchema, KnowsEverySchedulerOfTheEngineByItsNameAndNoOther) {
   EXPECT_EQ(words_at("/traversal/enum"),
             std::set<std::string>(traversals.begin(), traversals.end()));
   const json schema = json::parse(shipped("stimuli/scene.schema.json"));
-  for (const std::string& key : limits_keys()) {
+  for (const std::string& key : limited_list_rule_names()) {
     EXPECT_TRUE(schema.contains(
         json::json_pointer("/properties/engine/properties/schedule/properties/" + key)))
         << key;

@@ -30,6 +30,20 @@ TEST(PreviewSettings, ARegionHasTwoListsWhateverIsAskedFor) {
   EXPECT_EQ(schedule_of(settings).rule, make_list_rule("region"));
 }
 
+TEST(PreviewSettings, LimitsPartTheRangeOfTheirRuleEvenly) {
+  PreviewSettings settings = settings_of(crowd());
+  choose_scheduler(settings, "eccentricity");
+  choose_list_count(settings, 4);
+  const MeasureRange range = measure_range("eccentricity");
+  const double quarter = (range.relaxed - range.urgent) / 4.0;
+  EXPECT_EQ(schedule_of(settings).limits,
+            (std::vector<double>{range.urgent + quarter, range.urgent + 2.0 * quarter,
+                                 range.urgent + 3.0 * quarter}));
+  settings.rule = "pair_shares";
+  EXPECT_EQ(schedule_of(settings).limits, (std::vector<double>{0.25, 0.25, 0.25}));
+  EXPECT_EQ(problem_of(settings), "");
+}
+
 TEST(PreviewSettings, AScenesOwnScheduleIsWhatTheControlsShow) {
   for (const std::string_view name : metric_names()) {
     Schedule schedule;
@@ -93,8 +107,8 @@ TEST(PreviewSettings, EveryOptionReachesTheWorldAndOutlivesARestart) {
   PreviewRun run(crowd(), clock);
   PreviewSettings settings = run.settings();
   choose_list_count(settings, 2);
-  settings.by_pair_shares = true;
-  settings.lists[0].pair_share = 0.25;
+  settings.rule = "pair_shares";
+  settings.lists[0].limits["pair_shares"] = 0.25;
   settings.traversal = make_traversal("best-first");
   settings.persistence_steps = 12;
   settings.reduction = "groups";
@@ -137,8 +151,8 @@ TEST(PreviewSettings, AScenesOwnOptionsAreWhatTheControlsShow) {
   ASSERT_EQ(settings.metric_options.terms.size(), 1U);
   EXPECT_EQ(settings.metric_options.terms[0].metric, "size");
   EXPECT_EQ(settings.metric_options.terms[0].weight, 3.0);
-  EXPECT_TRUE(settings.by_pair_shares);
-  EXPECT_EQ(settings.lists[0].pair_share, 0.3);
+  EXPECT_EQ(settings.rule, "pair_shares");
+  EXPECT_EQ(settings.lists[0].limits.at("pair_shares"), 0.3);
   EXPECT_EQ(settings.traversal, make_traversal("breadth-first"));
   EXPECT_EQ(settings.persistence_steps, 12);
   EXPECT_EQ(settings.reduction, "density");
