@@ -29,6 +29,7 @@
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/trade/crowds/cut_trade.hpp"
 #include "experiments/trade/embedded_trade_script.hpp"
 #include "experiments/trade/impacts/impact_rows.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
@@ -78,8 +79,8 @@ struct TradeOptions {
 constexpr int kUsualDepth = 3;
 constexpr int kGreatestSceneDepth = 6;
 constexpr std::size_t kMostPairs = 6;
-const std::vector<std::string> kTradeFiles{"trade.csv",   "trade.R",    "trade.svg",   "trade.pdf",
-                                           "choices.csv", "choices.md", "choices.json"};
+const std::vector<std::string> kTradeFiles{"trade.csv",   "trade.R",    "trade.svg",    "trade.pdf",
+                                           "choices.csv", "choices.md", "choices.json", "cut.md"};
 
 std::vector<std::string> all_reductions() {
   const auto names = reduction_names();
@@ -297,8 +298,10 @@ void tell(const std::vector<TradeChoice>& choices, double pairs,
     }
     last = words;
   }
-  std::printf("written to %s: trade.csv, choices.md, choices.csv, choices.json\n%s\n",
-              folder.string().c_str(), draw_trade_figure(folder).c_str());
+  const bool has_cuts = std::filesystem::exists(folder / "cut.md");
+  std::printf("written to %s: trade.csv, choices.md, choices.csv, choices.json%s\n%s\n",
+              folder.string().c_str(), has_cuts ? ", cut.md" : "",
+              draw_trade_figure(folder).c_str());
 }
 
 int trade(const JsonDocument& scene, const TradeOptions& options) {
@@ -330,6 +333,10 @@ int trade(const JsonDocument& scene, const TradeOptions& options) {
       found.empty() ? std::vector<TradeChoice>() : choose(trade, found, runs);
   const double pairs = pairs_per_step(trade.demand);
   write_whole_file(folder / "trade.csv", csv_of(rows));
+  std::filesystem::remove(folder / "cut.md");
+  if (const std::string page = cut_page(rows); !page.empty()) {
+    write_whole_file(folder / "cut.md", page);
+  }
   write_whole_file(folder / "choices.csv", choices_csv(choices));
   write_whole_file(folder / "choices.md", choices_page(choices, scene_title(scene), pairs));
   write_whole_file(folder / "choices.json", settings_text(trade, choices));

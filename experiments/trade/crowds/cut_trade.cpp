@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "experiments/trade/crowds/trajectory.hpp"
 #include "experiments/trade/estimate.hpp"
+#include "experiments/trade/trade_choice.hpp"
 
 namespace impetus::inline trade {
 namespace {
@@ -289,6 +291,41 @@ std::vector<TradeRow> cut_rows(const std::vector<CutCrowd>& crowds,
     add("elsewhere_after_1s", "1", mean_over(crowd.elsewhere));
   }
   return rows;
+}
+
+std::string cut_page(const std::vector<TradeRow>& rows) {
+  std::map<std::string, std::vector<std::string>> lines;  // by the cells that begin them
+  std::vector<std::string> begins;
+  for (const TradeRow& row : rows) {
+    if (row.part == "cut") {
+      const std::string begin =
+          "| " + row.phase + " | " + row.scheduler + " | " + row.measure + ", " + row.unit;
+      if (!lines.contains(begin)) {
+        begins.push_back(begin);
+      }
+      lines[begin].push_back(two_digits(row.value));
+    }
+  }
+  if (begins.empty()) {
+    return "";
+  }
+  std::string page =
+      "What is given up where a phase of each step is granted a part of what it takes.\n\n"
+      "| phase | order | measure |";
+  std::string rule = "|---|---|---|";
+  for (std::int64_t part = kLeastPart; part > 0; part /= 2) {
+    page += part == 1 ? " all |" : " 1/" + std::to_string(part) + " |";
+    rule += "---|";
+  }
+  page += "\n" + rule + "\n";
+  for (const std::string& begin : begins) {
+    page += begin;
+    for (const std::string& value : lines[begin]) {
+      page += " | " + value;
+    }
+    page += " |\n";
+  }
+  return page;
 }
 
 }  // namespace impetus::inline trade

@@ -77,4 +77,8 @@ std::vector<CutCrowd> cut_trade(const StagedScene& scene, const CutRequest& requ
 std::vector<TradeRow> cut_rows(const std::vector<CutCrowd>& crowds,
                                const std::vector<TriedOrder>& orders, const std::string& subject);
 
+/// The rows of the part "cut" as a page of Markdown: a line for each phase, order and measure, a
+/// column for each part. Empty when there are none.
+std::string cut_page(const std::vector<TradeRow>& rows);
+
 }  // namespace impetus::inline trade

@@ -66,4 +66,13 @@ TEST(CutTrade, RowsNameThePhaseThePartAndTheOrder) {
   }
 }
 
+TEST(CutTrade, ThePageHasAColumnForEachPart) {
+  const std::string page = cut_page(cut_rows(cut_crowds(), {{"scene"}, {"random"}}, "crowd"));
+  EXPECT_NE(page.find("| phase | order | measure | 1/64 | 1/32 | 1/16 | 1/8 | 1/4 | 1/2 | all |\n"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("\n| response | random | wrong_velocity, 1 | "), std::string::npos) << page;
+  EXPECT_EQ(cut_page({}), "");
+}
+
 }  // namespace impetus::cut_trade_test
