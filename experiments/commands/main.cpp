@@ -3,18 +3,38 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/nearest_word.hpp"
 
 namespace {
 
+std::string perhaps(const std::string& given, const std::vector<std::string>& words) {
+  const std::string meant = impetus::nearest_word(given, words);
+  return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
 std::string unknown_command(const CLI::App& app, const std::string& given) {
-  std::string names;
+  std::vector<std::string> names;
+  std::string listed;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names += (names.empty() ? "" : ", ") + command->get_name();
+    names.push_back(command->get_name());
+    listed += (listed.empty() ? "" : ", ") + command->get_name();
   }
-  return "expected one of the commands " + names + ", got " + (given.empty() ? "none" : given);
+  return "expected one of the commands " + listed + ", got " + (given.empty() ? "none" : given) +
+         perhaps(given, names);
+}
+
+/// What was not understood of a command's arguments, and which option may have been meant.
+std::string unknown_argument(const CLI::App& command, const CLI::ParseError& error) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    names.push_back(option->get_name());
+  }
+  const std::vector<std::string> unknown = command.remaining();
+  return error.what() + (unknown.empty() ? "" : perhaps(unknown.front(), names));
 }
 
 }  // namespace
@@ -49,7 +69,7 @@ int main(int argc, char** argv) {
     }
     const std::string reason = app.get_subcommands().empty()
                                    ? unknown_command(app, argc > 1 ? argv[1] : "")
-                                   : error.what();
+                                   : unknown_argument(*app.get_subcommands().back(), error);
     std::fprintf(stderr, "impetus: %s\n", reason.c_str());
     return impetus::kCouldNotRun;
   }

@@ -110,8 +110,20 @@ void require_no_recording(const JsonDocument& scene) {
   }
 }
 
+/// A protocol is no scene, but names one.
+void require_no_protocol(const std::filesystem::path& path) {
+  const JsonDocument document = read_json(path);
+  if (document.value.is_object() && document.value.contains("design")) {
+    const nlohmann::json named = document.value.value("scene", nlohmann::json());
+    throw InputError(document.name + ": expected a scene, got a protocol" +
+                     (named.is_string() ? ", whose scene is " + named.get<std::string>() : "") +
+                     "; impetus check explains a protocol, impetus run shows it");
+  }
+}
+
 int preview(const PreviewOptions& options) {
   const BuildingLine told;
+  require_no_protocol(options.scene);
   const JsonDocument scene = load_scene(options.scene);
   require_no_recording(scene);
   return staged_from(scene, [&] {

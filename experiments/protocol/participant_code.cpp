@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/participant_code.hpp"
 
+#include <algorithm>
+
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -31,6 +33,20 @@ bool is_participant_code(std::string_view code) {
     code.remove_prefix(point->bytes);
   }
   return true;
+}
+
+bool looks_like_name(std::string_view code) {
+  const auto is_capital = [](char letter) { return letter >= 'A' && letter <= 'Z'; };
+  const auto is_small = [](char letter) {  // or of a letter beyond ASCII
+    return (letter >= 'a' && letter <= 'z') || static_cast<unsigned char>(letter) >= 0x80;
+  };
+  const auto may_stand_in_name = [&](char letter) {
+    return is_capital(letter) || is_small(letter) || letter == ' ' || letter == '.' ||
+           letter == '-' || letter == '\'';
+  };
+  constexpr std::size_t kShortest = 3;
+  return code.size() >= kShortest && is_capital(code[0]) && is_small(code[1]) &&
+         is_small(code[2]) && std::all_of(code.begin(), code.end(), may_stand_in_name);
 }
 
 }  // namespace impetus::inline protocol

@@ -13,4 +13,8 @@ inline constexpr std::size_t kLongestParticipantCode = 64;  ///< bytes
 /// '\' and a space at either end. All else is text and stays text, quotes and markup too.
 bool is_participant_code(std::string_view code);
 
+/// Whether a code reads like a person's name: words of letters alone, the first with a capital
+/// before small letters. Codes are to say nothing of the person.
+[[nodiscard]] bool looks_like_name(std::string_view code);
+
 }  // namespace impetus::inline protocol

@@ -19,6 +19,7 @@ TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");
+  expect_refused(folder, {"chekc"}, expected + "chekc; did you mean check?");
 }
 
 TEST(CommandLine, HelpAndVersionAreNoFailure) {
@@ -41,6 +42,12 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        "--refresh: Value 5 not in range 20.000000 to 1000.000000"},
       {simulated_run({"--participant", "S01", "--fast"}),
        "The following argument was not expected: --fast"},
+      {simulated_run({"--participant", "S01", "--sed", "4"}),
+       "The following arguments were not expected: --sed 4; did you mean --seed?"},
+      {{"preview", causality_file()},
+       causality_file() + ": expected a scene, got a protocol, whose scene is "
+                          "../stimuli/two-spheres.json; impetus "
+                          "check explains a protocol, impetus run shows it"},
       {simulated_run({"--participants", "0"}), "--participants: Value 0 not in range 1 to 100000"},
       {simulated_run({"--participant", "S01", "--seed", "-1"}),
        "--seed: Value -1 not in range 0 to 9223372036854775807"},

@@ -116,6 +116,12 @@ void require_sensible(const RunOptions& options) {
                      "without a space at its ends, got " +
                      shown(options.participant));
   }
+  if (!simulated && looks_like_name(options.participant)) {
+    std::fprintf(stderr,
+                 "warning: %s looks like a person's name; a code that says nothing of the person, "
+                 "such as P01, keeps who took part out of the data\n",
+                 shown(options.participant).c_str());
+  }
 }
 
 /// The observer of a part; "" for a person.

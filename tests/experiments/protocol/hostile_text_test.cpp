@@ -82,6 +82,16 @@ TEST(ParticipantCode, IsTextOnOneLine) {
   }
 }
 
+TEST(ParticipantCode, WhatReadsLikeANameIsTold) {
+  for (const std::string name :
+       {"Anna", "Anna Schmidt", "Ann-Marie", "J\xC3\xBCrgen M\xC3\xBCller"}) {
+    EXPECT_TRUE(looks_like_name(name)) << name;
+  }
+  for (const std::string code : {"P01", "guest", "Anna2", "VP", "S07", "A-B", "MEG01", ""}) {
+    EXPECT_FALSE(looks_like_name(code)) << code;
+  }
+}
+
 TEST(ParticipantCode, AnotherIsRefusedBeforeAnythingOpens) {
   const TemporaryFolder folder;
   const std::string expected =
