@@ -26,6 +26,7 @@
 #include "experiments/questions/rating.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/step_floor.hpp"
+#include "experiments/tables/csv_line.hpp"
 #include "experiments/trade/trade_choice.hpp"
 
 namespace impetus::inline commands {
@@ -126,10 +127,10 @@ std::optional<std::string> floor_line(const nlohmann::json& scene, const StagedS
     refuse(document, kBudget_ms.to_string(),
            "expected at least " + two_digits(floor) + " ms, which a step of " + bodies +
                " takes on this machine whatever is left undone" + when + ", got " +
-               json_text(scene[kBudget_ms]));
+               csv_number(budget_ms));
   }
-  return two_digits(floor) + " ms of a budget of " + json_text(scene[kBudget_ms]) + " for " +
-         bodies + ", on this machine";
+  return two_digits(floor) + " ms of a budget of " + csv_number(budget_ms) + " for " + bodies +
+         ", on this machine";
 }
 
 /// The same of all scenes that a protocol shows, each said once.

@@ -8,6 +8,8 @@
 
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
+#include "engine/scheduling/gap_metrics.hpp"
+#include "experiments/run/collision_truth.hpp"
 #include "experiments/trade/crowds/trajectory.hpp"
 #include "experiments/trade/estimate.hpp"
 #include "experiments/trade/trade_choice.hpp"
@@ -29,15 +31,18 @@ WorkGrants grants_of(const CutPhase& cut, std::int64_t units) {
   return grants;
 }
 
-/// Grants what it is given, and counts what one phase asks for.
+/// Grants all, and of one phase no more than it asks for at a time: so it asks for all that it
+/// does.
 class CountedWork final : public WorkMeter {
  public:
   explicit CountedWork(const CutPhase& cut)
       : phase_(cut.phase), meter_(grants_of(cut, kUnlimitedTests)) {}
 
   std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t reserved) override {
-    asked_ = phase == phase_ ? total : asked_;
-    return meter_.request(phase, total, reserved);
+    if (phase != phase_) {
+      return meter_.request(phase, total, reserved);
+    }
+    return asked_ = total;
   }
 
   [[nodiscard]] std::int64_t asked() const { return asked_; }
