@@ -134,13 +134,20 @@ class PreviewPanel {
     ImGui::EndTable();
   }
 
-  /// In how many steps each thing that a step can lack was lacking.
+  /// In how many steps each thing that a step can lack was lacking, of those that ever were.
   void draw_degradations() const {
-    if (!ImGui::BeginTable("degradations", 4)) {
+    const auto& counts = run_.degraded_counts();
+    if (std::all_of(counts.begin(), counts.end(), [](auto count) { return count == 0; })) {
+      ImGui::TextDisabled("nothing so far");
       return;
     }
-    for (std::size_t bit = 0; bit < kDegradationNames.size(); ++bit) {
-      panel_row(std::string(kDegradationNames[bit]), std::to_string(run_.degraded_counts()[bit]));
+    if (!ImGui::BeginTable("degradations", 2)) {
+      return;
+    }
+    for (std::size_t bit = 0; bit < counts.size(); ++bit) {
+      if (counts[bit] > 0) {
+        panel_row(std::string(kDegradationNames[bit]), std::to_string(counts[bit]) + " steps");
+      }
     }
     ImGui::EndTable();
   }
