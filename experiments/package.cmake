@@ -1,7 +1,7 @@
 # The Debian package: `cmake --build build --target package`, then `apt install ./build/impetus_*.deb`.
 #
 #   bin/impetus
-#   share/impetus/   protocols, stimuli, experiments/observers, analysis: laid out as in a clone
+#   share/impetus/   protocols, stimuli, experiments/observers and languages, analysis: as in a clone
 #   share/doc/impetus/
 #
 # Only the component `program`: the engine as a library is installed by `cmake --install`.
@@ -10,8 +10,8 @@ set(data ${CMAKE_INSTALL_DATADIR}/impetus)
 install(TARGETS impetus RUNTIME COMPONENT program)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/protocols ${CMAKE_SOURCE_DIR}/stimuli
   DESTINATION ${data} COMPONENT program)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/observers DESTINATION ${data}/experiments
-  COMPONENT program FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/observers ${CMAKE_SOURCE_DIR}/experiments/languages
+  DESTINATION ${data}/experiments COMPONENT program FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/analysis DESTINATION ${data} COMPONENT program
   PATTERN pictures EXCLUDE)
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
@@ -34,6 +34,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk | fonts-wqy-microhei")  # Chinese, Japanese, Korean
 # Studies run without R; reports and figures need it.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "r-base-core, r-cran-rsqlite, r-cran-ordinal, r-cran-lme4, \
 r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, r-cran-jsonlite")

@@ -15,6 +15,7 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
+#include "experiments/languages/language_file.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
@@ -87,6 +88,10 @@ void print_design(const Protocol& protocol) {
   std::printf("%s: valid\n", protocol.document.name.c_str());
   std::printf("  %s\n", protocol.title.c_str());
   std::printf("  scene        %s\n", protocol.scene.name.c_str());
+  if (const std::string& language = protocol.script.language.title();
+      language != english().title()) {
+    std::printf("  language     %s\n", language.c_str());
+  }
   print_factors(protocol);
   const auto main_trials = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
     return trial.phase == TrialPhase::kMain;

@@ -9,6 +9,7 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
+#include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
@@ -116,8 +117,10 @@ Protocol make_protocol(JsonDocument document, JsonDocument scene,
 }
 
 Protocol load_protocol(const std::filesystem::path& path) {
-  Protocol protocol = read_protocol(read_json(path));
-  check_texts(protocol.document);
+  JsonDocument document = read_json(path);
+  hold_language(document, path);
+  Protocol protocol = read_protocol(std::move(document));
+  check_texts(protocol);
   const std::filesystem::path file = named_file(protocol.document, path, "/scene", "a file");
   JsonDocument scene = read_scene(file, files_of_design(protocol));
   return with_scene(std::move(protocol), std::move(scene));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "experiments/languages/language_file.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
@@ -167,8 +168,25 @@ std::string resuming(const Script& script) {
          ".\n";
 }
 
-std::string words_shown(const Script& script) {
-  std::string page = heading("What the participant reads");
+/// Of what the protocol does not say: in which language, and what it says in place of that.
+std::string language_words(const Protocol& protocol) {
+  const std::string& title = protocol.script.language.title();
+  std::string page = title == english().title()
+                         ? ""
+                         : "Buttons, hints and all else that is not quoted here are in " +
+                               markdown_text(title) + ".\n\n";
+  const json texts = protocol.document.value.value("texts", json::object());
+  for (auto text = texts.begin(); text != texts.end(); ++text) {
+    const auto words = text.value().get<std::string>();
+    page += "- " + markdown_code(text.key()) +
+            (words.empty() ? " is switched off" : ": “" + markdown_text(words) + "”") + "\n";
+  }
+  return texts.empty() ? page : page + "\n";
+}
+
+std::string words_shown(const Protocol& protocol) {
+  const Script& script = protocol.script;
+  std::string page = heading("What the participant reads") + language_words(protocol);
   page += quoted(script.welcome) + quoted(script.consent);
   page += "Agreed to, or not: “" + markdown_text(script.consent_statement) + "”\n\n";
   for (const Text& text : script.instructions) {
@@ -245,7 +263,7 @@ std::string protocol_page(const Protocol& protocol) {
   if (protocol.has_participants) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
-    page += resuming(protocol.script) + words_shown(protocol.script);
+    page += resuming(protocol.script) + words_shown(protocol);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
@@ -303,6 +304,8 @@ const Kind<P>& protocol_kind() {
         row("solve", &P::solve, list(solve_kind(), kSome),
             "Values of the scene that are computed before the plan is stored, by simulation, and "
             "kept with every trial; protocol and scene alone decide them.")};
+    const std::vector<Row<P>> language = language_rows();
+    rows.insert(rows.end(), language.begin(), language.end());
     std::vector<Row<S>> script = question_rows();
     script.insert(script.end(), {timing_row(), row("gaze", &S::gaze, gaze_kind()), session_row()});
     for (const Row<S>& each : script) {
@@ -361,6 +364,7 @@ Protocol read_protocol(JsonDocument document) {
   require_schema(document, schema);
   Protocol protocol = protocol_kind().read(document.value);
   complete(protocol);
+  protocol.script.language = language_of(document);
   protocol.document = std::move(document);
   return protocol;
 }

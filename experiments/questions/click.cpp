@@ -14,10 +14,12 @@ class ClickTask final : public Question {
  public:
   [[nodiscard]] const ResponseKind& kind() const override { return click_kind(); }
 
-  [[nodiscard]] Text feedback(const AttemptRecord& record) const override {
-    const std::size_t clicks = record.clicks.size();
-    const std::string times = clicks == 1 ? "once" : std::to_string(clicks) + " times";
-    return {"", {clicks == 0 ? "You did not click." : "You clicked " + times + "."}};
+  [[nodiscard]] Text feedback(const AttemptRecord& record,
+                              const Language& language) const override {
+    const auto clicks = static_cast<std::int64_t>(record.clicks.size());
+    return {
+        "",
+        {clicks == 0 ? language.text("clicked_never") : language.counted_text("clicked", clicks)}};
   }
 
   [[nodiscard]] std::string explanation(const Words& /*words*/) const override {

@@ -25,7 +25,7 @@ class FreeTextQuestion final : public Question {
     page.response = kind().name;
     page.title = question_;
     page.fields = {{kind().name, "", Field::Kind::kText, {}, 0.0, 0.0}};
-    page.choices = {{"Continue", "enter"}};
+    page.choices = {{asked.progress.language.text("continue"), "enter"}};
     page.progress = asked.progress;
     return page;
   }

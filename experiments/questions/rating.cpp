@@ -20,10 +20,12 @@ void simulate_rating(const Page& page, Judge& judge, Answer& answer) {
 
 }  // namespace
 
-std::string RatingScale::meaning(std::int64_t rating) const {
-  const std::string low = "“" + low_anchor + "”";
-  const std::string high = "“" + high_anchor + "”";
-  return rating == minimum ? low : rating == maximum ? high : "between " + low + " and " + high;
+std::string RatingScale::meaning(std::int64_t rating, const Language& language) const {
+  const std::string low = language.quoted(low_anchor);
+  const std::string high = language.quoted(high_anchor);
+  return rating == minimum   ? low
+         : rating == maximum ? high
+                             : language.text("scale_between", {{"low", low}, {"high", high}});
 }
 
 Kind<std::shared_ptr<const Question>> RatingQuestion::rows() {
@@ -84,14 +86,15 @@ void RatingQuestion::keep(const AskedTrial& /*asked*/, const Answer& answer,
                             answer.arrival_uncertainty_ns});
 }
 
-Text RatingQuestion::feedback(const AttemptRecord& record) const {
+Text RatingQuestion::feedback(const AttemptRecord& record, const Language& language) const {
   if (record.ratings.empty()) {
-    return time_was_up(timeout_ms_);
+    return time_was_up(timeout_ms_, language);
   }
   const std::int64_t given = record.ratings.front().rating;
   const std::string rating = std::to_string(given);
-  return {"You answered " + rating,
-          {"On the scale, " + rating + " means " + scale_.meaning(given) + "."}};
+  return {language.text("you_answered", {{"answer", rating}}),
+          {language.text("scale_meaning",
+                         {{"point", rating}, {"meaning", scale_.meaning(given, language)}})}};
 }
 
 std::string RatingQuestion::explanation(const Words& words) const {

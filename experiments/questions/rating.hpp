@@ -18,7 +18,7 @@ struct RatingScale {
   /// Points of the scale.
   [[nodiscard]] std::int64_t points() const { return maximum - minimum + 1; }
   /// "“Very believable”", or where the point lies between the two anchors.
-  [[nodiscard]] std::string meaning(std::int64_t rating) const;
+  [[nodiscard]] std::string meaning(std::int64_t rating, const Language& language) const;
   bool operator==(const RatingScale&) const = default;
 };
 
@@ -32,7 +32,7 @@ class RatingQuestion final : public Question {
   [[nodiscard]] const ResponseKind& kind() const override;
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override;
   void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) const override;
-  [[nodiscard]] Text feedback(const AttemptRecord& record) const override;
+  [[nodiscard]] Text feedback(const AttemptRecord& record, const Language& language) const override;
   [[nodiscard]] std::string explanation(const Words& words) const override;
 
  private:

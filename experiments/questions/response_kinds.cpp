@@ -113,10 +113,16 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
   return record;
 }
 
-Text time_was_up(double timeout_ms) {
+Text time_was_up(double timeout_ms, const Language& language) {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3g", timeout_ms / 1e3);
-  return {"The time was up", {"You have " + std::string(seconds) + " s to answer."}};
+  return {language.text("time_was_up"),
+          {language.text("time_to_answer", {{"seconds", language.number(seconds)}})}};
+}
+
+std::string right_or_wrong(bool right, const std::string& right_answer, const Language& language) {
+  return right ? language.text("was_right")
+               : language.text("was_wrong", {{"answer", language.quoted(right_answer)}});
 }
 
 }  // namespace impetus::inline questions

@@ -100,7 +100,10 @@ class Question {
   virtual void keep(const AskedTrial& /*asked*/, const Answer& /*answer*/,
                     AttemptRecord& /*record*/) const {}
   /// What is said of the answer after a practice trial; empty: nothing.
-  [[nodiscard]] virtual Text feedback(const AttemptRecord& /*record*/) const { return {}; }
+  [[nodiscard]] virtual Text feedback(const AttemptRecord& /*record*/,
+                                      const Language& /*language*/) const {
+    return {};
+  }
 
   /// What a page of explanation says of it, where `words` makes any text fit to stand there: what
   /// is asked, or what is recorded during the stimulus.
@@ -170,6 +173,9 @@ ResponseRecord response_record(const std::string& kind, const std::string& quest
                                const Answer& answer);
 
 /// "The time was up", and how much there is: what is said after practice.
-Text time_was_up(double timeout_ms);
+Text time_was_up(double timeout_ms, const Language& language);
+
+/// "That was right.", or that it was not and what the right answer was.
+std::string right_or_wrong(bool right, const std::string& right_answer, const Language& language);
 
 }  // namespace impetus::inline questions

@@ -95,6 +95,7 @@ struct ResumeRule {
 
 /// Everything that a participant is shown and asked, from the welcome to the thanks.
 struct Script {
+  Language language{};  ///< of all that is not said here
   Text welcome;
   Text consent;
   std::string consent_statement;  ///< what is agreed to, as shown and stored

@@ -1,5 +1,5 @@
-// The pages that every session shows, whatever the study: their words are the platform's.
-// SPDX-License-Identifier: MIT
+// The pages that every session shows, whatever the study: their words are those of the language
+// that the progress on them has. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
 inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
 
-Text welcome_back(std::int64_t completed_trials);
+Text welcome_back(const Language& language, std::int64_t completed_trials);
 Page text_page(const Text& text, const SessionProgress& progress);
 Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress);
 Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
@@ -37,7 +37,10 @@ std::optional<Page> practice_feedback(const Script& script, const AttemptRecord&
 /// After a round of practice that was not understood, with another to come: what was missing.
 Page practice_again(const std::vector<std::string>& missing, const SessionProgress& progress);
 
-/// After the last such round: the experimenter decides (kContinueChoice goes on).
+/// A page that the experimenter answers: kContinueChoice goes on.
+Page experimenter_decides(const Text& text, const SessionProgress& progress);
+
+/// After the last such round: the experimenter decides.
 Page practice_not_understood(const SessionProgress& progress);
 
 /// After practice: how often each point was used, and a reminder when only one was.
@@ -52,6 +55,9 @@ Page break_page(const Text& text, std::int64_t done, std::int64_t total,
 Page question_page(const FreeQuestion& question, const SessionProgress& progress);
 Page pause_page(const SessionProgress& progress);
 Page quit_page(const SessionProgress& progress);
+
+/// In place of the thanks, where another part of a series follows.
+Text part_complete(const Language& language, std::size_t part, std::size_t parts);
 
 /// The last page: leaving it closes the session, or goes on to the next part of a series.
 Page thanks_page(const Text& text, bool part_follows, const SessionProgress& progress);

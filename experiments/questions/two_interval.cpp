@@ -26,7 +26,8 @@ Kind<std::shared_ptr<const Question>> TwoIntervalQuestion::rows() {
       "Every trial shows two stimuli, the condition's own and the standard, in random order; one "
       "of them is chosen.",
       {required("question", &T::question_, text()),
-       row("first", &T::first_, text(), "The words on the choice; the first when left out."),
+       row("first", &T::first_, text(),
+           "The words on the choice; the first, in the protocol's language, when left out."),
        row("second", &T::second_, text()),
        required("standard", &T::standard_, condition_kind(),
                 "Levels that the standard has in place of the condition's."),
@@ -68,7 +69,8 @@ std::optional<Page> TwoIntervalQuestion::page(const AskedTrial& asked) const {
   page.layout = Page::Layout::kChoices;
   page.response = kind().name;
   page.title = question_;
-  page.choices = {{first_, "1"}, {second_, "2"}};
+  const Language& language = asked.progress.language;
+  page.choices = {{words(true, language), "1"}, {words(false, language), "2"}};
   page.positive_choice = static_cast<std::size_t>(asked.test_interval - 1);
   page.progress = asked.progress;
   page.timeout_ms = timeout_ms_;
@@ -88,21 +90,25 @@ void TwoIntervalQuestion::keep(const AskedTrial& asked, const Answer& answer,
   record.responses.push_back(response);
 }
 
-Text TwoIntervalQuestion::feedback(const AttemptRecord& record) const {
+std::string TwoIntervalQuestion::words(bool first, const Language& language) const {
+  return first ? first_.value_or(language.text("first"))
+               : second_.value_or(language.text("second"));
+}
+
+Text TwoIntervalQuestion::feedback(const AttemptRecord& record, const Language& language) const {
   const ResponseRecord& response = *response_to(kind().name, record);
   if (response.timed_out) {
-    return time_was_up(timeout_ms_);
+    return time_was_up(timeout_ms_, language);
   }
   const bool chose_first = response.answer == "first";
   const bool first_is_right = chose_first == *response.correct;
-  return {"You chose “" + (chose_first ? first_ : second_) + "”",
-          {*response.correct ? "That was right."
-                             : "That was not right: the answer was “" +
-                                   (first_is_right ? first_ : second_) + "”."}};
+  return {language.text("you_chose", {{"answer", language.quoted(words(chose_first, language))}}),
+          {right_or_wrong(*response.correct, words(first_is_right, language), language)}};
 }
 
 std::string TwoIntervalQuestion::explanation(const Words& words) const {
-  return "“" + words(question_) + "” " + words(first_) + " or " + words(second_);
+  return "“" + words(question_) + "” " + words(first_.value_or("the first")) + " or " +
+         words(second_.value_or("the second"));
 }
 
 const ResponseKind& two_interval_kind() {

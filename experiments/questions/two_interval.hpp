@@ -34,13 +34,16 @@ class TwoIntervalQuestion final : public Question {
   [[nodiscard]] bool has_right_answer() const override { return true; }
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override;
   void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) const override;
-  [[nodiscard]] Text feedback(const AttemptRecord& record) const override;
+  [[nodiscard]] Text feedback(const AttemptRecord& record, const Language& language) const override;
   [[nodiscard]] std::string explanation(const Words& words) const override;
 
  private:
+  /// On the first choice or the second.
+  [[nodiscard]] std::string words(bool first, const Language& language) const;
+
   std::string question_;
-  std::string first_{"the first"};  ///< the words on the two choices; keys are 1 and 2
-  std::string second_{"the second"};
+  std::optional<std::string> first_;  ///< the words on the two choices; none: the language's
+  std::optional<std::string> second_;
   Condition standard_;
   double between_ms_{500.0};
   double timeout_ms_{0.0};  ///< 0: none

@@ -15,20 +15,23 @@ namespace {
 
 constexpr std::size_t kYes = 0;
 
-/// What is asked, the words on the two choices (keys are y and n), and when yes is right.
+/// What is asked, the words on the two choices where they are not the language's, and when yes is
+/// right.
 class YesNoQuestion final : public Question {
  public:
   static Kind<std::shared_ptr<const Question>> rows() {
     using Y = YesNoQuestion;
-    return block<Y>("Asked after every stimulus, and answered yes or no.",
-                    {required("question", &Y::question_, text()),
-                     row("yes", &Y::yes_, text(), "The words on the choice; yes when left out."),
-                     row("no", &Y::no_, text()), row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
-                     group<Y>("right_when",
-                              {required("factor", &Y::right_factor_, any_text()),
-                               required("above", &Y::right_above_, number({}))},
-                              "Yes is right where the factor's level is above this, no "
-                              "elsewhere.")});
+    return block<Y>(
+        "Asked after every stimulus, and answered yes or no.",
+        {required("question", &Y::question_, text()),
+         row("yes", &Y::yes_, text(),
+             "The words on the choice; yes, in the protocol's language, when left out."),
+         row("no", &Y::no_, text()), row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
+         group<Y>("right_when",
+                  {required("factor", &Y::right_factor_, any_text()),
+                   required("above", &Y::right_above_, number({}))},
+                  "Yes is right where the factor's level is above this, no "
+                  "elsewhere.")});
   }
 
   void check_in_design(const JsonDocument& protocol, const Design& design) const override {
@@ -54,7 +57,9 @@ class YesNoQuestion final : public Question {
     page.layout = Page::Layout::kChoices;
     page.response = kind().name;
     page.title = question_;
-    page.choices = {{yes_, "y"}, {no_, "n"}};
+    const Language& language = asked.progress.language;
+    page.choices = {{words(true, language), language.text("yes_key")},
+                    {words(false, language), language.text("no_key")}};
     page.positive_choice = kYes;
     page.progress = asked.progress;
     page.timeout_ms = timeout_ms_;
@@ -73,26 +78,31 @@ class YesNoQuestion final : public Question {
     record.responses.push_back(response);
   }
 
-  [[nodiscard]] Text feedback(const AttemptRecord& record) const override {
+  [[nodiscard]] Text feedback(const AttemptRecord& record,
+                              const Language& language) const override {
     const ResponseRecord& response = *response_to(kind().name, record);
     if (response.timed_out) {
-      return time_was_up(timeout_ms_);
+      return time_was_up(timeout_ms_, language);
     }
-    Text text{"You answered “" + (*response.positive ? yes_ : no_) + "”", {}};
+    const std::string given = language.quoted(words(*response.positive, language));
+    Text text{language.text("you_answered", {{"answer", given}}), {}};
     if (response.correct) {
       const bool yes = *response.positive == *response.correct;
-      text.paragraphs.push_back(*response.correct ? "That was right."
-                                                  : "That was not right: the answer was “" +
-                                                        (yes ? yes_ : no_) + "”.");
+      text.paragraphs.push_back(right_or_wrong(*response.correct, words(yes, language), language));
     }
     return text;
   }
 
   [[nodiscard]] std::string explanation(const Words& words) const override {
-    return "“" + words(question_) + "” " + words(yes_) + " or " + words(no_);
+    return "“" + words(question_) + "” " + words(yes_.value_or("yes")) + " or " +
+           words(no_.value_or("no"));
   }
 
  private:
+  [[nodiscard]] std::string words(bool yes, const Language& language) const {
+    return yes ? yes_.value_or(language.text("yes")) : no_.value_or(language.text("no"));
+  }
+
   /// Whether yes is right in this condition; none without a rule, or a number to go by.
   [[nodiscard]] std::optional<bool> yes_is_right(const Condition& condition) const {
     for (const FactorLevel& level : condition) {
@@ -105,8 +115,8 @@ class YesNoQuestion final : public Question {
   }
 
   std::string question_;
-  std::string yes_{"yes"};
-  std::string no_{"no"};
+  std::optional<std::string> yes_;  ///< none: the language's
+  std::optional<std::string> no_;
   double timeout_ms_{0.0};  ///< 0: none
   std::optional<std::string>
       right_factor_;  ///< yes is right where its level is above; none: nothing is right

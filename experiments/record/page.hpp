@@ -6,14 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "experiments/languages/language.hpp"
+
 namespace impetus::inline record {
 
-/// How far the session has come; always visible.
+/// How far the session has come, always visible; and in what language that and all else on the
+/// screen with it is said.
 struct SessionProgress {
   std::int64_t done{0};
   std::int64_t total{0};
   std::string label;          ///< "Practice 2 of 6", "Trial 12 of 81"
   bool gaze_was_lost{false};  ///< in the trial before: a quiet mark for the experimenter
+  Language language{};
 };
 
 /// One way to leave a page. `key` is what is pressed: "1", "space", "enter", "escape", "y".

@@ -1,6 +1,6 @@
-// The letters that screens can show, by code point: those that the stage loads of its fonts. What
-// is written from right to left is not among them, nor is what needs several code points for a
-// letter.
+// The letters that screens can show, by code point: those that the stage loads of its fonts, and
+// those of Chinese, Japanese and Korean, where the language has any. What is written from right to
+// left is not among them, nor is what needs several code points for a letter.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -27,10 +27,22 @@ inline constexpr std::array<LetterRange, 8> kShownLetters{{{0x0020, 0x007E},
                                                            {0x2100, 0x22FF},
                                                            {0x25A0, 0x25FF}}};
 
-inline bool is_shown_letter(std::uint32_t code_point) {
-  return std::any_of(kShownLetters.begin(), kShownLetters.end(), [&](const LetterRange& range) {
+/// Signs and punctuation of Chinese, Japanese and Korean, kana, ideographs, syllables, wide forms.
+/// Few fonts have them, and there are too many to load them all.
+inline constexpr std::array<LetterRange, 5> kWideLetters{
+    {{0x3000, 0x30FF}, {0x3400, 0x4DBF}, {0x4E00, 0x9FFF}, {0xAC00, 0xD7A3}, {0xFF01, 0xFFEE}}};
+
+template <std::size_t kSize>
+bool is_within(const std::array<LetterRange, kSize>& ranges, std::uint32_t code_point) {
+  return std::any_of(ranges.begin(), ranges.end(), [&](const LetterRange& range) {
     return range.first <= code_point && code_point <= range.last;
   });
 }
+
+inline bool is_shown_letter(std::uint32_t code_point) {
+  return is_within(kShownLetters, code_point);
+}
+
+inline bool is_wide_letter(std::uint32_t code_point) { return is_within(kWideLetters, code_point); }
 
 }  // namespace impetus::inline record

@@ -5,7 +5,20 @@
 
 namespace impetus::inline session {
 
+namespace {
+
+/// A page of which every text was switched off, and that leads on only.
+bool says_nothing(const Page& page) {
+  return page.title.empty() && page.paragraphs.empty() && page.statement.empty() &&
+         page.fields.empty() && page.point_map.points.empty() && page.choices.size() == 1;
+}
+
+}  // namespace
+
 std::optional<Answer> Conversation::ask(const Page& page) {
+  if (says_nothing(page)) {
+    return Answer{};
+  }
   while (true) {
     Answer answer = input_.ask(page);
     if (answer.interruption == Interruption::kNone) {

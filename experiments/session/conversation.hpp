@@ -19,7 +19,8 @@ class Conversation {
   Conversation(Input& input, Recorder& recorder, const SessionStanding& standing)
       : input_(input), recorder_(recorder), standing_(standing) {}
 
-  /// Asks until there is an answer; nothing when the participant quits or the display closes.
+  /// Asks until there is an answer; nothing when the participant quits or the display closes. A
+  /// page that says nothing is not shown.
   std::optional<Answer> ask(const Page& page);
 
   /// Deals with what interrupted a page or a trial; whether the session goes on.

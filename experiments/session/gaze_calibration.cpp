@@ -13,22 +13,22 @@
 namespace impetus::inline session {
 namespace {
 
-std::string degrees_text(const std::optional<double>& value_deg) {
+std::string degrees_text(const std::optional<double>& value_deg, const Language& language) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f°", value_deg.value_or(0.0));
-  return value_deg ? text : "unknown";
+  return value_deg ? language.number(text) : language.text("unknown");
 }
 
-std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
-
 /// Short ones: a line that is broken is broken after the points of its numbers, too.
-std::vector<std::string> accuracy_words(const CalibrationRecord& record) {
+std::vector<std::string> accuracy_words(const CalibrationRecord& record, const Language& language) {
   if (!record.accuracy_deg) {
-    return {"No gaze was found at any of the points."};
+    return {language.text("gaze_nowhere")};
   }
-  return {"Your gaze was " + degrees_text(record.accuracy_deg) + " from the points on average; " +
-              degrees_text(record.accuracy_limit_deg) + " is allowed.",
-          "It was " + degrees_text(record.worst_accuracy_deg) + " from the worst one."};
+  return {language.text("gaze_accuracy",
+                        {{"distance", degrees_text(record.accuracy_deg, language)},
+                         {"limit", degrees_text(record.accuracy_limit_deg, language)}}),
+          language.text("gaze_worst",
+                        {{"distance", degrees_text(record.worst_accuracy_deg, language)}})};
 }
 
 std::int64_t unseen_in(const CalibrationRecord& record) {
@@ -39,14 +39,18 @@ std::int64_t unseen_in(const CalibrationRecord& record) {
   return count;
 }
 
-std::vector<std::string> quality_words(const CalibrationRecord& record) {
-  std::string samples = percent(record.lost_share) + " of the samples were lost";
-  if (record.sampling_hz) {
-    samples += "; " + std::to_string(std::lround(*record.sampling_hz)) + " came per second";
-  }
-  return {"It moved by " + degrees_text(record.precision_rms_deg) + " from sample to sample, by " +
-              degrees_text(record.precision_sd_deg) + " about its mean.",
-          samples + " (" + record.gaze_source + ")."};
+std::vector<std::string> quality_words(const CalibrationRecord& record, const Language& language) {
+  const std::string share = language.percent(record.lost_share);
+  const std::string source =
+      record.gaze_source == "mouse" ? language.text("mouse") : record.gaze_source;
+  const std::string rate = std::to_string(std::lround(record.sampling_hz.value_or(0.0)));
+  return {language.text("gaze_precision",
+                        {{"step", degrees_text(record.precision_rms_deg, language)},
+                         {"spread", degrees_text(record.precision_sd_deg, language)}}),
+          record.sampling_hz
+              ? language.text("gaze_samples_rate",
+                              {{"share", share}, {"rate", rate}, {"source", source}})
+              : language.text("gaze_samples", {{"share", share}, {"source", source}})};
 }
 
 PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
@@ -63,17 +67,18 @@ PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
 
 Page with_results(const std::string& title, const CalibrationRecord& validation,
                   const ScreenGeometry& screen, const SessionProgress& progress) {
-  Page page = text_page({title, accuracy_words(validation)}, progress);
+  const Language& language = progress.language;
+  Text text{title, accuracy_words(validation, language)};
   const std::int64_t unseen = unseen_in(validation);
   if (unseen > 0 && validation.accuracy_deg) {
-    page.paragraphs.push_back("At " + std::to_string(unseen) +
-                              (unseen == 1 ? " point" : " points") + " there was no gaze at all.");
+    text.paragraphs.push_back(language.counted_text("gaze_unseen", unseen));
   }
   if (validation.accuracy_deg) {
-    for (std::string& words : quality_words(validation)) {
-      page.paragraphs.push_back(std::move(words));
+    for (std::string& words : quality_words(validation, language)) {
+      text.paragraphs.push_back(std::move(words));
     }
   }
+  Page page = text_page(text, progress);
   page.point_map = map_of(validation, screen);
   return page;
 }
@@ -81,58 +86,54 @@ Page with_results(const std::string& title, const CalibrationRecord& validation,
 }  // namespace
 
 Page calibration_intro(bool by_pointer, const SessionProgress& progress) {
+  const Language& language = progress.language;
   if (by_pointer) {
-    return text_page({"Where you point",
-                      {"The mouse pointer stands in for your eyes in this study, so it must be "
-                       "where you look.",
-                       "Points appear one after the other, twice nine of them. Move the pointer "
-                       "onto each as soon as you see it, and keep it there until the next one."}},
+    return text_page({language.text("pointing_title"),
+                      {language.text("pointing"), language.text("pointing_points")}},
                      progress);
   }
-  return text_page({"Where you look",
-                    {"Now the eye tracker learns where you look.",
-                     "Points appear one after the other, twice nine of them. Look at the middle of "
-                     "each until it is gone. Please keep your head still."}},
-                   progress);
+  return text_page(
+      {language.text("looking_title"), {language.text("looking"), language.text("looking_points")}},
+      progress);
 }
 
 Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
                          const SessionProgress& progress) {
+  const Language& language = progress.language;
   if (validation.passed) {
-    return with_results("That went well", validation, screen, progress);
+    return with_results(language.text("gaze_went_well"), validation, screen, progress);
   }
-  Page page = with_results("Once more, please", validation, screen, progress);
-  page.choices = {{"Try again", "space"}};
+  Page page = with_results(language.text("gaze_once_more"), validation, screen, progress);
+  page.choices = {{language.text("try_again"), "space"}};
   return page;
 }
 
 Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
                             const SessionProgress& progress) {
-  Page page = with_results("Your gaze is not known well enough", validation, screen, progress);
-  page.paragraphs.emplace_back(
-      "Please call the experimenter, who decides whether the study goes on.");
-  page.choices = {{"Go on with the study", "g"}, {"Stop here", "s"}};
+  const Language& language = progress.language;
+  Page page = with_results(language.text("gaze_not_known"), validation, screen, progress);
+  page.paragraphs.push_back(language.text("gaze_call_experimenter"));
+  page.choices = experimenter_decides({}, progress).choices;
   return page;
 }
 
 Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress) {
-  const std::string found = check.accuracy_deg
-                                ? "Your gaze was found " + degrees_text(check.accuracy_deg) +
-                                      " from the point in the middle; at most " +
-                                      degrees_text(check.accuracy_limit_deg) + " is allowed."
-                                : "No gaze was found at the point in the middle.";
-  return text_page({"Let us look at the points again", {found}}, progress);
+  const Language& language = progress.language;
+  const std::string found =
+      check.accuracy_deg
+          ? language.text("gaze_drifted",
+                          {{"distance", degrees_text(check.accuracy_deg, language)},
+                           {"limit", degrees_text(check.accuracy_limit_deg, language)}})
+          : language.text("gaze_not_in_middle");
+  return text_page({language.text("gaze_again_title"), {found}}, progress);
 }
 
 Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgress& progress) {
-  return text_page(
-      {"That one is shown once more",
-       {"For " + percent(lost_share) +
-            " of the time it was not known where you looked. That happens, and it is no fault of "
-            "yours.",
-        by_pointer ? "Please keep the mouse pointer on the screen while you watch."
-                   : "Please keep looking at the screen while you watch; blink as you always do."}},
-      progress);
+  const Language& language = progress.language;
+  return text_page({language.text("shown_again"),
+                    {language.text("gaze_was_lost", {{"share", language.percent(lost_share)}}),
+                     by_pointer ? language.text("keep_pointer") : language.text("keep_looking")}},
+                   progress);
 }
 
 namespace {

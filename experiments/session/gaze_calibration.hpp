@@ -42,14 +42,6 @@ Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& pro
 /// Too much of the gaze was lost, and the trial is shown again.
 Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgress& progress);
 
-/// What is said before a drift check, at the end of a break.
-inline constexpr const char* kLookAtTheMiddle =
-    "When you go on, a point appears in the middle of the screen. Please look at it until it is "
-    "gone.";
-inline constexpr const char* kPointAtTheMiddle =
-    "When you go on, a point appears in the middle of the screen. Please keep the mouse pointer on "
-    "it until it is gone.";
-
 /// One run through points of the screen that are to be looked at, and the gaze meanwhile.
 ///
 ///   point 1  |---settle---|--count--| point 2 |---settle---|--count--| ...      one display grid

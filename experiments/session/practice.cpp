@@ -50,19 +50,17 @@ std::vector<std::string> missing_in_practice(const PracticeRule& rule, const Scr
                                              const std::vector<PracticeResult>& round) {
   const LevelTally best = tally(rule.factor, rule.best, round);
   const LevelTally worst = tally(rule.factor, rule.worst, round);
+  const Language& language = script.language;
   std::vector<std::string> missing;
   if (takes_clicks(script) && worst.clicks == 0) {
-    missing.emplace_back(
-        "You did not click in the simulations in which every collision was bad. Please click as "
-        "soon as you see a bad collision.");
+    missing.push_back(language.text("did_not_click"));
   }
   const bool both_rated = best.rated > 0 && worst.rated > 0;
   const RatingScale& scale = *find_scale(script);
   const bool high_is_good = scale.best == scale.maximum;
   const double better = high_is_good ? best.mean() - worst.mean() : worst.mean() - best.mean();
   if (!both_rated || better <= 0.0) {
-    missing.push_back("You did not rate the best simulations better than the worst. " +
-                      std::to_string(scale.best) + " is for the best.");
+    missing.push_back(language.text("did_not_rate_better", {{"best", std::to_string(scale.best)}}));
   }
   return missing;
 }

@@ -170,7 +170,7 @@ class Session {
       : script_(script),
         history_(history),
         ports_(ports),
-        standing_(plan, history),
+        standing_(plan, history, script.language),
         talk_(ports.input, ports.recorder, standing_),
         sitting_{script, design, ports_, standing_, talk_, calibration_},
         trials_(sitting_, levels_after(history, plan, design)) {
@@ -192,7 +192,8 @@ class Session {
   /// Who was interrupted before consenting has begun nothing to come back to.
   bool welcome() {
     const bool back = history_.resumed && history_.answered.contains(kConsentId);
-    const Text& text = back ? welcome_back(standing_.completed_count()) : script_.welcome;
+    const Text text =
+        back ? welcome_back(script_.language, standing_.completed_count()) : script_.welcome;
     return ask(text_page(text, progress())).has_value();
   }
 

@@ -77,14 +77,17 @@ SessionProgress SessionStanding::progress() const {
     return trial.phase == TrialPhase::kMain || trial.repetition <= round_ ||
            is_completed(trial.slot);
   });
-  return {completed_count(), total, ""};
+  return {completed_count(), total, "", false, language_};
 }
 
 SessionProgress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,
                                                 std::int64_t total, bool at_most) const {
   SessionProgress here = progress();
-  here.label = std::string(phase == TrialPhase::kPractice ? "Practice " : "Trial ") +
-               std::to_string(number) + (at_most ? " of at most " : " of ") + std::to_string(total);
+  const std::initializer_list<Filling> counts{{"number", std::to_string(number)},
+                                              {"total", std::to_string(total)}};
+  here.label = phase != TrialPhase::kPractice ? language_.text("trial_label", counts)
+               : at_most                      ? language_.text("training_label", counts)
+                                              : language_.text("practice_label", counts);
   return here;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/design/plan.hpp"
@@ -34,9 +35,12 @@ struct PhaseTrials {
 /// Keeps count of the plan's trials while a session runs.
 class SessionStanding {
  public:
-  /// Both must outlive this.
-  SessionStanding(const Plan& plan, const SessionHistory& history)
-      : plan_(plan), history_(history), practice_(history.practice) {}
+  /// `plan` and `history` must outlive this.
+  SessionStanding(const Plan& plan, const SessionHistory& history, Language language = {})
+      : plan_(plan),
+        history_(history),
+        language_(std::move(language)),
+        practice_(history.practice) {}
 
   /// The trial is done, with this result.
   void complete(const PlannedTrial& trial, const PracticeResult& result);
@@ -71,6 +75,7 @@ class SessionStanding {
 
   const Plan& plan_;
   const SessionHistory& history_;
+  Language language_;  ///< of all progress
   std::set<std::int64_t> newly_completed_;
   std::map<std::int64_t, PracticeResult> practice_;  ///< by slot
   std::int64_t round_{1};

@@ -126,8 +126,9 @@ bool TrialSequence::take_break(std::int64_t done, std::int64_t total) {
   sitting_.ports.recorder.save(NoteRecord{"break", "after main trial " + std::to_string(done)});
   Text text = sitting_.script.break_text;
   if (sitting_.calibration) {
-    text.paragraphs.emplace_back(sitting_.ports.gaze->is_pointer() ? kPointAtTheMiddle
-                                                                   : kLookAtTheMiddle);
+    const Language& language = sitting_.script.language;
+    text.paragraphs.push_back(sitting_.ports.gaze->is_pointer() ? language.text("point_at_middle")
+                                                                : language.text("look_at_middle"));
   }
   return sitting_.ask(break_page(text, done, total, sitting_.progress())).has_value() &&
          (!sitting_.calibration ||

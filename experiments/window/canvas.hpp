@@ -20,7 +20,7 @@ struct Canvas {
       : window(options),
         events(clock),
         deadlines(window, events, clock),
-        gui(window),
+        gui(window, options.letters),
         mouse(clock) {}
 
   [[nodiscard]] PixelArea whole() const { return {0, 0, window.width_px(), window.height_px()}; }

@@ -12,6 +12,7 @@
 
 #include "experiments/drawing/palette.hpp"
 #include "experiments/record/shown_letters.hpp"
+#include "experiments/window/wide_fonts.hpp"
 
 namespace impetus::inline window {
 namespace {
@@ -39,6 +40,14 @@ const std::array<ImWchar, 2 * kShownLetters.size() + 1>& glyphs() {
   return kGlyphs;
 }
 
+/// Letters of another font beside those of the one that was loaded last.
+struct MoreLetters {
+  const std::string& file;
+  int face{0};
+  float scale{1.0F};
+  const ImVector<ImWchar>& ranges;
+};
+
 ImFont* load_font(const char* path, float size_px) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   const float whole_px = std::round(size_px);
@@ -48,6 +57,15 @@ ImFont* load_font(const char* path, float size_px) {
   ImFontConfig scaled;
   scaled.SizePixels = whole_px;
   return atlas.AddFontDefault(&scaled);
+}
+
+void add_letters(const MoreLetters& more, float size_px) {
+  ImFontConfig config;
+  config.MergeMode = true;
+  config.FontNo = more.face;
+  config.OversampleH = 1;  // there are thousands
+  ImGui::GetIO().Fonts->AddFontFromFileTTF(more.file.c_str(), std::round(more.scale * size_px),
+                                           &config, more.ranges.Data);
 }
 
 void apply_style(float body_px) {
@@ -100,13 +118,13 @@ bool is_editing_key(const SDL_Event& event) {
 
 }  // namespace
 
-Gui::Gui(GlWindow& window) : window_(window) {
+Gui::Gui(GlWindow& window, const std::set<std::uint16_t>& letters) : window_(window) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  load_fonts();
+  load_fonts(letters);
   apply_style(body_size());
   ImGui_ImplSDL2_InitForOpenGL(window_.handle(), window_.context());
   ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -125,13 +143,24 @@ float Gui::body_size() const {
   return std::round(std::max(kSmallestBodyPx, height() * kBodyShareOfHeight));
 }
 
-void Gui::load_fonts() {
+void Gui::load_fonts(const std::set<std::uint16_t>& letters) {
   const float body_px = body_size();
+  const auto wide = letters.empty() ? std::nullopt : find_wide_font();
+  typed_ranges_ = wide_ranges(letters, /*is_typed=*/true);
+  shown_ranges_ = wide_ranges(letters, /*is_typed=*/false);
+  const auto load = [&](bool is_bold, float size_px, const ImVector<ImWchar>& ranges) {
+    ImFont* font = load_font(is_bold ? kBoldFont : kPlainFont, size_px);
+    if (wide) {
+      add_letters({is_bold ? wide->bold : wide->plain, wide->face, wide->scale, ranges}, size_px);
+    }
+    return font;
+  };
   for (std::size_t size = 0; size < kReadingSizes; ++size) {
-    fonts_.body[size] = load_font(kPlainFont, body_px * kReadingScale[size]);
-    fonts_.title[size] = load_font(kBoldFont, body_px * kTitleScale * kReadingScale[size]);
+    const float scale = kReadingScale[size];
+    fonts_.body[size] = load(false, body_px * scale, typed_ranges_);  // of fields, too
+    fonts_.title[size] = load(true, body_px * kTitleScale * scale, shown_ranges_);
   }
-  fonts_.small = load_font(kPlainFont, std::max(14.0F, body_px * kSmallScale));
+  fonts_.small = load(false, std::max(14.0F, body_px * kSmallScale), shown_ranges_);
 }
 
 void Gui::feed(const SDL_Event& event) {

@@ -10,7 +10,9 @@
 #include <imgui_internal.h>  // the arithmetic of ImVec2, see window.cmake
 
 #include <array>
+#include <cstdint>
 #include <deque>
+#include <set>
 
 #include "experiments/window/gl_window.hpp"
 
@@ -29,8 +31,9 @@ struct Fonts {
 /// ImGui in this window.
 class Gui {
  public:
-  /// One per process at a time. `window` must outlive it.
-  explicit Gui(GlWindow& window);
+  /// One per process at a time. `window` must outlive it. `letters` are those of kWideLetters that
+  /// will be shown.
+  explicit Gui(GlWindow& window, const std::set<std::uint16_t>& letters = {});
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
@@ -58,10 +61,12 @@ class Gui {
 
  private:
   [[nodiscard]] float body_size() const;
-  void load_fonts();
+  void load_fonts(const std::set<std::uint16_t>& letters);
   void pass_events();
 
   GlWindow& window_;
+  ImVector<ImWchar> typed_ranges_;  ///< of wide letters; ImGui reads both when it builds the fonts
+  ImVector<ImWchar> shown_ranges_;
   Fonts fonts_;
   std::deque<SDL_Event> waiting_;
   bool pointer_used_{false};  ///< moved or clicked since input was forgotten

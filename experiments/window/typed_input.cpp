@@ -27,9 +27,15 @@ bool is_key(const SDL_Keysym& pressed, const std::string& name) {
          pressed.sym != SDLK_UNKNOWN;
 }
 
-std::string printed_key(const std::string& name) {
+std::string printed_key(const std::string& name, const Language& language) {
   if (name == "escape") {
-    return "Esc";
+    return language.text("escape");
+  }
+  if (name == "space") {
+    return language.text("space_bar");
+  }
+  if (name == "enter") {
+    return language.text("enter");
   }
   std::string printed = name;
   if (!printed.empty()) {

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "experiments/record/ports.hpp"
@@ -29,7 +31,12 @@ struct WindowOptions {
   double refresh_hz{0.0};  ///< 0: ask the display, 60 when it does not know
   std::string title{"Impetus"};
   bool seen{true};  ///< false: for pictures that go elsewhere; then no display is needed
+  std::set<std::uint16_t> letters{};  ///< that are shown beside kShownLetters, of kWideLetters
 };
+
+/// The first of the letters, of kWideLetters, that no font on this machine has; none: all can be
+/// shown. Needs no display.
+std::optional<std::uint16_t> first_letter_without_font(const std::set<std::uint16_t>& letters);
 
 /// One at a time. All calls come from the thread that made it.
 class Window final : public Display, public Input {

@@ -28,6 +28,12 @@ bool is_entered(const LaboratoryOptions& options) {
   return !options.screen_file.empty() || std::filesystem::exists(screen_file_of(options));
 }
 
+WindowOptions options_of(const LaboratoryOptions& options) {
+  WindowOptions window = window_options(options.window_size);
+  window.letters = options.letters;
+  return window;
+}
+
 DisplayMode required_mode(const WindowOptions& window) {
   try {
     return shown_mode(window);
@@ -72,7 +78,7 @@ class HeadlessLaboratory final : public Laboratory {
 class WindowLaboratory final : public Laboratory {
  public:
   explicit WindowLaboratory(const LaboratoryOptions& options)
-      : window_(window_options(options.window_size), clock_) {
+      : window_(options_of(options), clock_) {
     window_.set_geometry(lab_screen(options));
     if (options.photodiode) {
       window_.show_patch(*options.photodiode);
@@ -124,7 +130,7 @@ class WindowLaboratory final : public Laboratory {
 }  // namespace
 
 double refresh_hz_of(const LaboratoryOptions& options) {
-  if (options.observer && !options.show) {
+  if (!options.has_window()) {
     return kHeadlessHz;
   }
 #ifdef IMPETUS_WINDOW
@@ -144,7 +150,7 @@ double refresh_hz_of(const LaboratoryOptions& options) {
 
 std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options) {
 #ifdef IMPETUS_WINDOW
-  if (!options.observer || options.show) {
+  if (options.has_window()) {
     const DisplayMode shown = required_mode(window_options(options.window_size));
     if (is_entered(options)) {
       return load_screen_of(screen_file_of(options), shown.width_px, shown.height_px);
@@ -159,7 +165,7 @@ std::optional<ScreenGeometry> expected_screen(const LaboratoryOptions& options) 
 }
 
 std::unique_ptr<Laboratory> open_laboratory(const LaboratoryOptions& options) {
-  if (options.observer && !options.show) {
+  if (!options.has_window()) {
     return std::make_unique<HeadlessLaboratory>(options);
   }
 #ifdef IMPETUS_WINDOW

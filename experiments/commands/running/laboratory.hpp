@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "experiments/protocol/observer_file.hpp"
@@ -23,6 +24,10 @@ struct LaboratoryOptions {
   std::filesystem::path screen_file;         ///< "" for the lab's default
   std::string window_size;                   ///< "1280x1024"; "" for fullscreen
   std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
+  std::set<std::uint16_t> letters{};         ///< of kWideLetters, that the window will show
+
+  /// Whether somebody sees a window.
+  [[nodiscard]] bool has_window() const { return !observer || show; }
 };
 
 /// The display, input, gaze and clock that a session runs with.

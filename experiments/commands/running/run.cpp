@@ -24,6 +24,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/questions/session_pages.hpp"
 #include "experiments/session/unattended.hpp"
 #include "experiments/store/study_file.hpp"
 #include "experiments/store/study_writer.hpp"
@@ -137,13 +138,6 @@ std::string observer_of(const RunOptions& options, std::size_t part, std::size_t
   return names[names.size() == 1 ? 0 : part];
 }
 
-/// What stands on the last page where another protocol follows.
-Text part_done(std::size_t part, std::size_t parts) {
-  return {
-      "Part " + std::to_string(part) + " of " + std::to_string(parts) + " is complete",
-      {"All of it is saved. Rest as long as you like; the next part begins when you continue."}};
-}
-
 std::vector<RunPart> parts_from(const Series& series, const RunOptions& options) {
   const std::size_t count = series.protocols.size();
   std::vector<RunPart> parts;
@@ -154,13 +148,18 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
     part.series = series.name;
     part.series_place = static_cast<std::int64_t>(i) + 1;
     if (i + 1 < count) {
-      part.protocol.script.thanks = part_done(i + 1, count);
+      part.protocol.script.thanks = part_complete(part.protocol.script.language, i + 1, count);
       part.protocol.script.part_follows = true;
     }
     if (!names.insert(part.protocol.name).second) {
       throw InputError(options.protocol + ":/protocols/" + std::to_string(i) +
                        ": expected a protocol of another name, got \"" + part.protocol.name +
                        "\" again");
+    }
+  }
+  for (RunPart& part : parts) {  // which share one window
+    for (const RunPart& other : parts) {
+      part.lab.letters.insert(other.lab.letters.begin(), other.lab.letters.end());
     }
   }
   return parts;

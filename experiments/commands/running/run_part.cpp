@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/run_part.hpp"
 
+#include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -9,8 +12,12 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/observer_file.hpp"
+#include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#ifdef IMPETUS_WINDOW
+#include "experiments/window/window.hpp"
+#endif
 
 namespace impetus::inline commands {
 namespace {
@@ -21,6 +28,24 @@ ScreenCorner photodiode_corner(const RunOptions& options) {
         "--photodiode: expected a window to draw in; with --observer, give --show too");
   }
   return patch_corner("--photodiode", options.photodiode);
+}
+
+/// Where there is a window, some font has all letters.
+void require_fonts(const RunPart& part) {
+#ifdef IMPETUS_WINDOW
+  const auto missing =
+      part.lab.has_window() ? first_letter_without_font(part.lab.letters) : std::nullopt;
+  if (missing) {
+    char code[8];
+    std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(*missing));
+    refuse(
+        part.protocol.document, "",
+        std::string("expected a font that has all letters of the protocol and its language, but ") +
+            code +
+            " is in none; `apt install fonts-noto-cjk`, or fonts-wqy-microhei, which is "
+            "smaller");
+  }
+#endif
 }
 
 }  // namespace
@@ -35,6 +60,8 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
+  part.lab.letters = wide_letters(part.protocol);
+  require_fonts(part);
   if (!options.photodiode.empty()) {
     part.lab.photodiode = photodiode_corner(options);
   }

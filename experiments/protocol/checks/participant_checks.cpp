@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/checks/participant_checks.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <string>
@@ -21,24 +22,48 @@ namespace {
 
 using nlohmann::json;
 
-bool is_shown(std::uint32_t code) {
-  return is_shown_letter(code) || code == '\n' || code == '\r' || code == '\t';
+/// The letters in which a document may be written, and how messages call them.
+struct Letters {
+  bool wide{false};
+
+  [[nodiscard]] bool has(std::uint32_t code) const {
+    return is_shown_letter(code) || (wide && is_wide_letter(code)) || code == '\n' ||
+           code == '\r' || code == '\t';
+  }
+  [[nodiscard]] std::string words() const {
+    return wide ? "Latin, Greek, Cyrillic, Chinese, Japanese, Korean, signs; what is written from "
+                  "right to left is not covered"
+                : "Latin, Greek, Cyrillic, signs";
+  }
+};
+
+bool has_wide_letter(std::string_view text) {
+  while (const auto point = text.empty() ? std::nullopt : first_code_point(text)) {
+    if (is_wide_letter(point->value)) {
+      return true;
+    }
+    text.remove_prefix(point->bytes);
+  }
+  return false;
+}
+
+Letters letters_of(const Language& language) {
+  return {std::any_of(language.texts().begin(), language.texts().end(), has_wide_letter)};
 }
 
 void check_text(const JsonDocument& protocol, const json::json_pointer& place,
-                std::string_view text) {
+                std::string_view text, const Letters& letters) {
   for (int letter = 1; !text.empty(); ++letter) {
     const auto point = first_code_point(text);
     if (!point) {
       return;  // the parser takes UTF-8 alone
     }
-    if (!is_shown(point->value)) {
+    if (!letters.has(point->value)) {
       char code[16];
       std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(point->value));
       refuse(protocol, place.to_string(),
-             std::string("expected letters that screens can show (Latin, Greek, Cyrillic, signs), "
-                         "got ") +
-                 code + " as character " + std::to_string(letter));
+             "expected letters that screens can show (" + letters.words() + "), got " + code +
+                 " as character " + std::to_string(letter));
     }
     text.remove_prefix(point->bytes);
   }
@@ -46,18 +71,18 @@ void check_text(const JsonDocument& protocol, const json::json_pointer& place,
 
 /// All texts of a part of the protocol but values of the scene, which nobody reads.
 void check_texts_in(const JsonDocument& protocol, const json::json_pointer& place,
-                    const json& value) {
+                    const json& value, const Letters& letters) {
   const std::set<std::string> values_of_scene{"set", "standard"};
   if (value.is_string()) {
-    check_text(protocol, place, value.get_ref<const std::string&>());
+    check_text(protocol, place, value.get_ref<const std::string&>(), letters);
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_texts_in(protocol, place / i, value[i]);
+      check_texts_in(protocol, place / i, value[i], letters);
     }
   } else if (value.is_object()) {
     for (auto entry = value.begin(); entry != value.end(); ++entry) {
       if (values_of_scene.count(entry.key()) == 0) {
-        check_texts_in(protocol, place / entry.key(), entry.value());
+        check_texts_in(protocol, place / entry.key(), entry.value(), letters);
       }
     }
   }
@@ -88,16 +113,22 @@ void check_participants(const Protocol& protocol) {
   }
 }
 
-void check_texts(const JsonDocument& protocol) {
-  std::vector<std::string> parts{"session"};
+void check_texts(const Protocol& protocol) {
+  const JsonDocument& document = protocol.document;
+  std::vector<std::string> parts{"session", "language", "texts"};
   for (const ResponseKind& kind : listed_kinds()) {
     parts.push_back(kind.protocol_key);
   }
   for (const std::string& part : parts) {
-    if (protocol.value.contains(part)) {
-      check_texts_in(protocol, json::json_pointer() / part, protocol.value[part]);
+    if (document.value.contains(part)) {
+      check_texts_in(document, json::json_pointer() / part, document.value[part],
+                     letters_of(protocol.script.language));
     }
   }
+}
+
+void check_letters(const JsonDocument& language) {
+  check_texts_in(language, json::json_pointer(), language.value, Letters{/*wide=*/true});
 }
 
 void check_responses(const Protocol& protocol) {

@@ -10,9 +10,13 @@ namespace impetus::inline protocol {
 /// Throws InputError where participants lack timing or session, or nobody is asked something.
 void check_participants(const Protocol& protocol);
 
-/// Every letter of pages and questions is one of kShownLetters, a line break or a tab. `protocol`
-/// fulfils its schema. Throws InputError. Asked of files alone: what a study holds was shown.
-void check_texts(const JsonDocument& protocol);
+/// Every letter of pages and questions is one of kShownLetters, a line break or a tab; of
+/// kWideLetters too, where the language has any. Throws InputError. Asked of files alone: what a
+/// study holds was shown.
+void check_texts(const Protocol& protocol);
+
+/// The same of a lab's language file, in which wide letters may stand.
+void check_letters(const JsonDocument& language);
 
 /// There is something to answer, unless the protocol has no participants; what a question names is
 /// a factor of the design. Throws InputError.

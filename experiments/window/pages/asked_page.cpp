@@ -22,8 +22,10 @@ constexpr float kScrollStep = 0.8F;      // of what is visible
 class PageView {
  public:
   /// Both must outlive the view.
-  PageView(const Page& page, Gui& gui)
-      : page_(page), gui_(gui), fields_(page.fields.begin(), page.fields.end()) {
+  PageView(const Page& page, Gui& gui) : page_(page), gui_(gui) {
+    for (const Field& field : page.fields) {
+      fields_.emplace_back(field, page.progress.language);
+    }
     gui_.forget_input();
     while (measure() > visible_height() && reading_size_ + 1 < kReadingSizes) {
       ++reading_size_;
@@ -42,7 +44,7 @@ class PageView {
     ImGui::PushFont(gui_.fonts().body[reading_size_]);
     ImGui::SetCursorScreenPos(ImVec2(column.left, top));
     draw_words(gui_, page_, reading_size_);
-    draw_point_map(gui_, page_.point_map);
+    draw_point_map(gui_, page_.point_map, page_.progress.language);
     draw_fields(column);
     const auto clicked = draw_choices(gui_, page_, {focused_choice(), chosen_});
     draw_time_left(column);
@@ -174,7 +176,7 @@ class PageView {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(0, bottom - height),
                                               ImVec2(gui_.width(), gui_.height()), palette::kPage);
     ImGui::SetCursorScreenPos(ImVec2(0, bottom - 0.7F * height));
-    draw_text("Page Down, Page Up: read on, go back", gui_.fonts().small, palette::kQuietText,
+    draw_text(page_.progress.language.text("scroll_hint"), gui_.fonts().small, palette::kQuietText,
               gui_.width(), Align::kCentre);
   }
 

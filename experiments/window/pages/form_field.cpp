@@ -44,6 +44,12 @@ int wrap_lines(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
+std::string shown_number(double value, const Language& language) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return language.number(text);
+}
+
 std::string trimmed(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   const std::size_t begin = text.find_first_not_of(' ');
@@ -151,13 +157,10 @@ bool FormField::check() {
   const bool inside =
       number && (!bounded || (*number >= field_.minimum && *number <= field_.maximum));
   if (!inside && bounded) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "Please enter a number between %g and %g, or leave this empty.", field_.minimum,
-                  field_.maximum);
-    message_ = text;
+    message_ = language_.text("number_within", {{"least", shown_number(field_.minimum, language_)},
+                                                {"most", shown_number(field_.maximum, language_)}});
   } else if (!inside) {
-    message_ = "Please enter a number, or leave this empty.";
+    message_ = language_.text("number_needed");
   }
   return inside;
 }

@@ -18,7 +18,9 @@ enum class FocusChange { kNone, kGained, kLost };
 /// The field, what is entered in it, and what is wrong with that.
 class FormField {
  public:
-  explicit FormField(Field field) : field_(std::move(field)) {}
+  /// `language`: of what is said when an answer is not acceptable.
+  explicit FormField(Field field, Language language = {})
+      : field_(std::move(field)), language_(std::move(language)) {}
 
   /// Draws label, entry and message at the cursor. `take_keyboard` puts the text cursor into it.
   FocusChange draw(int id, const Gui& gui, std::size_t reading_size, float width_px, bool focused,
@@ -42,6 +44,7 @@ class FormField {
   FocusChange draw_options(float width_px, bool focused);
 
   Field field_;
+  Language language_;
   std::string text_;
   std::optional<std::size_t> option_;
   std::string message_;

@@ -15,13 +15,14 @@ constexpr float kColumnEms = 36.0F;
 constexpr float kWidestShare = 0.86F;
 constexpr float kPointEms = 3.2F;  // of the points' own, larger text
 
-std::string hint_for(const Choice& choice) {
-  return choice.key.empty() || choice.label == choice.key ? ""
-                                                          : "  (" + printed_key(choice.key) + ")";
+std::string hint_for(const Page& page, const Choice& choice) {
+  return choice.key.empty() || choice.label == choice.key
+             ? ""
+             : "  (" + printed_key(choice.key, page.progress.language) + ")";
 }
 
 ButtonLook look_of(const Page& page, std::size_t choice, ImVec2 size_px, const ChoiceMarks& marks) {
-  return {page.choices[choice].label, hint_for(page.choices[choice]), size_px,
+  return {page.choices[choice].label, hint_for(page, page.choices[choice]), size_px,
           marks.focused == choice, marks.chosen == choice};
 }
 
@@ -33,7 +34,7 @@ void move_down(float pixels) {
 ImVec2 largest_button(const Page& page, float widest_px = std::numeric_limits<float>::max()) {
   ImVec2 largest(0.0F, 0.0F);
   for (const Choice& choice : page.choices) {
-    largest = ImMax(largest, button_size(choice.label, hint_for(choice), widest_px));
+    largest = ImMax(largest, button_size(choice.label, hint_for(page, choice), widest_px));
   }
   return largest;
 }
@@ -45,7 +46,7 @@ std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
   ButtonRows rows(column.width, std::round(0.7F * ImGui::GetFontSize()));
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
     const ImVec2 size_px =
-        button_size(page.choices[choice].label, hint_for(page.choices[choice]), column.width);
+        button_size(page.choices[choice].label, hint_for(page, page.choices[choice]), column.width);
     rows.place(size_px);
     if (draw_button(static_cast<int>(choice), look_of(page, choice, size_px, marks))) {
       clicked = choice;
@@ -162,10 +163,11 @@ Colours colours_on(Ground ground) {
 }
 
 /// Quiet, for the experimenter: a ring, and what it means in two words.
-void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 colour) {
+void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 colour,
+                         const std::string& words) {
   const float radius = 0.3F * font.FontSize;
   draw.AddCircle(ImVec2(at.x + radius, at.y + 0.55F * font.FontSize), radius, colour, 0, 1.5F);
-  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour, "gaze lost");
+  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour, words.c_str());
 }
 
 float bar_height(const Gui& gui) {
@@ -219,14 +221,16 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page,
   draw_anchors(gui, page, column);
   if (page.choices.size() > 1) {
     move_down(1.5F * part_gap());
-    draw_text("Press " + printed_key(page.choices.front().key) + " – " +
-                  printed_key(page.choices.back().key) + ", or click.",
-              gui.fonts().small, palette::kQuietText, column.width, Align::kCentre);
+    const Language& language = page.progress.language;
+    draw_text(
+        language.text("press_or_click", {{"first", printed_key(page.choices.front().key, language)},
+                                         {"last", printed_key(page.choices.back().key, language)}}),
+        gui.fonts().small, palette::kQuietText, column.width, Align::kCentre);
   }
   return clicked;
 }
 
-void draw_point_map(const Gui& gui, const PointMap& map) {
+void draw_point_map(const Gui& gui, const PointMap& map, const Language& language) {
   if (map.points.empty()) {
     return;
   }
@@ -257,8 +261,8 @@ void draw_point_map(const Gui& gui, const PointMap& map) {
   }
   draw.PopClipRect();
   ImGui::SetCursorScreenPos(ImVec2(column.left, corner.y + height + std::round(0.3F * part_gap())));
-  draw_text("Circles: the points. Light dots: the gaze.", gui.fonts().small, palette::kQuietText,
-            column.width, Align::kLeft);
+  draw_text(language.text("map_caption"), gui.fonts().small, palette::kQuietText, column.width,
+            Align::kLeft);
 }
 
 float progress_height(const Gui& gui) {
@@ -286,7 +290,7 @@ void draw_progress(const Gui& gui, const SessionProgress& progress, Ground groun
   draw.AddText(font, font->FontSize, at, colours.label, progress.label.c_str());
   if (progress.gaze_was_lost) {
     draw_lost_gaze_mark(draw, ImVec2(at.x + label_px.x + font->FontSize, at.y), *font,
-                        colours.label);
+                        colours.label, progress.language.text("gaze_lost_mark"));
   }
 }
 

@@ -37,7 +37,7 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const 
 
 /// The points that were looked at and where the gaze was, from the cursor down; nothing without
 /// points.
-void draw_point_map(const Gui& gui, const PointMap& map);
+void draw_point_map(const Gui& gui, const PointMap& map, const Language& language);
 
 /// What is under the bar: its colours must stay quiet on it.
 enum class Ground { kPage, kPicture };

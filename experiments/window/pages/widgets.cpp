@@ -4,15 +4,81 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/record/shown_letters.hpp"
+
 namespace impetus::inline window {
 namespace {
 
 constexpr float kLineHeight = 1.35F;  // of the font's size
 
+/// Signs that never begin a line, and those that never end one.
+constexpr std::u16string_view kClosing = u"，。、；：？！）》〉」』】”’…—·)]}.,;:?!%°";
+constexpr std::u16string_view kOpening = u"（《〈「『【“‘([{";
+
+struct Letter {
+  unsigned code{0};
+  int bytes{0};
+};
+
+Letter letter_at(const char* at, const char* end) {
+  Letter letter;
+  letter.bytes = std::max(1, ImTextCharFromUtf8(&letter.code, at, end));
+  return letter;
+}
+
+bool has_wide_letter(const char* begin, const char* end) {
+  for (const char* at = begin; at < end;) {
+    const Letter letter = letter_at(at, end);
+    if (is_wide_letter(letter.code)) {
+      return true;
+    }
+    at += letter.bytes;
+  }
+  return false;
+}
+
+/// Whether a line may end between two letters: after a space, and beside an ideograph, but not so
+/// that a line begins or ends with a sign that belongs to its neighbour.
+bool may_break(unsigned before, unsigned after) {
+  const bool is_beside_wide = is_wide_letter(before) || is_wide_letter(after);
+  const auto is_one = [](unsigned code, std::u16string_view signs) {
+    return code <= 0xFFFF && signs.find(static_cast<char16_t>(code)) != signs.npos;
+  };
+  return before == ' ' ||
+         (is_beside_wide && after != ' ' && !is_one(after, kClosing) && !is_one(before, kOpening));
+}
+
+/// The same for a text in a script that sets no spaces between words.
+const char* end_of_wide_line(const char* begin, const char* end, const ImFont& font,
+                             float width_px) {
+  const char* last_break = nullptr;
+  float line_px = 0.0F;
+  unsigned before = 0;
+  for (const char* at = begin; at < end;) {
+    const Letter letter = letter_at(at, end);
+    if (at > begin && may_break(before, letter.code)) {
+      last_break = at;
+    }
+    line_px += font.GetCharAdvance(static_cast<ImWchar>(letter.code));
+    if (line_px > width_px && at > begin && letter.code != ' ') {
+      while (last_break != nullptr && last_break > begin && last_break[-1] == ' ') {
+        --last_break;
+      }
+      return last_break != nullptr ? last_break : at;
+    }
+    before = letter.code;
+    at += letter.bytes;
+  }
+  return end;
+}
+
 const char* end_of_line(const char* begin, const char* end, const ImFont& font, float width_px) {
   const char* line_break = begin;
   while (line_break < end && *line_break != '\n') {
     ++line_break;
+  }
+  if (has_wide_letter(begin, line_break)) {
+    return end_of_wide_line(begin, line_break, font, width_px);
   }
   const char* wrapped = font.CalcWordWrapPositionA(1.0F, begin, line_break, width_px);
   return wrapped > begin ? wrapped : line_break;

@@ -22,8 +22,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "got \"level\""},
        {"/seed", 1,
         "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
-        "\"name\", \"participants\", \"rating\", \"scene\", \"schema_version\", "
-        "\"session\", \"solve\", \"source\", \"timing\", "
+        "\"language\", \"name\", \"participants\", \"rating\", \"scene\", \"schema_version\", "
+        "\"session\", \"solve\", \"source\", \"texts\", \"timing\", "
         "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});
 }
 
