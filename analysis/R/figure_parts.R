@@ -58,8 +58,11 @@ panels_beside <- function(panels, first) {
   do.call(cbind, c(list(whole), grobs[-1], size = "first"))
 }
 
-# "speed_deg_s" -> "Speed (°/s)"; a name without a known unit keeps its words.
+# "speed_deg_s" -> "Speed (°/s)"; a name without a known unit keeps its words. A study's own label,
+# where design_words() found one, comes first.
 label_of <- function(factor) {
+  own <- getOption("impetus.labels")[factor]
+  if (!is.null(own) && !is.na(own)) return(unname(own))
   units <- c(
     deg_per_s = "°/s", deg_s = "°/s", m_per_s = "m/s", m_s = "m/s", deg = "°", ms = "ms",
     percent = "%", hz = "Hz", arcmin = "′", px = "px", m = "m", s = "s")
@@ -103,11 +106,14 @@ split_plot <- function(trials, pair, of, bar, point, expand) {
   shown <- data.frame(series, mean = mean$mean, low = mean$low, high = mean$high,
     x = at + (as.integer(series) - (count + 1) / 2) * 0.09 * smallest_step(at))
   ggplot2::ggplot(shown, ggplot2::aes(x, mean, colour = series, shape = series)) +
-    ggplot2::geom_line(linewidth = 0.4) + interval_bars(bar) +
+    joined(trials, pair[1], linewidth = 0.4) + interval_bars(bar) +
     ggplot2::geom_point(size = point) +
-    series_scales(label_of(pair[2]), rep_len(kLevelColours, count), rep_len(kLevelShapes, count)) +
+    series_scales(wrapped(label_of(pair[2]), 25), rep_len(kLevelColours, count), rep_len(kLevelShapes, count)) +
     level_axis(trials, pair[1], expand)
 }
+
+# Lines between levels that are numbers; between words there is nothing.
+joined <- function(trials, factor, ...) if (is_number(trials[[factor]])) ggplot2::geom_line(...)
 
 # The bars of the intervals low to high; they stand in no legend.
 interval_bars <- function(width, ...) {
@@ -135,7 +141,7 @@ stands_at_values <- function(levels) {
 
 level_axis <- function(trials, factor, expand = 0.1) {
   levels <- levels(droplevels(trials[[factor]]))
-  ggplot2::scale_x_continuous(label_of(factor), breaks = position_on_axis(trials, factor, levels),
+  ggplot2::scale_x_continuous(wrapped(label_of(factor), 50), breaks = position_on_axis(trials, factor, levels),
     labels = if (stands_at_values(levels)) levels else wrapped(levels, 12),
     expand = ggplot2::expansion(mult = expand))
 }

@@ -36,9 +36,20 @@ power_part <- function(path, question) {
   part <- switch(question$response,
     rating = rating_part(path, protocol),
     clicks = click_part(with_clicked_trials(path), protocol),
-    answer = answer_part(path, protocol, intersect(kThresholdKinds,
-      rows_of_view(path, "trial_response", protocol)$kind)[1]))
+    answer = answers_tested(answer_part(path, protocol, intersect(kThresholdKinds,
+      rows_of_view(path, "trial_response", protocol)$kind)[1]), question))
   with_levels_compared(part, question$compared)
+}
+
+# Thresholds where levels were chosen trial by trial, or where there are enough trials for them and
+# another factor to compare them by; else answers by condition, each factor among those tested.
+answers_tested <- function(part, question) {
+  axis <- threshold_factor(part)
+  if (is.null(axis) || (!is_tracked(part) && axis %in% question$factors)) return(part)
+  thresholds <- threshold_part(part)
+  if (is_tracked(part)) return(thresholds)
+  if (length(thresholds$split) == 0 || !is.null(why_no_function(thresholds)$why)) return(part)
+  thresholds
 }
 
 # Simulated studies are thrown away, so the view may be made in the file itself.

@@ -159,7 +159,25 @@ factor_of_trials <- function(trials, levels, column, name = column) {
       trials$trial[first], " has none")
   }
   number <- suppressWarnings(as.numeric(value))
-  if (anyNA(number)) factor(value) else factor(number)
+  if (!anyNA(number)) return(factor(number))
+  own <- intersect(getOption("impetus.levels")[[name]], value)
+  factor(value, c(own, setdiff(sort(unique(value)), own)))
+}
+
+# What the protocols of a report's data call their factors and how they order levels, as options that
+# label_of() and factor_of_trials() go by: labels up to a colon. A factor that protocols call by
+# different words, or by such as would be markup, keeps its name.
+design_words <- function(path) {
+  views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
+  rows <- if ("design_level" %in% views) query_study(path,
+    "SELECT DISTINCT factor, label, level FROM design_level ORDER BY number")
+  if (NROW(rows) == 0) return(list())
+  labels <- vapply(split(trimws(sub(":.*$", "", rows$label)), rows$factor), function(words) {
+    if (length(unique(words)) == 1) words[1] else NA_character_
+  }, "")
+  labels <- labels[!is.na(labels) & nzchar(labels) & !grepl("[][<>&|`*_\\\\[:cntrl:]]", labels)]
+  list(impetus.labels = c(labels, stats::setNames(labels, paste0("factor_", names(labels)))),
+    impetus.levels = split(rows$level, rows$factor))
 }
 
 # The one scale of all ratings, as a one-row data frame; refuses to pool two.

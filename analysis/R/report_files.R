@@ -20,11 +20,20 @@ kReportViews <- list(
 # Columns of words among those that a view computes; all others that it computes are numbers.
 kComputedWords <- c("trial_level.factor", "trial_level.level")
 
+# The levels of a protocol's factors in its own order, and the factors' words, for whoever reads the
+# page: no view has them, so they are taken from the protocols as the file keeps them.
+kDesignLevelSql <- "SELECT protocol.name AS protocol, protocol.hash AS protocol_hash,
+  json_extract(factor.value, '$.name') AS factor, json_extract(factor.value, '$.label') AS label,
+  level.key + 1 AS number, CAST(level.value AS TEXT) AS level
+  FROM protocol, json_each(protocol.protocol_json, '$.design.factors') AS factor,
+  json_each(factor.value, '$.levels') AS level WHERE json_valid(protocol.protocol_json)"
+
 # Writes the tables of the study at `path` to `folder`.
 write_report_data <- function(path, folder) {
   study <- withr::local_db_connection(open_study(path, names(kReportViews)))
   DBI::dbExecute(study, "BEGIN")
   columns <- each_row(names(kReportViews), function(view) write_view(study, view, folder))
+  columns <- rbind(columns, write_design_levels(study, folder))
   DBI::dbExecute(study, "COMMIT")
   utils::write.csv(columns, file.path(folder, "columns.csv"), row.names = FALSE)
   utils::write.csv(data.frame(study = basename(path),
@@ -47,6 +56,14 @@ write_view <- function(study, view, folder) {
   utils::write.csv(rows, file.path(folder, paste0(view, ".csv")), row.names = FALSE, na = "",
     fileEncoding = "UTF-8")
   data.frame(view = view, column = declared$name, type = type)
+}
+
+write_design_levels <- function(study, folder) {
+  rows <- DBI::dbGetQuery(study, kDesignLevelSql)
+  utils::write.csv(rows, file.path(folder, "design_level.csv"), row.names = FALSE, na = "",
+    fileEncoding = "UTF-8")
+  data.frame(view = "design_level", column = names(rows),
+    type = ifelse(names(rows) == "number", "INTEGER", "TEXT"))
 }
 
 # The tables of an earlier report, as they are.

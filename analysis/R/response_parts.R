@@ -1,9 +1,9 @@
 # What a protocol asked of its participants, found in the views alone: any protocol, any factors.
 #
 #   rated_trial ─────────────────────────────> a part "rating"      ordinal
-#   trial_response: yes_no, two_interval ────> "threshold"          a level chosen trial by trial, or
+#   trial_response: yes_no, two_interval ─┬──> "answer"             binary, of levels that the plan set
+#                                         └──> "threshold"          a level chosen trial by trial, or
 #                                                                   four numbers or more
-#                                           └> "answer"             binary
 #   click_trial ─────────────────────────────> "clicks"             counts in a time
 #
 # A part is a study as read_studies gives it, with `response`, `factors` (every factor of the design
@@ -11,6 +11,7 @@
 # SPDX-License-Identifier: MIT
 
 kFewestThresholdLevels <- 4
+kFewestFunctionTrials <- 40  # of a participant in a condition, of levels that the plan set
 # Columns that models make themselves.
 kTakenColumns <- c("slope", "x", "condition_of", "centred", "log10_gap", "path", "file", "cell",
   "mean", "low", "high", "positive")
@@ -23,7 +24,7 @@ parts_of_protocol <- function(path, protocol) {
   clicks <- rows_of_view(path, "click_trial", protocol)
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
-    lapply(kinds, function(kind) read_part(answer_part(path, protocol, kind))),
+    unlist(lapply(kinds, answer_parts, path = path, protocol = protocol), recursive = FALSE),
     if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol))))
   Filter(Negate(is.null), parts)
 }
@@ -40,18 +41,47 @@ rating_part <- function(path, protocol) {
   with_factors_that_vary(keep_people_apart(part))
 }
 
+# Answers by condition, where the plan set it; and thresholds, where there are levels for them.
+answer_parts <- function(path, protocol, kind) {
+  part <- read_part(answer_part(path, protocol, kind))
+  if (!is.null(part$why) || is.null(threshold_factor(part))) return(list(part))
+  thresholds <- read_part(threshold_part(part))
+  if (is_tracked(part)) return(list(thresholds))
+  list(part, if (is.null(thresholds$why)) why_no_function(thresholds) else thresholds)
+}
+
 answer_part <- function(path, protocol, kind) {
   part <- read_trials(path, protocol, "trial_response", "answered main trials",
     where = answered_where(kind))
   part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
   part$kind <- kind
+  part$response <- "answer"
+  part
+}
+
+# Were levels chosen trial by trial?
+is_tracked <- function(part) any(!is.na(part$trials$track))
+
+# Answers as thresholds of the factor that threshold_factor() finds.
+threshold_part <- function(part) {
   axis <- threshold_factor(part)
-  part$response <- if (is.null(axis)) "answer" else "threshold"
-  if (is.null(axis)) return(part)
+  part$response <- "threshold"
   part$factors <- c(level = axis, stats::setNames(nm = setdiff(part$factors, axis)))
   levels <- as.numeric(as.character(part$trials[[axis]]))
   part$log10 <- all(levels > 0) && max(levels) >= 10 * min(levels)
   with_scale_and_condition(part, realised_hold = is_realised_hold(part$trials, axis, levels))
+}
+
+# The part itself or, where a usual participant has too few trials in a condition for a function,
+# list(why).
+why_no_function <- function(part) {
+  if (is_tracked(part)) return(part)
+  each <- table(part$trials$participant, part$trials$condition_of)
+  usual <- stats::median(each[each > 0])
+  if (usual >= kFewestFunctionTrials) return(part)
+  list(why = sprintf(paste("No participant has a threshold yet. A threshold of %s needs %d trials or",
+    "more of each participant in each condition of the other factors; there are %g."),
+    name_and_unit(part$axis), kFewestFunctionTrials, usual))
 }
 
 # The factor whose levels make a threshold: the one that tracks choose, or numbers of four levels or

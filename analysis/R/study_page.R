@@ -15,6 +15,7 @@ packages_for_data <- function(data) {
 write_study_report <- function(folder) {
   for (part in c("figures", "tables")) dir.create(file.path(folder, part), showWarnings = FALSE)
   path <- study_of_report_data(file.path(folder, "data"))
+  withr::local_options(design_words(path))
   about <- utils::read.csv(file.path(folder, "data/study.csv"), colClasses = "character")
   protocols <- query_study(path,
     "SELECT DISTINCT protocol FROM enrolment_summary ORDER BY protocol")$protocol

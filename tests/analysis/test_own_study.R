@@ -1,0 +1,70 @@
+# A study of somebody's own: yes or no by factors that no script knows, some of them words.
+# SPDX-License-Identifier: MIT
+library(testthat)
+
+# Yes follows restitution; light makes no difference.
+bounce_answers <- function(seed, participants, n = 3) {
+  set.seed(seed)
+  plan <- shuffled_plan(participants, expand.grid(restitution = c(0.2, 0.4, 0.6, 0.8),
+    light = c("matt", "dim"), repetition = seq_len(n), stringsAsFactors = FALSE))
+  plan$positive <- answers_at(plan$restitution, 0.5, 0.2, guess = 0.05)
+  plan
+}
+
+bounce_protocol <- function(label) jsonlite::toJSON(list(design = list(factors = list(
+  list(name = "restitution", label = label, levels = c(0.2, 0.4, 0.6, 0.8)),
+  list(name = "light", label = "Light: how it falls", levels = c("matt", "dim"))))),
+  auto_unbox = TRUE)
+
+bounce_study <- function(answers, label = "Restitution of both balls") {
+  path <- write_threshold_study(tempfile("bounce", fileext = ".sqlite"), answers, "bounce")
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, "UPDATE protocol SET protocol_json = ?", list(bounce_protocol(label)))
+  DBI::dbDisconnect(study)
+  path
+}
+
+test_that("four levels make answers by condition too, and few trials no threshold", {
+  folder <- new_folder()
+  dir.create(file.path(folder, "data"), recursive = TRUE)
+  suppressMessages({
+    write_report_data(bounce_study(bounce_answers(1, 6)), file.path(folder, "data"))
+    write_study_report(folder)
+  })
+  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  for (words in c("Answers yes or no", "Share answered yes by restitution of both balls: 0.2:",
+    "answers depended on restitution of both balls", "Odds ratios of a positive answer",
+    "A threshold of restitution of both balls needs 40 trials or more", "there are 12.",
+    "Share answered yes by light: matt:")) {
+    expect_match(page, words, fixed = TRUE)
+  }
+  expect_false(grepl("Light: how", page, fixed = TRUE))
+  expect_null(getOption("impetus.labels"))
+})
+
+test_that("words stand in the protocol's order, and a label that is markup is not taken", {
+  folder <- new_folder()
+  dir.create(folder)
+  write_report_data(bounce_study(bounce_answers(2, 2), "<b>Restitution</b>"), folder)
+  path <- study_of_report_data(folder)
+  words <- design_words(path)
+  expect_equal(words$impetus.labels[["light"]], "Light")
+  expect_false("restitution" %in% names(words$impetus.labels))
+  withr::local_options(words)
+  expect_equal(levels(parts_of_protocol(path, "bounce")[[1]]$trials$light), c("matt", "dim"))
+})
+
+test_that("the power of such a study is of its factors", {
+  question <- list(protocol = "bounce", response = "answer", model = "means",
+    factors = character(), compared = character())
+  answers <- bounce_answers(3, 8)
+  answers$participant <- sub("^P", "S", answers$participant)
+  part <- power_part(bounce_study(answers), question)
+  found <- power_tests(part, question)
+  expect_setequal(found$factor, c("restitution", "light"))
+  expect_lt(found$p[found$factor == "restitution"], 1e-4)
+  many <- bounce_answers(4, 3, n = 12)
+  expect_equal(power_part(bounce_study(many), question)$response, "threshold")
+  question$factors <- "restitution"
+  expect_equal(power_part(bounce_study(many), question)$response, "answer")
+})
