@@ -12,6 +12,7 @@
 #include <string>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
@@ -39,6 +40,7 @@ struct CheckOptions {
   double refresh_hz{60.0};
   bool allow_rounding{false};
   bool explain{false};
+  std::string observer;
 };
 
 void print_factors(const Protocol& protocol) {
@@ -182,6 +184,9 @@ void check_one(const std::filesystem::path& file, const CheckOptions& options) {
   }
   const Protocol protocol = load_protocol(file);
   check_frames(protocol, options.refresh_hz, options.allow_rounding);
+  if (!options.observer.empty()) {
+    tell_unseen_factors(protocol, observer_for(protocol, file, options.observer));
+  }
   if (options.explain) {
     std::printf("%s", protocol_page(protocol).c_str());
   } else {
@@ -222,6 +227,8 @@ void add_check(CLI::App& app, Command& chosen) {
                     "Accept delays that are not whole frames, as `run` would with this option");
   command->add_flag("--explain", options->explain,
                     "Print a page, in Markdown, that explains the study whole");
+  command->add_option("--observer", options->observer,
+                      "A simulated participant, its name or file, who is to fit the protocol");
   command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
 }
 

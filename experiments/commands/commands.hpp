@@ -24,6 +24,8 @@ void add_exclude(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_extremes(CLI::App& app, Command& chosen);
 void add_merge(CLI::App& app, Command& chosen);
+void add_new(CLI::App& app, Command& chosen);
+void add_observers(CLI::App& app, Command& chosen);
 void add_power(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);

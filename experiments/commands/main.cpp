@@ -50,6 +50,8 @@ int main(int argc, char** argv) {
   impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
   impetus::add_merge(app, chosen);
+  impetus::add_new(app, chosen);
+  impetus::add_observers(app, chosen);
   impetus::add_power(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_replay(app, chosen);

@@ -7,11 +7,14 @@ namespace impetus::inline observers {
 namespace {
 
 std::vector<ParameterEntry> causality_entries(CausalityParameters& own) {
-  return {{"threshold_mean_ms", -kAny, kAny, &own.threshold_mean_ms},
-          {"threshold_sd_ms", 0.0, kAny, &own.threshold_sd_ms},
-          {"threshold_width_ms", 1e-3, kAny, &own.threshold_width_ms},
-          {"guess_rate", 0.0, 1.0, &own.yes_guess_rate, true},
-          {"miss_rate", 0.0, 1.0, &own.yes_miss_rate, true}};
+  return {{"threshold_mean_ms", -kAny, kAny, &own.threshold_mean_ms,
+           "The delay at contact that is seen half of the time, ms."},
+          {"threshold_sd_ms", 0.0, kAny, &own.threshold_sd_ms,
+           "Spread of that threshold between participants."},
+          {"threshold_width_ms", 1e-3, kAny, &own.threshold_width_ms,
+           "How wide the function is: a standard deviation."},
+          {"guess_rate", 0.0, 1.0, &own.yes_guess_rate, "Yes where nothing is seen.", true},
+          {"miss_rate", 0.0, 1.0, &own.yes_miss_rate, "No where it is clearly seen.", true}};
 }
 
 }  // namespace
@@ -37,6 +40,9 @@ double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*
 
 const ObserverKind& causality_observer() {
   static const ObserverKind kind{.name = "causality",
+                                 .words = "Notices a delay at contact.",
+                                 .attention = {"the delay at contact", {"contact_hold"}},
+                                 .parameters = list_own<CausalityParameters, causality_entries>(),
                                  .read = read_own<CausalityParameters, causality_entries>,
                                  .make = make_own<CausalityParameters, CausalityObserver>};
   return kind;

@@ -22,9 +22,20 @@ class ThresholdsObserver final : public GapObserver {
 
 std::vector<ParameterEntry> thresholds_entries(GapParameters& gap) {
   std::vector<ParameterEntry> entries = gap_entries(gap);
-  entries.push_back({"crowding_per_body", 0.0, kAny, &gap.crowding_per_body});
-  entries.push_back({"threshold_sd_log10", 0.0, kAny, &gap.threshold_sd_log10});
+  entries.push_back({"crowding_per_body", 0.0, kAny, &gap.crowding_per_body,
+                     "Share by which the threshold rises for each body beyond two."});
+  entries.push_back({"threshold_sd_log10", 0.0, kAny, &gap.threshold_sd_log10,
+                     "Spread of the threshold between participants, of its decimal logarithm."});
   return entries;
+}
+
+/// What a gap, and how well it is seen, depends on.
+const Attention& gap_attention() {
+  static const Attention attention{
+      "gaps between bodies that collide, where and how fast they do",
+      {"level", "gap", "tree", "viewer", "speed", "velocity", "at_deg", "distractors", "count",
+       "schedule", "region", "budget", "shape"}};
+  return attention;
 }
 
 }  // namespace
@@ -88,14 +99,19 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
 }
 
 std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
-  return {{"threshold_arcmin", 1e-3, kAny, &gap.threshold_arcmin},
-          {"width_log10", 1e-3, kAny, &gap.width_log10},
-          {"guess_rate", 0.0, 1.0, &gap.guess_rate},
-          {"miss_rate", 0.0, 1.0, &gap.miss_rate}};
+  return {{"threshold_arcmin", 1e-3, kAny, &gap.threshold_arcmin,
+           "The gap that is seen half of the time at the point of gaze, at rest, with two bodies."},
+          {"width_log10", 1e-3, kAny, &gap.width_log10,
+           "How wide the function is: a standard deviation of the decimal logarithm."},
+          {"guess_rate", 0.0, 1.0, &gap.guess_rate, "Yes where nothing is seen."},
+          {"miss_rate", 0.0, 1.0, &gap.miss_rate, "No where it is clearly seen."}};
 }
 
 const ObserverKind& gap_observer() {
   static const ObserverKind kind{.name = "gap",
+                                 .words = "Notices a gap between two bodies that collide.",
+                                 .attention = gap_attention(),
+                                 .parameters = list_own<GapParameters, gap_entries>(),
                                  .read = read_own<GapParameters, gap_entries>,
                                  .make = make_own<GapParameters, GapObserver>};
   return kind;
@@ -103,6 +119,11 @@ const ObserverKind& gap_observer() {
 
 const ObserverKind& gap_thresholds_observer() {
   static const ObserverKind kind{.name = kThresholds,
+                                 .words =
+                                     "Notices such a gap, less well in a crowd, by a threshold "
+                                     "of each participant's own.",
+                                 .attention = gap_attention(),
+                                 .parameters = list_own<GapParameters, thresholds_entries>(),
                                  .read = read_own<GapParameters, thresholds_entries>,
                                  .make = make_own<GapParameters, ThresholdsObserver>};
   return kind;

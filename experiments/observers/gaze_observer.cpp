@@ -10,6 +10,9 @@
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
+
+const ObserverKind& gap_observer();
+
 namespace {
 
 /// Gaps that are so much smaller than what can be seen make no difference.
@@ -66,37 +69,54 @@ class JudgedCollision {
 
 /// The numbers of its own, then those of its eye.
 std::vector<ParameterEntry> gaze_entries(GazeObserverParameters& gaze) {
-  return {{"threshold_arcmin", 1e-3, kAny, &gaze.threshold_arcmin},
-          {"width_log10", 1e-3, kAny, &gaze.width_log10},
-          {"miss_rate", 0.0, 1.0, &gaze.miss_rate},
-          {"crowding_per_body", 0.0, kAny, &gaze.crowding_per_body},
-          {"merge_ms", 0.0, kAny, &gaze.merge_ms},
-          {"click_median_ms", 1.0, kAny, &gaze.click_median_ms},
-          {"click_sigma_log", 0.0, kAny, &gaze.click_sigma_log},
-          {"refractory_ms", 0.0, kAny, &gaze.refractory_ms},
-          {"false_clicks_per_s", 0.0, 100.0, &gaze.false_clicks_per_s},
-          {"events_per_s", 1e-3, kAny, &gaze.events_per_s},
-          {"sampling_hz", 60.0, 1000.0, &gaze.sampling_hz},
-          {"latency_ms", 0.0, 1000.0, &gaze.latency_ms},
-          {"visual_delay_ms", 1.0, 1000.0, &gaze.visual_delay_ms},
-          {"fixation_min_ms", 1.0, kAny, &gaze.fixation_min_ms},
-          {"fixation_max_ms", 1.0, kAny, &gaze.fixation_max_ms},
-          {"saccade_base_ms", 1.0, kAny, &gaze.saccade_base_ms},
-          {"saccade_ms_per_deg", 0.0, kAny, &gaze.saccade_ms_per_deg},
-          {"pair_share", 0.0, 1.0, &gaze.pair_share},
-          {"pursuit_share", 0.0, 1.0, &gaze.pursuit_share},
-          {"pursuit_min_ms", 1.0, kAny, &gaze.pursuit_min_ms},
-          {"pursuit_max_ms", 1.0, kAny, &gaze.pursuit_max_ms},
-          {"pursuit_gain", 0.0, 1.0, &gaze.pursuit_gain},
-          {"pursuit_time_ms", 1.0, kAny, &gaze.pursuit_time_ms},
-          {"catch_up_deg", 0.5, kAny, &gaze.catch_up_deg},
-          {"fixational_sd_deg", 0.0, kAny, &gaze.fixational_sd_deg},
-          {"fixational_time_ms", 1e-3, kAny, &gaze.fixational_time_ms},
-          {"offset_sd_deg", 0.0, kAny, &gaze.offset_sd_deg},
-          {"blink_per_s", 0.0, 100.0, &gaze.blink_per_s},
-          {"blink_ms", 1.0, kAny, &gaze.blink_ms},
-          {"dropout_per_s", 0.0, 100.0, &gaze.dropout_per_s},
-          {"dropout_ms", 1.0, kAny, &gaze.dropout_ms}};
+  return {
+      {"threshold_arcmin", 1e-3, kAny, &gaze.threshold_arcmin,
+       "The gap that is seen half of the time at the point of gaze, at rest, with two bodies."},
+      {"width_log10", 1e-3, kAny, &gaze.width_log10,
+       "How wide the function is: a standard deviation of the decimal logarithm."},
+      {"miss_rate", 0.0, 1.0, &gaze.miss_rate, "No where it is clearly seen."},
+      {"crowding_per_body", 0.0, kAny, &gaze.crowding_per_body,
+       "Share by which the threshold rises for each body beyond two."},
+      {"merge_ms", 0.0, kAny, &gaze.merge_ms, "Collisions closer than this are one event."},
+      {"click_median_ms", 1.0, kAny, &gaze.click_median_ms,
+       "From what was seen to the click; times are lognormal."},
+      {"click_sigma_log", 0.0, kAny, &gaze.click_sigma_log,
+       "Standard deviation of the natural logarithm of these times."},
+      {"refractory_ms", 0.0, kAny, &gaze.refractory_ms,
+       "After a click, in which there is no other."},
+      {"false_clicks_per_s", 0.0, 100.0, &gaze.false_clicks_per_s, "Clicks at nothing."},
+      {"events_per_s", 1e-3, kAny, &gaze.events_per_s,
+       "Of what was seen as bad: at this rate badness is 1 − 1/e."},
+      {"sampling_hz", 60.0, 1000.0, &gaze.sampling_hz, "Of the simulated tracker."},
+      {"latency_ms", 0.0, 1000.0, &gaze.latency_ms,
+       "From a sample of the gaze to when it can be used."},
+      {"visual_delay_ms", 1.0, 1000.0, &gaze.visual_delay_ms,
+       "After which pursuit and saccades follow what is seen."},
+      {"fixation_min_ms", 1.0, kAny, &gaze.fixation_min_ms, "The shortest fixation."},
+      {"fixation_max_ms", 1.0, kAny, &gaze.fixation_max_ms, "The longest fixation."},
+      {"saccade_base_ms", 1.0, kAny, &gaze.saccade_base_ms, "Duration of a saccade of no length."},
+      {"saccade_ms_per_deg", 0.0, kAny, &gaze.saccade_ms_per_deg, "What each degree adds to it."},
+      {"pair_share", 0.0, 1.0, &gaze.pair_share,
+       "Of looks, those at the middle of the pair that will touch first."},
+      {"pursuit_share", 0.0, 1.0, &gaze.pursuit_share,
+       "Of looks at what moves, those that follow it."},
+      {"pursuit_min_ms", 1.0, kAny, &gaze.pursuit_min_ms, "The shortest pursuit."},
+      {"pursuit_max_ms", 1.0, kAny, &gaze.pursuit_max_ms, "The longest pursuit."},
+      {"pursuit_gain", 0.0, 1.0, &gaze.pursuit_gain,
+       "Speed of the eye by that of what it follows."},
+      {"pursuit_time_ms", 1.0, kAny, &gaze.pursuit_time_ms,
+       "In which all but 1/e of a distance to the target is made good."},
+      {"catch_up_deg", 0.5, kAny, &gaze.catch_up_deg,
+       "A greater distance is made good by a saccade."},
+      {"fixational_sd_deg", 0.0, kAny, &gaze.fixational_sd_deg,
+       "Per axis: the drift of the eye and the noise of the tracker together."},
+      {"fixational_time_ms", 1e-3, kAny, &gaze.fixational_time_ms, "Correlation time of these."},
+      {"offset_sd_deg", 0.0, kAny, &gaze.offset_sd_deg,
+       "Per axis, over participants: what calibration leaves."},
+      {"blink_per_s", 0.0, 100.0, &gaze.blink_per_s, "How often the eye blinks."},
+      {"blink_ms", 1.0, kAny, &gaze.blink_ms, "How long a blink lasts."},
+      {"dropout_per_s", 0.0, 100.0, &gaze.dropout_per_s, "How often the tracker loses the eye."},
+      {"dropout_ms", 1.0, kAny, &gaze.dropout_ms, "For how long it does."}};
 }
 
 /// A range of durations: its end must not come before its beginning.
@@ -106,6 +126,13 @@ void require_range(const JsonDocument& document, const std::string& what) {
            "expected at least " + what + "_min_ms, got " +
                document.value["parameters"][what + "_max_ms"]["value"].dump());
   }
+}
+
+Attention gaze_attention() {
+  Attention attention = gap_observer().attention;
+  attention.words = "gaps that open in collisions, and how far from the gaze they do";
+  attention.settings.insert(attention.settings.end(), {"crowd", "engine", "gaze_latency"});
+  return attention;
 }
 
 std::shared_ptr<const RatingParameters> read_gaze(const JsonDocument& document) {
@@ -217,8 +244,13 @@ double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) 
 
 const ObserverKind& gaze_observer() {
   static const ObserverKind kind{.name = "gaze-contingent",
+                                 .words =
+                                     "Looks about, clicks at collisions that look bad, and "
+                                     "rates by how many there were.",
+                                 .attention = gaze_attention(),
                                  .clicks = true,
                                  .has_eye = true,
+                                 .parameters = list_own<GazeObserverParameters, gaze_entries>(),
                                  .read = read_gaze,
                                  .make = make_own<GazeObserverParameters, GazeObserver>};
   return kind;

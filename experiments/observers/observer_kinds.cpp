@@ -11,12 +11,12 @@ namespace impetus::inline observers {
 using nlohmann::json;
 using DeclaredObserver = const ObserverKind&();
 DeclaredObserver causality_observer, gap_observer, gap_thresholds_observer, gaze_observer,
-    response_observer;
+    response_observer, psychometric_observer;
 
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() {
   static const std::vector<std::reference_wrapper<const ObserverKind>> kinds{
-      causality_observer(), gap_observer(), gap_thresholds_observer(), gaze_observer(),
-      response_observer()};
+      causality_observer(), gap_observer(),          gap_thresholds_observer(),
+      gaze_observer(),      psychometric_observer(), response_observer()};
   return kinds;
 }
 
@@ -41,38 +41,69 @@ std::vector<std::string> cut_names(const json& document) {
   return names;
 }
 
-json number_schema(double minimum, double maximum) {
-  return {{"type", "object"},
-          {"additionalProperties", false},
-          {"required", {"value", "unit", "source"}},
-          {"properties",
-           {{"value", {{"type", "number"}, {"minimum", minimum}, {"maximum", maximum}}},
-            {"unit", {{"type", "string"}}},
-            {"source", {{"type", "string"}, {"minLength", 1}}},
-            {"note", {{"type", "string"}}}}}};
+OrderedJson number_schema(double minimum, double maximum, const std::string& words) {
+  OrderedJson schema = words.empty() ? OrderedJson::object() : OrderedJson{{"description", words}};
+  schema.update(object_form("", {{"value", number({minimum, maximum}), true},
+                                 {"unit", any_text(), true},
+                                 {"source", text(), true},
+                                 {"note", any_text(), false}})
+                    .schema);
+  return schema;
 }
 
-json observer_schema(const std::vector<ParameterEntry>& entries,
-                     const std::vector<std::string>& cuts) {
-  json parameters{{"type", "object"}, {"additionalProperties", false}};
+constexpr const char* kCutWords =
+    "The boundary between two neighbouring points of the rating scale, from its good end on; each "
+    "is more than the one before.";
+
+/// `cuts`: those of a file; a list of all files has a pattern.
+OrderedJson parameters_schema(const std::vector<ParameterEntry>& entries,
+                              const std::vector<std::string>& cuts) {
+  OrderedJson schema{{"type", "object"}, {"additionalProperties", false}};
+  schema["required"] = OrderedJson::array();
   for (const ParameterEntry& entry : entries) {
-    parameters["properties"][entry.name] = number_schema(entry.minimum, entry.maximum);
     if (!entry.optional) {
-      parameters["required"].push_back(entry.name);
+      schema["required"].push_back(entry.name);
     }
+    schema["properties"][entry.name] = number_schema(entry.minimum, entry.maximum, entry.words);
   }
   for (const std::string& cut : cuts) {
-    parameters["properties"][cut] = number_schema(-kAny, kAny);
-    parameters["required"].push_back(cut);
+    schema["required"].push_back(cut);
+    schema["properties"][cut] = number_schema(-kAny, kAny, kCutWords);
   }
-  return {{"type", "object"},
-          {"additionalProperties", false},
-          {"required", {"schema_version", "observer", "parameters"}},
-          {"properties",
-           {{"schema_version", {{"const", 1}}},
-            {"observer", {{"type", "string"}}},
-            {"note", {{"type", "string"}}},
-            {"parameters", parameters}}}};
+  return schema;
+}
+
+/// Of a file of one kind, which has `settings` beside its numbers.
+OrderedJson file_of_kind(const OrderedJson& name, const OrderedJson& parameters,
+                         const Form& settings) {
+  OrderedJson schema{{"type", "object"},
+                     {"additionalProperties", false},
+                     {"required", {"schema_version", "observer", "parameters"}},
+                     {"properties",
+                      {{"$schema", {{"type", "string"}}},
+                       {"schema_version", {{"const", 1}}},
+                       {"observer", name},
+                       {"note", {{"type", "string"}}}}}};
+  if (settings.schema.contains("properties")) {
+    schema["properties"].update(settings.schema["properties"]);
+    for (const OrderedJson& key : settings.schema.value("required", OrderedJson::array())) {
+      schema["required"].push_back(key);
+    }
+  }
+  schema["properties"]["parameters"] = parameters;
+  return schema;
+}
+
+/// Of any file of the kind.
+OrderedJson schema_of(const ObserverKind& kind) {
+  OrderedJson parameters = parameters_schema(kind.parameters, {});
+  if (!kind.has_own_scale) {
+    parameters["required"].push_back(cut_name(1));
+    parameters["patternProperties"]["^cut_[1-8]_[2-9]$"] = number_schema(-kAny, kAny, kCutWords);
+  }
+  OrderedJson schema{{"description", kind.words}};
+  schema.update(file_of_kind({{"const", kind.name}}, parameters, kind.settings));
+  return schema;
 }
 
 }  // namespace
@@ -90,33 +121,58 @@ const ObserverKind& named_kind(const JsonDocument& document) {
                        [&](const ObserverKind& kind) { return kind.name == name; });
 }
 
-void read_parameters(const JsonDocument& document, RatingParameters& rating,
-                     std::vector<ParameterEntry> own) {
-  const std::vector<ParameterEntry> of_all{
-      {"baseline", -kAny, kAny, &rating.baseline},
-      {"effect", -kAny, kAny, &rating.effect},
-      {"effect_sd", 0.0, kAny, &rating.effect_sd},
-      {"intercept_sd", 0.0, kAny, &rating.intercept_sd},
-      {"lapse_rate", 0.0, 1.0, &rating.lapse_rate},
-      {"reaction_median_ms", 1.0, kAny, &rating.reaction_median_ms},
-      {"reaction_sigma_log", 0.0, kAny, &rating.reaction_sigma_log}};
-  std::vector<ParameterEntry> entries = std::move(own);
-  entries.insert(entries.end(), of_all.begin(), of_all.end());
-  const std::vector<std::string> cuts = cut_names(document.value);
-  require_schema(document, observer_schema(entries, cuts));
+OrderedJson observer_file_schema() {
+  OrderedJson schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                     {"title", "Impetus simulated participant"},
+                     {"description",
+                      "What a simulated participant is made of. Every number has its unit and says "
+                      "where it comes from."},
+                     {"oneOf", OrderedJson::array()}};
+  for (const ObserverKind& kind : observer_kinds()) {
+    schema["oneOf"].push_back({{"$ref", "#/definitions/" + kind.name}});
+    schema["definitions"][kind.name] = schema_of(kind);
+  }
+  return schema;
+}
+
+std::vector<ParameterEntry> with_rating_entries(RatingParameters& rating,
+                                                std::vector<ParameterEntry> own) {
+  own.insert(
+      own.end(),
+      {{"baseline", -kAny, kAny, &rating.baseline, "Of a rating's logit, where nothing was seen."},
+       {"effect", -kAny, kAny, &rating.effect,
+        "What a rating's logit gains where something was clearly seen."},
+       {"effect_sd", 0.0, kAny, &rating.effect_sd, "Spread of the effect between participants."},
+       {"intercept_sd", 0.0, kAny, &rating.intercept_sd,
+        "Spread of the ratings' level between participants."},
+       {"lapse_rate", 0.0, 1.0, &rating.lapse_rate,
+        "Share of ratings and choices of an interval that are given blindly."},
+       {"reaction_median_ms", 1.0, kAny, &rating.reaction_median_ms,
+        "From the question to the answer; times are lognormal."},
+       {"reaction_sigma_log", 0.0, kAny, &rating.reaction_sigma_log,
+        "Standard deviation of the natural logarithm of these times."}});
+  return own;
+}
+
+void read_numbers(const JsonDocument& document, const std::vector<ParameterEntry>& entries,
+                  const Form& settings, std::vector<double>* cuts) {
+  const std::vector<std::string> names =
+      cuts != nullptr ? cut_names(document.value) : std::vector<std::string>{};
+  require_schema(document,
+                 file_of_kind({{"type", "string"}}, parameters_schema(entries, names), settings));
   for (const ParameterEntry& entry : entries) {
     if (!entry.optional || document.value["parameters"].contains(entry.name)) {
       *entry.place = number_in(document, entry.name);
     }
   }
-  for (const std::string& cut : cuts) {
-    const double value = number_in(document, cut);
-    if (!rating.cuts.empty() && value <= rating.cuts.back()) {
-      refuse(document, "/parameters/" + cut + "/value",
-             "expected more than " + cut_name(rating.cuts.size()) + ", got " +
-                 document.value["parameters"][cut]["value"].dump());
+  for (const std::string& name : names) {
+    const double value = number_in(document, name);
+    if (!cuts->empty() && value <= cuts->back()) {
+      refuse(document, "/parameters/" + name + "/value",
+             "expected more than " + cut_name(cuts->size()) + ", got " +
+                 document.value["parameters"][name]["value"].dump());
     }
-    rating.cuts.push_back(value);
+    cuts->push_back(value);
   }
 }
 

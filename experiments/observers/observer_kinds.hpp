@@ -21,7 +21,8 @@
 // s₁(1 − s₂) + ½[s₁s₂ + (1 − s₁)(1 − s₂)] = ½ + ½(s₁ − s₂), the high-threshold observer (Green and
 // Swets 1966). A lapse chooses either, so the asymptote is 1 − ½ lapse rate.
 //
-// Words are left out. An answer later than a page's time is not given.
+// Words are left out. An answer later than a page's time is not given. The kind `psychometric`,
+// which goes by any factor or truth, answers every question by one function of its own.
 //
 // `seen`, from 0 to 1, is the study's own: what a derived observer makes of what was shown. u_i
 // and s_i belong to the participant. With a small probability the participant lapses and answers
@@ -45,6 +46,14 @@
 
 namespace impetus::inline observers {
 
+/// What a simulated participant goes by, so that one who looks at nothing that varies is told of.
+struct Attention {
+  std::string words;                  ///< "the delay at contact"
+  std::vector<std::string> settings;  ///< of a scene that change it: parts of their JSON Pointers
+  std::string factor{};               ///< that is gone by whatever it sets; "": none
+  std::vector<std::string> levels{};  ///< the words among its levels, from least to most
+};
+
 /// What every simulated participant is made of; each kind adds its own.
 struct RatingParameters {
   double baseline{0.0};      ///< logits
@@ -57,8 +66,9 @@ struct RatingParameters {
   double reaction_sigma_log{0.25};  ///< lognormal
   double yes_guess_rate{0.0};       ///< γ: yes where nothing was seen
   double yes_miss_rate{0.0};        ///< λ: no where it was clearly seen
+  Attention attention{};            ///< a kind's, unless the file says it
 
-  /// Points of the scales that can be answered on.
+  /// Points of the scales that can be answered on; 1 of a kind that rates on any.
   [[nodiscard]] std::size_t points() const { return cuts.size() + 1; }
 };
 
@@ -115,15 +125,35 @@ class RatingObserver : public Input, public Judge {
   std::vector<double> seen_{0.0};  ///< in each interval of the trial
 };
 
+/// A number that may be anything.
+inline constexpr double kAny = 1e9;
+
+/// One number of a file, the least and the greatest that it may be, where it goes, and what it is.
+struct ParameterEntry {
+  const char* name;
+  double minimum;
+  double maximum;
+  double* place;
+  const char* words;
+  bool optional{false};  ///< left out, it stays what it is
+};
+
 /// What all participants of a kind have in common.
 struct ObserverKind {
-  std::string name;     ///< as its files call it
-  bool clicks{false};   ///< whether it clicks during the stimulus
-  bool has_eye{false};  ///< whether its gaze can be followed
+  std::string name;   ///< as its files call it
+  std::string words;  ///< what it does, in one sentence
+  Attention attention{};
+  bool clicks{false};                        ///< whether it clicks during the stimulus
+  bool has_eye{false};                       ///< whether its gaze can be followed
+  std::vector<ParameterEntry> parameters{};  ///< their places are nobody's
+  Form settings{};                           ///< what a file says beside its parameters
   /// Reads what a file of the kind gives; throws InputError as read_parameters() does.
-  std::shared_ptr<const RatingParameters> (*read)(const JsonDocument& document);
+  std::shared_ptr<const RatingParameters> (*read)(const JsonDocument& document){nullptr};
   /// The participant with what read() gave.
-  std::unique_ptr<RatingObserver> (*make)(const RatingParameters& parameters, const Birth& birth);
+  std::unique_ptr<RatingObserver> (*make)(const RatingParameters& parameters,
+                                          const Birth& birth){nullptr};
+  bool has_own_scale{false};     ///< it has no cuts: it rates on any scale
+  bool effect_is_of_all{false};  ///< `effect` 0 changes every kind of answer, not ratings alone
 };
 
 /// All kinds, by name.
@@ -132,30 +162,31 @@ const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds();
 /// The kind that a file names. Throws InputError when there is no such kind.
 const ObserverKind& named_kind(const JsonDocument& document);
 
-/// A number that may be anything.
-inline constexpr double kAny = 1e9;
+/// The schema of all kinds' files together.
+OrderedJson observer_file_schema();
 
-/// One number of a file, the least and the greatest that it may be, and where it goes.
-struct ParameterEntry {
-  const char* name;
-  double minimum;
-  double maximum;
-  double* place;
-  bool optional{false};  ///< left out, it stays what it is
-};
+/// A kind's own numbers and those of everybody who judges by how clearly something was seen.
+std::vector<ParameterEntry> with_rating_entries(RatingParameters& rating,
+                                                std::vector<ParameterEntry> own);
 
-/// Reads a kind's own numbers and those that every kind has, which go into `rating`. Throws
+/// Reads these numbers, and the cuts between points where a file of the kind has them. Throws
 /// InputError: an unknown number, one that is missing, out of its range or without its unit and
-/// source.
-void read_parameters(const JsonDocument& document, RatingParameters& rating,
-                     std::vector<ParameterEntry> own);
+/// source; anything else that `settings` does not allow.
+void read_numbers(const JsonDocument& document, const std::vector<ParameterEntry>& entries,
+                  const Form& settings, std::vector<double>* cuts);
 
-/// An ObserverKind's read() and make(), where the participant is made of `Parameters` with the
-/// numbers that `entries` lists of them.
+/// The kind's `parameters`, and its read() and make(), where the participant is made of
+/// `Parameters` with the numbers that `entries` lists of them.
+template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
+std::vector<ParameterEntry> list_own() {
+  static Parameters nobody;
+  return with_rating_entries(nobody, entries(nobody));
+}
 template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
 std::shared_ptr<const RatingParameters> read_own(const JsonDocument& document) {
   auto parameters = std::make_shared<Parameters>();
-  read_parameters(document, *parameters, entries(*parameters));
+  read_numbers(document, with_rating_entries(*parameters, entries(*parameters)), {},
+               &parameters->cuts);
   return parameters;
 }
 template <typename Parameters, typename Observer>

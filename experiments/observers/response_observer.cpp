@@ -17,6 +17,9 @@
 #include "experiments/observers/gap_observer.hpp"
 
 namespace impetus::inline observers {
+
+const ObserverKind& gap_observer();
+
 namespace {
 
 /// What a participant of the response study is made of.
@@ -74,18 +77,34 @@ double ResponseObserver::seen(const AttemptRecord& shown, const StagedScene& sce
 
 std::vector<ParameterEntry> response_entries(ResponseParameters& own) {
   std::vector<ParameterEntry> entries = gap_entries(own);
-  entries.push_back({"spin_weight", 0.0, 1.0, &own.spin_weight});
-  entries.push_back({"spin_median_deg_s", 1e-3, kAny, &own.spin_median_deg_s});
-  entries.push_back({"spin_width_log10", 1e-3, kAny, &own.spin_width_log10});
-  entries.push_back({"speed_weight", 0.0, 1.0, &own.speed_weight});
-  entries.push_back({"speed_scale_deg_s", 1e-3, kAny, &own.speed_scale_deg_s});
+  entries.push_back({"spin_weight", 0.0, 1.0, &own.spin_weight,
+                     "How wrong a spin that is missing altogether looks."});
+  entries.push_back({"spin_median_deg_s", 1e-3, kAny, &own.spin_median_deg_s,
+                     "The spin that is missed half of the time."});
+  entries.push_back({"spin_width_log10", 1e-3, kAny, &own.spin_width_log10,
+                     "How wide that function is: a standard deviation of the decimal logarithm."});
+  entries.push_back(
+      {"speed_weight", 0.0, 1.0, &own.speed_weight, "How wrong haste can look at most."});
+  entries.push_back({"speed_scale_deg_s", 1e-3, kAny, &own.speed_scale_deg_s,
+                     "The closing speed at which haste looks all but 1/e as wrong as it can."});
   return entries;
+}
+
+Attention response_attention() {
+  Attention attention = gap_observer().attention;
+  attention.words += ", and how the two turn";
+  attention.settings.insert(attention.settings.end(),
+                            {"spin", "offset", "orientation", "friction", "restitution"});
+  return attention;
 }
 
 }  // namespace
 
 const ObserverKind& response_observer() {
   static const ObserverKind kind{.name = "response",
+                                 .words = "Notices a gap, a spin that is missing, and haste.",
+                                 .attention = response_attention(),
+                                 .parameters = list_own<ResponseParameters, response_entries>(),
                                  .read = read_own<ResponseParameters, response_entries>,
                                  .make = make_own<ResponseParameters, ResponseObserver>};
   return kind;

@@ -26,14 +26,22 @@ ObserverFile load_observer(const std::string& name_or_path, const std::filesyste
 
 /// For "rating": `effect` is 0, so what was seen changes no rating on average, and participants
 /// differ in it as before (`effect_sd`). For "clicks": nothing is seen (`miss_rate` 1), and clicks
-/// come by chance. The participant is the same otherwise: the studies of type-I errors are made
-/// with it. None for other responses, or when the observer lacks the number.
+/// come by chance. For any response of a kind whose `effect` is of all answers, that is 0. The
+/// participant is the same otherwise: the studies of type-I errors are made with it. None for other
+/// responses, or when the observer lacks the number.
 std::optional<ObserverFile> without_effect(const ObserverFile& observer,
                                            const std::string& response);
 
 /// The observer rates on the protocol's scale, where it has one, clicks where clicks are asked for,
-/// and has an eye where the gaze is followed. Throws InputError.
+/// has an eye where the gaze is followed, and goes by a factor that is there. Throws InputError.
 void check_observer(const Protocol& protocol, const ObserverFile& observer);
+
+/// What the participant looks at: its own, or all of its kind do.
+const Attention& attention_of(const ObserverFile& observer);
+
+/// A sentence where no factor that varies changes what the observer looks at: which vary, and what
+/// it looks at. "" where one does, or none varies.
+std::string unseen_factors(const Protocol& protocol, const ObserverFile& observer);
 
 /// The participant that the file and the birth make.
 inline std::unique_ptr<RatingObserver> make_observer(const ObserverFile& file, const Birth& birth) {

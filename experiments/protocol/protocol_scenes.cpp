@@ -96,6 +96,7 @@ StagedScene ProtocolScenes::stage(const PlannedTrial& trial, const ScreenGeometr
     return build_scene(scene_of(*protocol_, trial), screen, round_hold_to_hz_, *shapes_,
                        start_of(trial), trial.seed, deepest_level_);
   });
+  staged.condition = trial.condition;
   const auto& gaze = protocol_->script.gaze;
   staged.gaze_latency_s += gaze ? gaze->extra_latency_ms / 1e3 : 0.0;
   return staged;

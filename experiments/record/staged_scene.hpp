@@ -13,6 +13,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/world/world.hpp"
+#include "experiments/design/design.hpp"
 #include "experiments/record/gaze.hpp"
 
 namespace impetus::inline record {
@@ -119,6 +120,7 @@ struct StagedScene {
   ViewerTurn turn{};           ///< `viewer` is where it starts
   double gaze_latency_s{0.0};  ///< imposed, all in all: samples younger than this are not used yet
   std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
+  Condition condition{};  ///< that it was staged for; a simulated participant may go by it
 
   [[nodiscard]] Viewer viewer_at_time(double time_s) const {
     return turned_viewer(viewer, turn, time_s);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/power_studies.hpp"
@@ -140,9 +141,7 @@ std::optional<ObserverFile> null_observer_of(const RunPart& part, const PowerOpt
   if (options.null_observer.empty()) {
     return without_effect(*part.lab.observer, response);
   }
-  ObserverFile observer = load_observer(options.null_observer, options.protocol);
-  check_observer(part.protocol, observer);
-  return observer;
+  return observer_for(part.protocol, options.protocol, options.null_observer);
 }
 
 PowerRequest request_of(const PowerOptions& options, bool null_known) {

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
-#include "experiments/protocol/observer_file.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
@@ -54,8 +54,8 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
                   const RunOptions& options) {
   RunPart part{load_protocol(file), {}};
   if (!observer.empty()) {
-    part.lab.observer = load_observer(observer, file);
-    check_observer(part.protocol, *part.lab.observer);
+    part.lab.observer = observer_for(part.protocol, file, observer);
+    tell_unseen_factors(part.protocol, *part.lab.observer);
   }
   part.lab.show = options.show;
   part.lab.screen_file = options.screen_file;

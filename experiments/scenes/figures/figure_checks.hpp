@@ -4,6 +4,8 @@
 #pragma once
 
 #include "experiments/scenes/scene.hpp"
+#include "experiments/scenes/scene_problems.hpp"
+#include "experiments/scenes/shape_library.hpp"
 
 namespace impetus::inline scenes {
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "experiments/observers/observer_kinds.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "experiments/scenes/scene.hpp"
@@ -152,6 +153,7 @@ TEST(SchemaFiles, AreWhatTheRowsSay) {
   expect_committed(scene_file_schema(), "stimuli/scene.schema.json");
   expect_committed(figure_file_schema(), "stimuli/figure.schema.json");
   expect_committed(protocol_file_schema(), "protocols/protocol.schema.json");
+  expect_committed(observer_file_schema(), "experiments/observers/observer.schema.json");
   expect_committed(series_file_schema(), "protocols/series/series.schema.json");
 }
 

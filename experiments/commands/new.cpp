@@ -1,0 +1,181 @@
+// `impetus new`: a study of one's own in a new folder, from a few answers, that runs at once.
+//
+//   options, or answers on the terminal ─> protocol.json, scene.json, observer.json, protocol.md
+//
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/exports/whole_output.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/new_study.hpp"
+#include "experiments/protocol/observer_file.hpp"
+#include "experiments/protocol/protocol_page.hpp"
+
+namespace impetus::inline commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `impetus new` was asked for; what is "" is asked on a terminal, or has its default.
+struct NewOptions {
+  std::string folder;
+  std::string study_template;
+  std::vector<std::string> vary;
+  std::string ask;
+  std::string question;
+  std::string language;
+};
+
+/// What was given; else, on a terminal, what is answered; else the default.
+std::string answer(const std::string& given, const std::string& words,
+                   const std::string& otherwise) {
+  if (!given.empty() || isatty(STDIN_FILENO) == 0) {
+    return given.empty() ? otherwise : given;
+  }
+  std::printf("%s [%s]: ", words.c_str(), otherwise.c_str());
+  std::fflush(stdout);
+  std::string line;
+  std::getline(std::cin, line);
+  return line.empty() ? otherwise : line;
+}
+
+/// "a, b, c"
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) {
+    list += (list.empty() ? "" : ", ") + word;
+  }
+  return list;
+}
+
+std::string choose_template(const std::string& given) {
+  const std::vector<StudyTemplate> all = study_templates();
+  std::string words = "What is shown?\n";
+  for (const StudyTemplate& each : all) {
+    words += "  " + each.name + ": " + each.words + "\n";
+  }
+  return answer(given, words + "Template", all.front().name);
+}
+
+std::vector<std::string> choose_factors(const std::vector<std::string>& given,
+                                        const std::string& study_template) {
+  if (!given.empty()) {
+    return given;
+  }
+  for (const StudyTemplate& each : study_templates()) {
+    if (each.name == study_template) {
+      std::istringstream words(
+          answer("",
+                 "What is varied? " + list_of(each.offered) +
+                     ";\none or two of them, with levels: NAME=LEVEL,LEVEL NAME=LEVEL,LEVEL",
+                 each.offered.front()));
+      return {std::istream_iterator<std::string>(words), {}};
+    }
+  }
+  return {};
+}
+
+std::string choose_question(const std::string& given, const std::string& ask) {
+  for (const auto& [name, words] : offered_questions()) {
+    if (name == ask && !words.empty()) {
+      return answer(given, "The question's words", words);
+    }
+  }
+  return given;
+}
+
+StudyChoices choices_from(const NewOptions& options) {
+  std::vector<std::string> asks;
+  for (const auto& offered : offered_questions()) {
+    asks.push_back(offered.first);
+  }
+  StudyChoices choices;
+  choices.name = fs::path(options.folder).filename().string();
+  choices.study_template = choose_template(options.study_template);
+  choices.vary = choose_factors(options.vary, choices.study_template);
+  choices.ask = answer(options.ask, "What is asked? " + list_of(asks), asks.front());
+  choices.question = choose_question(options.question, choices.ask);
+  choices.language = answer(options.language, "The participants' language", "en");
+  return choices;
+}
+
+/// Reads what was written as any study is read, so that nothing stays that could not be run.
+void write_page(const fs::path& folder) {
+  const Protocol protocol = load_protocol(folder / "protocol.json");
+  constexpr double kUsualHz = 60.0;
+  check_frames(protocol, kUsualHz, /*allow_rounding=*/false);
+  check_observer(protocol, load_observer((folder / "observer.json").string(), folder / "x"));
+  write_output_file(folder / "protocol.md", protocol_page(protocol));
+}
+
+/// The message, with the folder as it would have been called.
+std::string as_asked(std::string message, const fs::path& written, const std::string& asked) {
+  for (std::size_t at = message.find(written.string()); at != std::string::npos;
+       at = message.find(written.string())) {
+    message.replace(at, written.string().size(), asked);
+  }
+  return message;
+}
+
+void write_study(const NewOptions& options, const std::map<std::string, OrderedJson>& files) {
+  WholeFolder folder(options.folder, /*replace=*/false);
+  try {
+    for (const auto& [name, content] : files) {
+      write_output_file(folder.path() / name, content.dump(2) + "\n");
+    }
+    write_page(folder.path());
+  } catch (const InputError& error) {
+    throw InputError(as_asked(error.what(), folder.path(), options.folder) +
+                     "; nothing was written");
+  }
+  folder.put_in_place();
+}
+
+int make_new_study(const NewOptions& options) {
+  if (fs::exists(options.folder)) {
+    throw InputError(options.folder + ": exists already and is not overwritten");
+  }
+  write_study(options, make_study(choices_from(options)));
+  const std::string at = options.folder + "/";
+  std::printf(
+      "%s: protocol.json, scene.json, observer.json, and protocol.md, which explains them\n"
+      "Try next:\n"
+      "  impetus check %sprotocol.json\n"
+      "  impetus run %sprotocol.json --db %sstudy.sqlite --observer %sobserver.json "
+      "--participants 10\n"
+      "  impetus report %sstudy.sqlite --out %sreport/\n",
+      options.folder.c_str(), at.c_str(), at.c_str(), at.c_str(), at.c_str(), at.c_str(),
+      at.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App* command = app.add_subcommand(
+      "new", "A study of one's own in a new folder; asks for what no option says");
+  command
+      ->add_option("name", options->folder,
+                   "The folder; its name is the protocol's, such as bounce")
+      ->required();
+  command->add_option("--template", options->study_template, "What is shown, such as two-balls");
+  command
+      ->add_option("--vary", options->vary,
+                   "A factor and its levels, such as restitution=.2,.5,.8; again for another")
+      ->allow_extra_args(false);
+  command->add_option("--ask", options->ask, "yes-no, rating, two-interval or click");
+  command->add_option("--question", options->question, "The question's words");
+  command->add_option("--language", options->language, "The participants' (default en)");
+  command->callback(
+      [options, &chosen] { chosen = [options] { return make_new_study(*options); }; });
+}
+
+}  // namespace impetus::inline commands

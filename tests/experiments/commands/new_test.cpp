@@ -1,0 +1,146 @@
+// `impetus new`: every template is a study that runs at once; what cannot be one is refused.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+
+#include "experiments/protocol/new_study.hpp"
+#include "experiments/settings/json_document.hpp"
+#include "tests/experiments/command_lines.hpp"
+
+namespace impetus::new_test {
+
+/// Makes, checks, runs and replays a study.
+void expect_runs(const TemporaryFolder& folder, std::vector<std::string> choices) {
+  choices.insert(choices.begin(), {"new", "mine"});
+  const ProgramResult made = run_program(folder, choices);
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const ProgramResult checked =
+      run_program(folder, {"check", "mine/protocol.json", "--observer", "mine/observer.json"});
+  EXPECT_EQ(checked.status, 0) << checked.errors;
+  EXPECT_EQ(checked.errors, "");
+  const ProgramResult run =
+      run_program(folder, {"run", "mine/protocol.json", "--db", "mine/study.sqlite", "--observer",
+                           "mine/observer.json", "--participant", "S01"});
+  ASSERT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run_program(folder, {"replay", "mine/study.sqlite"}).status, 0);
+  std::filesystem::remove_all(folder / "mine");
+}
+
+TEST(New, EveryTemplateRunsAsItComes) {
+  const TemporaryFolder folder;
+  for (const StudyTemplate& each : study_templates()) {
+    SCOPED_TRACE(each.name);
+    expect_runs(folder, {"--template", each.name});
+  }
+}
+
+TEST(New, EveryQuestionCanBeAsked) {
+  const TemporaryFolder folder;
+  for (const auto& offered : offered_questions()) {
+    SCOPED_TRACE(offered.first);
+    expect_runs(folder, {"--ask", offered.first, "--vary", "restitution=.2,.8"});
+  }
+}
+
+TEST(New, EveryFactorThatIsOfferedCanBeVaried) {
+  const TemporaryFolder folder;
+  for (const StudyTemplate& each : study_templates()) {
+    for (const std::string& factor : each.offered) {
+      const ProgramResult made =
+          run_program(folder, {"new", "mine", "--template", each.name, "--vary", factor});
+      EXPECT_EQ(made.status, 0) << each.name << " " << factor << ": " << made.errors;
+      std::filesystem::remove_all(folder / "mine");
+    }
+  }
+}
+
+TEST(New, WritesWhatWasChosen) {
+  const TemporaryFolder folder;
+  const ProgramResult made =
+      run_program(folder, {"new", "bounce", "--vary", "restitution=.2,.5,.8", "--vary",
+                           "angle_deg=0,30", "--ask", "yes-no", "--question", "Natural?"});
+  ASSERT_EQ(made.status, 0) << made.errors;
+  const nlohmann::json protocol = read_json(folder / "bounce/protocol.json").value;
+  EXPECT_EQ(protocol["name"], "bounce");
+  EXPECT_EQ(protocol["yes_no"]["question"], "Natural?");
+  EXPECT_EQ(protocol["design"]["factors"][0]["levels"], nlohmann::json({0.2, 0.5, 0.8}));
+  EXPECT_EQ(protocol["design"]["factors"][1]["name"], "angle_deg");
+  EXPECT_EQ(protocol["design"]["repetitions"], 10);
+  EXPECT_FALSE(protocol.contains("language"));
+  const nlohmann::json observer = read_json(folder / "bounce/observer.json").value;
+  EXPECT_EQ(observer["of"]["factor"], "restitution");
+  EXPECT_EQ(observer["parameters"]["threshold"]["value"], 0.5);
+  EXPECT_EQ(lines_of(made.output),
+            (std::vector<std::string>{
+                "bounce: protocol.json, scene.json, observer.json, and protocol.md, which explains "
+                "them",
+                "Try next:", "  impetus check bounce/protocol.json",
+                "  impetus run bounce/protocol.json --db bounce/study.sqlite --observer "
+                "bounce/observer.json --participants 10",
+                "  impetus report bounce/study.sqlite --out bounce/report/"}));
+}
+
+TEST(New, AnyValueOfTheSceneCanBeVaried) {
+  const TemporaryFolder folder;
+  expect_runs(folder, {"--vary", "/bodies/0/density_kg_m3=500,1000"});
+}
+
+TEST(New, RefusesInASentenceAndLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto refused = [&](std::vector<std::string> choices) {
+    choices.insert(choices.begin(), {"new", "mine"});
+    const ProgramResult made = run_program(folder, choices);
+    EXPECT_EQ(made.status, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "mine"));
+    return made.errors;
+  };
+  EXPECT_EQ(refused({"--template", "three-balls"}),
+            "impetus: --template: expected one of two-balls, two-blocks, blocks-in-a-cube, got "
+            "three-balls\n");
+  EXPECT_EQ(refused({"--ask", "maybe"}),
+            "impetus: --ask: expected one of yes-no, rating, two-interval, click, got maybe\n");
+  EXPECT_EQ(refused({"--vary", "weight=1,2"}),
+            "impetus: --vary: expected one of restitution, angle_deg, speed_deg_s, delay_ms, "
+            "gap_arcmin, offset_deg, or a JSON Pointer into the scene, got weight\n");
+  EXPECT_EQ(refused({"--vary", "restitution=1"}),
+            "impetus: --vary: expected restitution= and two levels or more, got restitution=1\n");
+  const std::string beyond = refused({"--vary", "restitution=.5,2"});
+  EXPECT_NE(beyond.find("; nothing was written\n"), std::string::npos) << beyond;
+  EXPECT_EQ(beyond.find("partial"), std::string::npos) << beyond;
+}
+
+TEST(New, OverwritesNothing) {
+  const TemporaryFolder folder;
+  folder.write("mine", "");
+  EXPECT_EQ(run_program(folder, {"new", "mine"}).errors,
+            "impetus: mine: exists already and is not overwritten\n");
+}
+
+// ---------------------------------------------------------------- simulated participants
+
+TEST(Observers, AreListedAndExplainedFromAnyFolder) {
+  const TemporaryFolder folder;
+  const ProgramResult all = run_program(folder, {"observers"});
+  EXPECT_EQ(all.status, 0) << all.errors;
+  for (const char* words : {"causality-thresholds", "the delay at contact", "psychometric"}) {
+    EXPECT_NE(all.output.find(words), std::string::npos) << words;
+  }
+  const ProgramResult one = run_program(folder, {"observers", "gap"});
+  EXPECT_NE(one.output.find("10 arcmin"), std::string::npos) << one.output << one.errors;
+  const ProgramResult kind = run_program(folder, {"observers", "psychometric"});
+  EXPECT_NE(kind.output.find("weibull"), std::string::npos) << kind.output << kind.errors;
+  EXPECT_EQ(run_program(folder, {"observers", "nobody"}).status, 2);
+}
+
+TEST(Observers, WhoLooksAtNothingThatVariesIsWarnedOf) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(folder, {"new", "bounce"}).status, 0);
+  const ProgramResult checked =
+      run_program(folder, {"check", "bounce/protocol.json", "--observer", "causality"});
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_NE(checked.errors.find("looks at the delay at contact, which no factor that varies "
+                                "changes (restitution): its answers will not depend on them\n"),
+            std::string::npos)
+      << checked.errors;
+}
+
+}  // namespace impetus::new_test
