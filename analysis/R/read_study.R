@@ -164,20 +164,20 @@ factor_of_trials <- function(trials, levels, column, name = column) {
   factor(value, c(own, setdiff(sort(unique(value)), own)))
 }
 
-# What the protocols of a report's data call their factors and how they order levels, as options that
-# label_of() and factor_of_trials() go by: labels up to a colon. A factor that protocols call by
+# What the protocols of a report's data call their factors and how they order them and their levels,
+# as options that label_of(), with_every_factor() and factor_of_trials() go by: labels up to a colon. A factor that protocols call by
 # different words, or by such as would be markup, keeps its name.
 design_words <- function(path) {
   views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
   rows <- if ("design_level" %in% views) query_study(path,
-    "SELECT DISTINCT factor, label, level FROM design_level ORDER BY number")
+    "SELECT DISTINCT factor, label, level FROM design_level ORDER BY place, number")
   if (NROW(rows) == 0) return(list())
   labels <- vapply(split(trimws(sub(":.*$", "", rows$label)), rows$factor), function(words) {
     if (length(unique(words)) == 1) words[1] else NA_character_
   }, "")
   labels <- labels[!is.na(labels) & nzchar(labels) & !grepl("[][<>&|`*_\\\\[:cntrl:]]", labels)]
   list(impetus.labels = c(labels, stats::setNames(labels, paste0("factor_", names(labels)))),
-    impetus.levels = split(rows$level, rows$factor))
+    impetus.levels = split(rows$level, factor(rows$factor, unique(rows$factor))))
 }
 
 # The one scale of all ratings, as a one-row data frame; refuses to pool two.

@@ -20,11 +20,11 @@ kReportViews <- list(
 # Columns of words among those that a view computes; all others that it computes are numbers.
 kComputedWords <- c("trial_level.factor", "trial_level.level")
 
-# The levels of a protocol's factors in its own order, and the factors' words, for whoever reads the
-# page: no view has them, so they are taken from the protocols as the file keeps them.
+# A protocol's factors and their levels in its own order, and the factors' words, for whoever reads
+# the page: no view has them, so they are taken from the protocols as the file keeps them.
 kDesignLevelSql <- "SELECT protocol.name AS protocol, protocol.hash AS protocol_hash,
   json_extract(factor.value, '$.name') AS factor, json_extract(factor.value, '$.label') AS label,
-  level.key + 1 AS number, CAST(level.value AS TEXT) AS level
+  factor.key + 1 AS place, level.key + 1 AS number, CAST(level.value AS TEXT) AS level
   FROM protocol, json_each(protocol.protocol_json, '$.design.factors') AS factor,
   json_each(factor.value, '$.levels') AS level WHERE json_valid(protocol.protocol_json)"
 
@@ -63,7 +63,7 @@ write_design_levels <- function(study, folder) {
   utils::write.csv(rows, file.path(folder, "design_level.csv"), row.names = FALSE, na = "",
     fileEncoding = "UTF-8")
   data.frame(view = "design_level", column = names(rows),
-    type = ifelse(names(rows) == "number", "INTEGER", "TEXT"))
+    type = ifelse(names(rows) %in% c("place", "number"), "INTEGER", "TEXT"))
 }
 
 # The tables of an earlier report, as they are.

@@ -129,6 +129,8 @@ click_part <- function(path, protocol) {
 with_every_factor <- function(part) {
   mine <- part$levels[trial_key(part$levels) %in% trial_key(part$trials), ]
   names <- unique(mine$factor)
+  names <- c(intersect(names(getOption("impetus.levels")), names),
+    setdiff(names, names(getOption("impetus.levels"))))
   if (length(names) == 0) refuse(part$files[1], ": expected a design with factors, got none")
   taken <- names %in% c(names(part$trials), kTakenColumns)
   part$factors <- stats::setNames(ifelse(taken, paste0("factor_", names), names), names)

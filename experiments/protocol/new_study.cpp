@@ -211,7 +211,8 @@ std::vector<StudyTemplate> study_templates() {
 
 std::vector<std::pair<std::string, std::string>> offered_questions() {
   std::vector<std::pair<std::string, std::string>> all;
-  for (const auto& ask : template_file(kShared)["asks"].items()) {
+  const OrderedJson shared = template_file(kShared);
+  for (const auto& ask : shared["asks"].items()) {
     all.emplace_back(ask.key(), ask.value()["block"].value("question", std::string()));
   }
   return all;
