@@ -59,6 +59,10 @@ means_with_intervals <- function(trials, factors, of = "rating") {
     cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
   rows[factors] <- cell_factors(rows$cell)
   rows$x <- position_of(rows[[factors[1]]])
+  if (of == "positive") {  # a share
+    rows$low <- pmax(rows$low, 0)
+    rows$high <- pmin(rows$high, 1)
+  }
   rows[!is.nan(rows$mean), ]
 }
 

@@ -138,7 +138,13 @@ void write_study(const NewOptions& options, const std::map<std::string, OrderedJ
   folder.put_in_place();
 }
 
-int make_new_study(const NewOptions& options) {
+int make_new_study(NewOptions options) {
+  while (options.folder.size() > 1 && options.folder.back() == '/') {
+    options.folder.pop_back();
+  }
+  if (options.folder.empty()) {
+    throw InputError("expected a name for the new study, got an empty one");
+  }
   if (fs::exists(options.folder)) {
     throw InputError(options.folder + ": exists already and is not overwritten");
   }

@@ -91,7 +91,6 @@ void print_parameters(const ObserverKind& kind, const json* own) {
 /// What a file says beside its parameters.
 void print_settings(const ObserverKind& kind) {
   std::vector<std::vector<std::string>> rows;
-  const OrderedJson none = OrderedJson::object();
   const auto add = [&](const std::string& name, const OrderedJson& schema) {
     std::string options;
     for (const OrderedJson& option : schema.value("enum", OrderedJson::array())) {
@@ -100,10 +99,13 @@ void print_settings(const ObserverKind& kind) {
     rows.push_back({name, schema.value("description", std::string()) +
                               (options.empty() ? "" : " One of" + options + ".")});
   };
-  for (const auto& [name, schema] : kind.settings.schema.value("properties", none).items()) {
-    add(name, schema);
-    for (const auto& [inner, part] : schema.value("properties", none).items()) {
-      add("  " + inner, part);
+  const OrderedJson none{{"properties", OrderedJson::object()}};
+  const OrderedJson& all = kind.settings.schema.is_null() ? none : kind.settings.schema;
+  for (const auto& each : all["properties"].items()) {
+    add(each.key(), each.value());
+    const OrderedJson& group = each.value().contains("properties") ? each.value() : none;
+    for (const auto& inner : group["properties"].items()) {
+      add("  " + inner.key(), inner.value());
     }
   }
   std::printf("%s", rows.empty() ? "" : (text_table(rows) + "\n").c_str());

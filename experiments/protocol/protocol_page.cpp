@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "experiments/languages/language_file.hpp"
@@ -33,6 +34,18 @@ std::string table_head(const std::vector<std::string>& names) {
   return table_row(names) + table_row(std::vector<std::string>(names.size(), "---"));
 }
 
+/// Whether it lies where the studies that come with the program do, which have R scripts.
+bool is_shipped(const Protocol& protocol) {
+  return std::filesystem::path(protocol.document.name).parent_path().filename() == "protocols";
+}
+
+/// The name of its file, as code.
+std::string file_code(const Protocol& protocol) {
+  return is_shipped(protocol)
+             ? "`" + protocol.name + ".json`"
+             : markdown_code(std::filesystem::path(protocol.document.name).filename().string());
+}
+
 std::string summary(const Protocol& protocol, const Plan& plan) {
   const auto practice = protocol.design.practice.size();
   const auto main = std::count_if(plan.begin(), plan.end(), [](const PlannedTrial& trial) {
@@ -42,15 +55,15 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
   if (!protocol.has_participants) {
     return words +
            ", simulated without a display: nobody takes part. Everything below is read "
-           "from `" +
-           protocol.name + ".json` and its scene; a change there changes the study.\n";
+           "from " +
+           file_code(protocol) + " and its scene; a change there changes the study.\n";
   }
   if (practice > 0) {
     words += " after " + std::to_string(practice) + " of practice";
   }
   return words + ", about " + number_words(std::ceil(expected_minutes(protocol, plan))) +
-         " minutes. Everything below is read from `" + protocol.name +
-         ".json` and its scene; a change there changes the study.\n";
+         " minutes. Everything below is read from " + file_code(protocol) +
+         " and its scene; a change there changes the study.\n";
 }
 
 std::string factors(const Protocol& protocol) {
@@ -243,6 +256,13 @@ constexpr const char* kPrintedP =
 
 std::string commands(const Protocol& protocol) {
   const bool people = protocol.has_participants;
+  if (!is_shipped(protocol)) {
+    return heading("How to run it") + "In the folder of this file:\n\n```sh\nimpetus run " +
+           file_name_text(std::filesystem::path(protocol.document.name).stem().string()) +
+           ".json --db study.sqlite" + (people ? " --participant P01" : "") +
+           "\nimpetus replay study.sqlite\nimpetus report study.sqlite --out report/\n```\n" +
+           (people ? kPrintedP : "");
+  }
   return heading("How to run it") + "```sh\nbuild/impetus run protocols/" + protocol.name +
          ".json --db study.sqlite" + (people ? " --participant P01" : "") +
          "\nbuild/impetus replay study.sqlite\n"
