@@ -60,7 +60,7 @@ int list_observers() {
 
 /// "from 0 to 1", "at least 0.001", "any number"
 std::string range_words(const ParameterEntry& entry) {
-  const auto text = [](double number) { return json(number).dump(); };
+  const auto text = [](double number) { return to_text(LevelValue{number}); };
   const bool has_most = entry.maximum < kAny;
   if (entry.minimum <= -kAny) {
     return has_most ? "at most " + text(entry.maximum) : "any number";

@@ -134,16 +134,18 @@ const std::vector<Truth>& truths() {
        {"speed", "velocity"},
        speed_deg_s},
       {"spin_deg_s",
-       "how fast these two turn at the end, mean",
+       "how fast the first two to meet turn at the end, mean",
        {"spin", "offset", "orientation", "friction", "restitution", "level", "speed"},
        spin_deg_s},
       {"angle_deg",
-       "the angle at the end between how these two part and the normal of their contact",
+       "the angle, at the end, between how the first two to meet part and the normal of their "
+       "contact",
        {"offset", "friction", "restitution", "level", "orientation", "spin"},
        angle_deg},
       {"restitution",
-       "how fast these two part at the end along that normal, by how fast they met",
-       {"restitution", "friction", "offset", "spin", "contact_hold"},
+       "how fast the first two to meet part at the end, along the normal of their contact, by how "
+       "fast they met",
+       {"restitution", "friction", "offset", "spin"},
        restitution}};
   return all;
 }
@@ -197,23 +199,22 @@ std::vector<ParameterEntry> psychometric_entries(PsychometricParameters& own) {
 
 const Kind<PsychometricParameters>& settings() {
   using P = PsychometricParameters;
-  const auto named_truths = [] {
-    std::vector<std::string> names;
-    for (const Truth& truth : truths()) {
-      names.emplace_back(truth.name);
-    }
-    return names;
-  }();
+  std::vector<std::string> names;
+  std::string words = "Or what was really shown, measured";
+  for (const Truth& truth : truths()) {
+    names.emplace_back(truth.name);
+    words += (names.size() == 1 ? ": " : "; ") + names.back() + ", " + truth.words;
+  }
+  words += ".";
   static const Kind<P> kind = object<P>(
       "",
-      {group<P>(
-           "of",
-           {row("factor", &P::factor, text(), "The level of this factor of the protocol."),
-            row("levels", &P::levels, list(text(), {2, -1, true}),
-                "Where levels are words: all of them, from least to most; they count as 1, 2, "
-                "3."),
-            row("truth", &P::truth, one_of(named_truths), "Or what was really shown, measured.")},
-           "What it looks at: a factor or a truth.")
+      {group<P>("of",
+                {row("factor", &P::factor, text(), "The level of this factor of the protocol."),
+                 row("levels", &P::levels, list(text(), {2, -1, true}),
+                     "Where levels are words: all of them, from least to most; they count as 1, 2, "
+                     "3."),
+                 row("truth", &P::truth, one_of(names), words)},
+                "What it looks at: a factor or a truth.")
            .in_every_file(),
        row("function", &P::shape, choice(shapes()), "The form of the curve; normal if left out."),
        row("falling", &P::falling, flag(), "The more there is, the rarer is yes.")});

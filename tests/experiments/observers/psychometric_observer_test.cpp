@@ -162,18 +162,18 @@ TEST(PsychometricObserver, RefusesWhatItCannotGoBy) {
 }
 
 TEST(UnseenFactors, AreToldOfWithWhatTheParticipantLooksAt) {
-  const auto told = [](const Study& study, const std::string& observer) {
-    const std::string file = source_file("experiments/observers/" + observer + ".json").string();
-    std::string sentence = unseen_factors(study.made(), load_observer(file, "x"));
-    const std::size_t at = sentence.find(file);
-    return at == std::string::npos ? sentence : sentence.replace(at, file.size(), observer);
-  };
-  EXPECT_EQ(told(Study(), "causality"), "");
-  EXPECT_EQ(told(Study().with("/design/factors/0/levels", {0}), "causality"),
-            "the simulated participant causality looks at the delay at contact, which no factor "
-            "that varies changes (speed_deg_s, viewpoint_deg): its answers will not depend on "
-            "them");
-  EXPECT_EQ(unseen_factors(Study().made(), made(by_delay())), "");
+  const Protocol protocol = Study().made();
+  const std::string causality = source_file("experiments/observers/causality.json").string();
+  EXPECT_EQ(unseen_factors(protocol, load_observer(causality, "x")), "");
+  EXPECT_EQ(unseen_factors(protocol, made(by_delay())), "");
+  json by_angle = by_delay();
+  by_angle["of"] = {{"truth", "angle_deg"}};
+  ObserverFile observer = made(by_angle);
+  observer.document.name = "o.json";
+  EXPECT_EQ(unseen_factors(protocol, observer),
+            "the simulated participant o.json looks at the angle, at the end, between how the "
+            "first two to meet part and the normal of their contact, which no factor that varies "
+            "changes (delay_ms, speed_deg_s, viewpoint_deg): its answers will not depend on them");
 }
 
 }  // namespace impetus::psychometric_observer_test
