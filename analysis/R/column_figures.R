@@ -61,7 +61,7 @@ factor_plot <- function(trials, factor, of) {
     ggplot2::geom_line(ggplot2::aes(group = participant), each, linewidth = 0.25,
       colour = "grey65") +
     ggplot2::geom_point(data = each, size = 0.8, stroke = 0, colour = "grey55") +
-    joined(trials, factor, linewidth = 0.5) + interval_bars(0.9) +
+    line_of_numbers(trials, factor, linewidth = 0.5) + interval_bars(0.9) +
     ggplot2::geom_point(size = 1.9) + level_axis(trials, factor)
 }
 

@@ -106,14 +106,16 @@ split_plot <- function(trials, pair, of, bar, point, expand) {
   shown <- data.frame(series, mean = mean$mean, low = mean$low, high = mean$high,
     x = at + (as.integer(series) - (count + 1) / 2) * 0.09 * smallest_step(at))
   ggplot2::ggplot(shown, ggplot2::aes(x, mean, colour = series, shape = series)) +
-    joined(trials, pair[1], linewidth = 0.4) + interval_bars(bar) +
+    line_of_numbers(trials, pair[1], linewidth = 0.4) + interval_bars(bar) +
     ggplot2::geom_point(size = point) +
     series_scales(wrapped(label_of(pair[2]), 25), rep_len(kLevelColours, count), rep_len(kLevelShapes, count)) +
     level_axis(trials, pair[1], expand)
 }
 
 # Lines between levels that are numbers; between words there is nothing.
-joined <- function(trials, factor, ...) if (is_number(trials[[factor]])) ggplot2::geom_line(...)
+line_of_numbers <- function(trials, factor, ...) {
+  if (is_number(trials[[factor]])) ggplot2::geom_line(...)
+}
 
 # The bars of the intervals low to high; they stand in no legend.
 interval_bars <- function(width, ...) {
