@@ -253,7 +253,7 @@ TEST(TradeRows, AreQuotedWhereCsvNeedsIt) {
   row.value = 1.0 / 3.0;
   const std::string text = csv_of({row});
   EXPECT_EQ(text.substr(text.find('\n') + 1),
-            "impacts,\"a \"\"b\"\", c\",,,,,,,,,,,0,0.333333333,,,false\n");
+            "impacts,\"a \"\"b\"\", c\",,,,,,,,,,,,0,0.333333333,,,false\n");
 }
 
 // ---------------------------------------------------------------- following the advice
