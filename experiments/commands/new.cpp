@@ -82,8 +82,9 @@ std::vector<std::string> choose_factors(const std::vector<std::string>& given,
   return {};
 }
 
-std::string choose_question(const std::string& given, const std::string& ask) {
-  for (const auto& [name, words] : offered_questions()) {
+std::string choose_question(const std::string& given, const std::string& ask,
+                            const std::string& language) {
+  for (const auto& [name, words] : offered_questions(language)) {
     if (name == ask && !words.empty()) {
       return answer(given, "The question's words", words);
     }
@@ -92,17 +93,17 @@ std::string choose_question(const std::string& given, const std::string& ask) {
 }
 
 StudyChoices choices_from(const NewOptions& options) {
+  StudyChoices choices;
+  choices.language = answer(options.language, "The participants' language", "en");
   std::vector<std::string> asks;
-  for (const auto& offered : offered_questions()) {
+  for (const auto& offered : offered_questions(choices.language)) {
     asks.push_back(offered.first);
   }
-  StudyChoices choices;
   choices.name = fs::path(options.folder).filename().string();
   choices.study_template = choose_template(options.study_template);
   choices.vary = choose_factors(options.vary, choices.study_template);
   choices.ask = answer(options.ask, "What is asked? " + list_of(asks), asks.front());
-  choices.question = choose_question(options.question, choices.ask);
-  choices.language = answer(options.language, "The participants' language", "en");
+  choices.question = choose_question(options.question, choices.ask, choices.language);
   return choices;
 }
 
@@ -179,7 +180,9 @@ void add_new(CLI::App& app, Command& chosen) {
       ->allow_extra_args(false);
   command->add_option("--ask", options->ask, "yes-no, rating, two-interval or click");
   command->add_option("--question", options->question, "The question's words");
-  command->add_option("--language", options->language, "The participants' (default en)");
+  command->add_option(
+      "--language", options->language,
+      "The participants': de, en, es, fr, pt, zh, or a file of one's own (default en)");
   command->callback(
       [options, &chosen] { chosen = [options] { return make_new_study(*options); }; });
 }

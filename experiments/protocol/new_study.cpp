@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "experiments/protocol/embedded_templates.hpp"
 #include "experiments/settings/input_error.hpp"
@@ -14,17 +15,35 @@ namespace {
 constexpr const char* kShared = "study";
 constexpr double kTrials = 60.0;  ///< of a study, about
 
-OrderedJson template_file(const std::string& name) {
+std::optional<OrderedJson> find_template_file(const std::string& name) {
   for (const EmbeddedFile& file : kTemplates) {
     if (file.name == name + ".json") {
       return OrderedJson::parse(file.text);
     }
+  }
+  return std::nullopt;
+}
+
+OrderedJson template_file(const std::string& name) {
+  const auto found = find_template_file(name);
+  if (found && !name.starts_with(kShared)) {
+    return *found;
   }
   std::string names;
   for (const StudyTemplate& each : study_templates()) {
     names += (names.empty() ? "" : ", ") + each.name;
   }
   throw InputError("--template: expected one of " + names + ", got " + name);
+}
+
+/// What all studies share, in the words of a language that comes with the program; in English for
+/// others.
+OrderedJson shared_parts(const std::string& language) {
+  OrderedJson shared = find_template_file(kShared).value();
+  if (const auto words = find_template_file(kShared + ("." + language))) {
+    shared.merge_patch(*words);
+  }
+  return shared;
 }
 
 /// "a, b, c" of an object's keys.
@@ -196,7 +215,7 @@ std::vector<StudyTemplate> study_templates() {
   std::vector<StudyTemplate> all;
   for (const EmbeddedFile& file : kTemplates) {
     const std::string name = std::string(file.name).substr(0, std::string(file.name).rfind('.'));
-    if (name == kShared) {
+    if (name.starts_with(kShared)) {
       continue;
     }
     const OrderedJson content = OrderedJson::parse(file.text);
@@ -209,9 +228,9 @@ std::vector<StudyTemplate> study_templates() {
   return all;
 }
 
-std::vector<std::pair<std::string, std::string>> offered_questions() {
+std::vector<std::pair<std::string, std::string>> offered_questions(const std::string& language) {
   std::vector<std::pair<std::string, std::string>> all;
-  const OrderedJson shared = template_file(kShared);
+  const OrderedJson shared = shared_parts(language);
   for (const auto& ask : shared["asks"].items()) {
     all.emplace_back(ask.key(), ask.value()["block"].value("question", std::string()));
   }
@@ -219,8 +238,11 @@ std::vector<std::pair<std::string, std::string>> offered_questions() {
 }
 
 std::map<std::string, OrderedJson> make_study(const StudyChoices& choices) {
-  const OrderedJson shown = template_file(choices.study_template);
-  const OrderedJson shared = template_file(kShared);
+  OrderedJson shown = template_file(choices.study_template);
+  const OrderedJson shared = shared_parts(choices.language);
+  if (shared.contains("templates")) {
+    shown.merge_patch(shared["templates"][choices.study_template]);
+  }
   if (!shared["asks"].contains(choices.ask)) {
     throw InputError("--ask: expected one of " + key_list(shared["asks"]) + ", got " + choices.ask);
   }

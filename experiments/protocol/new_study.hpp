@@ -2,7 +2,9 @@
 // participant, as JSON.
 //
 //   protocols/templates/two-balls.json   what is shown, and what of it can be varied
-//   protocols/templates/study.json       what is asked, and all that every study says
+//   protocols/templates/study.json       what is asked, and all that every study says;
+//   study.de.json
+//                                        its words in another language
 //        + choices ─> protocol.json, scene.json, observer.json
 //
 // SPDX-License-Identifier: MIT
@@ -26,9 +28,10 @@ struct StudyTemplate {
 /// All templates, the plainest first.
 std::vector<StudyTemplate> study_templates();
 
-/// What can be asked of each trial, by the names that choices have, with the question's words; "":
-/// there are none.
-std::vector<std::pair<std::string, std::string>> offered_questions();
+/// What can be asked of each trial, by the names that choices have, with the question's words in a
+/// language; "": there are none.
+std::vector<std::pair<std::string, std::string>> offered_questions(
+    const std::string& language = "en");
 
 /// What somebody chose.
 struct StudyChoices {
@@ -39,7 +42,7 @@ struct StudyChoices {
   std::vector<std::string> vary;
   std::string ask;
   std::string question;
-  std::string language{"en"};
+  std::string language{"en"};  ///< one that comes with the program, or a file's name
 };
 
 /// The files of the study, by name, whose simulated participant goes by the first factor. Throws

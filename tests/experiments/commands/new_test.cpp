@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 
+#include "experiments/languages/language_file.hpp"
 #include "experiments/protocol/new_study.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "tests/experiments/command_lines.hpp"
@@ -53,6 +54,22 @@ TEST(New, EveryFactorThatIsOfferedCanBeVaried) {
   }
 }
 
+TEST(New, AStudyIsInTheLanguageOfItsParticipants) {
+  for (const auto& language : shipped_languages()) {
+    for (const StudyTemplate& shown : study_templates()) {
+      for (const auto& asked : offered_questions()) {
+        SCOPED_TRACE(language.first + " " + shown.name + " " + asked.first);
+        StudyChoices choices{"mine", shown.name, {}, asked.first, "", language.first};
+        const std::string study = make_study(choices).at("protocol.json").dump();
+        for (const char* open : {"THINGS", "SEES", "DOES"}) {
+          EXPECT_EQ(study.find(open), std::string::npos) << open;
+        }
+        EXPECT_EQ(study.find("Thank you") == std::string::npos, language.first != "en");
+      }
+    }
+  }
+}
+
 TEST(New, WritesWhatWasChosen) {
   const TemporaryFolder folder;
   const ProgramResult made =
@@ -96,6 +113,9 @@ TEST(New, RefusesInASentenceAndLeavesNothing) {
   EXPECT_EQ(refused({"--template", "three-balls"}),
             "impetus: --template: expected one of two-balls, two-blocks, blocks-in-a-cube, got "
             "three-balls\n");
+  EXPECT_EQ(refused({"--template", "study"}),
+            "impetus: --template: expected one of two-balls, two-blocks, blocks-in-a-cube, got "
+            "study\n");
   EXPECT_EQ(refused({"--ask", "maybe"}),
             "impetus: --ask: expected one of yes-no, rating, two-interval, click, got maybe\n");
   EXPECT_EQ(refused({"--vary", "weight=1,2"}),
