@@ -90,8 +90,11 @@ class Candidate {
 };
 
 /// Keys that are pressed on one page, of which each must mean one thing.
-constexpr std::array<std::array<TextKey, 2>, 3> kKeysOfAPage{
-    {{"agree_key", "decline_key"}, {"yes_key", "no_key"}, {"go_on_key", "stop_key"}}};
+constexpr std::array<std::array<TextKey, 2>, 5> kKeysOfAPage{{{"agree_key", "decline_key"},
+                                                              {"agree_key", "back_key"},
+                                                              {"decline_key", "back_key"},
+                                                              {"yes_key", "no_key"},
+                                                              {"go_on_key", "stop_key"}}};
 
 void require_different_keys(const JsonDocument& document, const std::string& place,
                             const std::vector<std::string>& texts) {

@@ -30,6 +30,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"quit_key", TextUse::kKey},
     {"go_on_key", TextUse::kKey},
     {"stop_key", TextUse::kKey},
+    {"back_key", TextUse::kKey},
     // the names of keys, as they are printed on buttons
     {"space_bar", TextUse::kLabel},
     {"enter", TextUse::kLabel},
@@ -37,6 +38,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     // buttons
     {"continue", TextUse::kLabel},
     {"close", TextUse::kLabel},
+    {"back", TextUse::kLabel},
     {"agree", TextUse::kLabel},
     {"decline", TextUse::kLabel},
     {"see_again", TextUse::kLabel},
@@ -44,6 +46,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"quit", TextUse::kLabel},
     {"quit_yes", TextUse::kLabel},
     {"quit_no", TextUse::kLabel},
+    {"refuse_yes", TextUse::kLabel},
     {"go_on", TextUse::kLabel},
     {"stop", TextUse::kLabel},
     {"yes", TextUse::kLabel},
@@ -60,6 +63,9 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"trials_saved_one"},
     {"trials_saved"},
     {"instructions_again"},
+    {"refuse_question"},
+    {"declined_title"},
+    {"declined_saved"},
     {"about_you"},
     {"about_you_advice"},
     {"one_question"},
@@ -152,6 +158,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     // hints
     {"press_or_click"},
     {"scroll_hint"},
+    {"read_to_end"},
     {"number_within"},
     {"number_needed"},
 });

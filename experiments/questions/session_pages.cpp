@@ -2,6 +2,13 @@
 #include "experiments/questions/session_pages.hpp"
 
 namespace impetus::inline questions {
+namespace {
+
+Choice way_back(const Language& language) {
+  return {language.text("back"), language.text("back_key")};
+}
+
+}  // namespace
 
 Text welcome_back(const Language& language, std::int64_t completed_trials) {
   return {language.text("welcome_back"),
@@ -19,12 +26,36 @@ Page text_page(const Text& text, const SessionProgress& progress) {
   return page;
 }
 
+Page text_page_with_way_back(const Text& text, const SessionProgress& progress) {
+  Page page = text_page(text, progress);
+  page.choices.push_back(way_back(progress.language));
+  return page;
+}
+
 Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress) {
   const Language& language = progress.language;
   Page page = text_page(text, progress);
   page.statement = statement;
   page.choices = {{language.text("agree"), language.text("agree_key")},
-                  {language.text("decline"), language.text("decline_key")}};
+                  {language.text("decline"), language.text("decline_key")},
+                  way_back(language)};
+  page.choice_at_end = static_cast<std::size_t>(ConsentChoice::kAgree);
+  return page;
+}
+
+Page refusal_page(const SessionProgress& progress) {
+  const Language& language = progress.language;
+  Page page = text_page({language.text("refuse_question"), {}}, progress);
+  page.choices = {{language.text("refuse_yes"), language.text("agree_key")}, way_back(language)};
+  return page;
+}
+
+Page declined_page(const SessionProgress& progress) {
+  const Language& language = progress.language;
+  Page page =
+      text_page({language.text("declined_title"), {language.text("declined_saved")}}, progress);
+  page.choices = {{language.text("close"), "space"}};
+  page.can_pause = false;
   return page;
 }
 

@@ -14,10 +14,22 @@ namespace impetus::inline questions {
 inline constexpr std::size_t kContinueChoice = 0;  ///< of the pause page
 inline constexpr std::size_t kQuitChoice = 0;      ///< of the quit page
 inline constexpr std::size_t kAgainChoice = 1;     ///< of the page after a demonstration
+inline constexpr std::size_t kBackChoice = 1;  ///< of a page that leads back, and of the refusal
+
+/// The choices of the page that asks for consent.
+enum class ConsentChoice : std::size_t { kAgree, kDecline, kBack };
 
 Text welcome_back(const Language& language, std::int64_t completed_trials);
 Page text_page(const Text& text, const SessionProgress& progress);
+/// A text page that leads on, or back to the one before it.
+Page text_page_with_way_back(const Text& text, const SessionProgress& progress);
+
+/// Has the statement that is agreed to on it. Who has not seen its end cannot agree yet.
 Page consent_page(const Text& text, const std::string& statement, const SessionProgress& progress);
+/// After a refusal: the first choice confirms it.
+Page refusal_page(const SessionProgress& progress);
+/// The last page of who refused.
+Page declined_page(const SessionProgress& progress);
 Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
 /// Before the trials of a phase; `round` is of practice, 1 for the first.
 Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,7 @@ struct Page {
   double timeout_ms{0.0};  ///< gone unanswered after so long; 0: never
   bool can_pause{true};    ///< Esc asks for a pause; false where Esc is one of the choices
   PointMap point_map{};    ///< under the paragraphs; none without points
+  std::optional<std::size_t> choice_at_end{};  ///< made only once the page's end was on the screen
 };
 
 }  // namespace impetus::inline record

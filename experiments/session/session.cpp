@@ -197,19 +197,46 @@ class Session {
     return ask(text_page(text, progress())).has_value();
   }
 
+  /// Asks until there is a consent, or a refusal that was confirmed.
   bool ask_consent() {
     if (history_.answered.contains(kConsentId)) {
       return true;
     }
     const Page page = consent_page(script_.consent, script_.consent_statement, progress());
-    const auto answer = ask(page);
-    if (!answer) {
-      return false;
+    while (const auto answer = ask(page)) {
+      const auto choice = static_cast<ConsentChoice>(answer->choice);
+      if (choice == ConsentChoice::kAgree) {
+        save_consent(page.statement, "agreed");
+        return true;
+      }
+      const auto next = ask_after(choice);
+      if (!next) {
+        return false;
+      }
+      if (choice == ConsentChoice::kDecline && next->choice != kBackChoice) {
+        return decline(page.statement);
+      }
     }
-    const bool agreed = answer->choice == 0;
-    ports_.recorder.save(
-        QuestionRecord{"consent", kConsentId, page.statement, agreed ? "agreed" : "declined"});
-    return agreed || talk_.end(SessionEnding::kDeclined);
+    return false;
+  }
+
+  /// What comes between the consent page and its return: the welcome again, or whether a refusal is
+  /// meant.
+  std::optional<Answer> ask_after(ConsentChoice choice) {
+    return ask(choice == ConsentChoice::kBack ? text_page(script_.welcome, progress())
+                                              : refusal_page(progress()));
+  }
+
+  /// Saved before the words, as a finished session is.
+  bool decline(const std::string& statement) {
+    save_consent(statement, "declined");
+    ports_.recorder.await_saved();
+    ports_.input.ask(declined_page(progress()));
+    return talk_.end(SessionEnding::kDeclined);
+  }
+
+  void save_consent(const std::string& statement, const char* answer) {
+    ports_.recorder.save(QuestionRecord{"consent", kConsentId, statement, answer});
   }
 
   bool ask_demographics() {
@@ -226,10 +253,14 @@ class Session {
   }
 
   bool instruct() {
-    for (const Text& text : script_.instructions) {
-      if (!ask(text_page(text, progress()))) {
+    const std::vector<Text>& texts = script_.instructions;
+    for (std::size_t at = 0; at < texts.size();) {
+      const auto answer = ask(at == 0 ? text_page(texts[at], progress())
+                                      : text_page_with_way_back(texts[at], progress()));
+      if (!answer) {
         return false;
       }
+      at = at > 0 && answer->choice == kBackChoice ? at - 1 : at + 1;
     }
     return true;
   }

@@ -10,6 +10,7 @@
 #include "experiments/store/embedded_migration_3_4.hpp"
 #include "experiments/store/embedded_migration_4_5.hpp"
 #include "experiments/store/embedded_migration_5_6.hpp"
+#include "experiments/store/embedded_migration_6_7.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 #include "experiments/store/rows.hpp"
@@ -92,6 +93,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 6) {
     database.exec(kMigrationFrom5To6Sql);
+  }
+  if (version < 7) {
+    database.exec(kMigrationFrom6To7Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

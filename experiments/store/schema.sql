@@ -58,8 +58,9 @@ CREATE TABLE session (
   enrolment_id INTEGER NOT NULL REFERENCES enrolment (id),
   started_utc TEXT NOT NULL,          -- by the wall clock
   ended_utc TEXT,                     -- NULL when the process was killed
-  ending TEXT CHECK (ending IN ('finished', 'quit', 'display closed', 'failed')),
-                                      -- NULL: the process was killed
+  ending TEXT CHECK (ending IN ('finished', 'quit', 'declined', 'display closed', 'failed')),
+                                      -- declined: no consent; it was 'quit' before schema 7; NULL:
+                                      -- the process was killed
   recording_format INTEGER NOT NULL,  -- which builds can replay it
   build TEXT NOT NULL,                -- version, commit, compiler, flags
   machine TEXT NOT NULL,              -- system, its release, processor

@@ -33,6 +33,9 @@ SELECT sitting.place || ': ended as finished, but the protocol is not'
   FROM sitting JOIN enrolment ON enrolment.id = enrolment_id
   WHERE ending = 'finished' AND finished_utc IS NULL;
 
+SELECT sitting.place || ': ended as declined, but has trials' FROM sitting
+  WHERE ending = 'declined' AND EXISTS (SELECT 1 FROM attempt WHERE session_id = sitting.id);
+
 SELECT shown.place || ': belongs to a session of another participant or protocol'
   FROM shown JOIN session ON session.id IN (session_id, set_aside_in)
   WHERE session.enrolment_id <> shown.enrolment_id;

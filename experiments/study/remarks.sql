@@ -11,6 +11,13 @@ SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' 
     iif(count(*) = 1, 'is', 'are') || ' not finished' FROM enrolment WHERE finished_utc IS NULL
   HAVING count(*) > 0;
 
+SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' ||
+    iif(count(*) = 1, 'was', 'were') || ' declined: no consent, and no trial' FROM enrolment
+  WHERE EXISTS (SELECT 1 FROM session WHERE enrolment_id = enrolment.id AND ending = 'declined')
+    AND NOT EXISTS (SELECT 1 FROM attempt JOIN session ON session.id = session_id
+      WHERE enrolment_id = enrolment.id)
+  HAVING count(*) > 0;
+
 SELECT count(*) || ' of ' || (SELECT count(*) FROM session) || ' sessions ' ||
     iif(count(*) = 1, 'has', 'have') || ' no ending: killed, or running now' FROM session
   WHERE ending IS NULL HAVING count(*) > 0;

@@ -81,7 +81,7 @@ void conclude(const SessionResult& result, const RunOptions& options, StudyWrite
       writer.end("finished");
       return;
     case SessionEnding::kDeclined:
-      writer.end("quit");
+      writer.end("declined");
       std::printf("The participant did not consent; nothing was shown.\n");
       return;
     case SessionEnding::kQuit:

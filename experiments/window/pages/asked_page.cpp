@@ -50,15 +50,21 @@ class PageView {
     draw_time_left(column);
     content_px_ = ImGui::GetCursorScreenPos().y - top;
     ImGui::PopFont();
-    draw_scroll_hint();
+    draw_reading_hint();
     draw_progress(gui_, page_.progress, Ground::kPage);
     return clicked;
   }
 
   /// What a key press does; returns the choice that it makes.
   std::optional<std::size_t> press(const SDL_Keysym& key) {
-    if (is_key(key, "enter") && focused_choice() && (key.mod & KMOD_CTRL) == 0) {
-      return focused_choice();
+    if (is_key(key, "enter") && (key.mod & KMOD_CTRL) == 0) {
+      if (focused_choice()) {
+        return focused_choice();
+      }
+      if (focus_ && *focus_ + 1 < fields_.size()) {
+        leave_field();
+        return std::nullopt;
+      }
     }
     if (focused_field() != nullptr && focused_field()->press(key.sym)) {
       return std::nullopt;
@@ -84,12 +90,14 @@ class PageView {
     scroll_px_ = std::round(std::clamp(wanted, 0.0F, longest_scroll()));
   }
 
-  /// Whether the page may be left by this choice; otherwise the fields say what they expect. What
-  /// was typed just before has reached the fields.
+  /// Whether the page may be left by this choice; otherwise the fields say what they expect, or the
+  /// hint that the page is to be read first.
   bool may_leave_by(std::size_t choice) {
-    do {
-      measure();
-    } while (gui_.input_waits());
+    if (page_.choice_at_end == choice && !end_was_seen_) {
+      was_hasty_ = true;
+      return false;
+    }
+    take_what_was_typed();
     if (page_.choices[choice].key == "escape") {
       return true;
     }
@@ -114,6 +122,9 @@ class PageView {
     return answers;
   }
 
+  /// What was drawn last is on the screen.
+  void note_shown() { end_was_seen_ = end_was_seen_ || scroll_px_ + 1.0F >= longest_scroll(); }
+
   /// Draws a choice as chosen.
   void mark_chosen(std::size_t choice) { chosen_ = choice; }
 
@@ -127,6 +138,19 @@ class PageView {
     draw();
     gui_.discard();
     return content_px_;
+  }
+
+  /// What was typed just before has reached the fields.
+  void take_what_was_typed() {
+    do {
+      measure();
+    } while (gui_.input_waits());
+  }
+
+  /// To the next field, once this one is filled in as it expects.
+  void leave_field() {
+    take_what_was_typed();
+    focus_on(*focus_ + (fields_[*focus_].check() ? 1 : 0));
   }
 
   void draw_fields(const Column& column) {
@@ -167,7 +191,9 @@ class PageView {
     ImGui::SetCursorScreenPos(ImVec2(column.left, top + height));
   }
 
-  void draw_scroll_hint() const {
+  /// How to read on, where a page is longer than the window; until its end was seen, why it cannot
+  /// be agreed to yet.
+  void draw_reading_hint() const {
     if (longest_scroll() <= 0.0F) {
       return;
     }
@@ -176,7 +202,10 @@ class PageView {
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(0, bottom - height),
                                               ImVec2(gui_.width(), gui_.height()), palette::kPage);
     ImGui::SetCursorScreenPos(ImVec2(0, bottom - 0.7F * height));
-    draw_text(page_.progress.language.text("scroll_hint"), gui_.fonts().small, palette::kQuietText,
+    const Language& language = page_.progress.language;
+    const bool waits = page_.choice_at_end && !end_was_seen_;
+    draw_text(waits ? language.text("read_to_end") : language.text("scroll_hint"),
+              gui_.fonts().small, waits && was_hasty_ ? palette::kWarning : palette::kQuietText,
               gui_.width(), Align::kCentre);
   }
 
@@ -235,6 +264,8 @@ class PageView {
   std::size_t reading_size_{0};
   float content_px_{0.0F};
   float scroll_px_{0.0F};
+  bool end_was_seen_{false};
+  bool was_hasty_{false};  ///< a choice that needs the end was tried before
 };
 
 /// The page before somebody: its frames, and the events that answer it.
@@ -368,6 +399,7 @@ class PageTurn {
     canvas_.gui.end();
     canvas_.paint_patch(kDarkPatch);
     const Flip flip = canvas_.deadlines.flip();
+    view_.note_shown();
     last_flip_ns_ = flip.flipped_ns;
     answer_.late_frames += flip.late() ? 1 : 0;
     return clicked;

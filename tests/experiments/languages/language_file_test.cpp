@@ -77,6 +77,9 @@ TEST(Languages, OfALabAreRefusedAtTheTextThatIsWrong) {
             "nl.json:/texts/yes_key: expected a key, one letter from a to z, got \"ja\"");
   EXPECT_EQ(dutch_refusal("/texts/no_key", "j"),
             "nl.json:/texts/no_key: expected another key than that of \"yes_key\", got \"j\"");
+  EXPECT_EQ(
+      dutch_refusal("/texts/back_key", "n"),
+      "nl.json:/texts/back_key: expected another key than that of \"decline_key\", got \"n\"");
   EXPECT_EQ(dutch_refusal("/texts/yes", 1), "nl.json:/texts/yes: expected a text, got 1");
   EXPECT_EQ(dutch_refusal("/title", nullptr),
             "nl.json:/: expected the key \"title\", which is missing");

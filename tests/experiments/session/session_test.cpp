@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <deque>
+#include <functional>
+#include <set>
 
 #include "tests/experiments/fakes.hpp"
 
@@ -51,6 +54,97 @@ TEST(Session, WithoutConsentNothingIsShown) {
   EXPECT_TRUE(lab.recorder.attempts.empty());
   EXPECT_EQ(lab.recorder.answers.front().answer, "declined");
   EXPECT_FALSE(lab.recorder.finished);
+}
+
+/// Chooses, page by page, the label that is next in the list; elsewhere the first choice.
+std::function<Answer(const Page&)> choosing(std::deque<std::string> labels) {
+  return [labels = std::move(labels)](const Page& page) mutable {
+    Answer answer;
+    for (std::size_t i = 0; !labels.empty() && i < page.choices.size(); ++i) {
+      if (page.choices[i].label == labels.front()) {
+        answer.choice = i;
+        labels.pop_front();
+        break;
+      }
+    }
+    return answer;
+  };
+}
+
+TEST(Session, ARefusalIsAskedOnceMoreThankedAndStored) {
+  TestLab lab;
+  lab.input.on_page = choosing({"No, I do not", "Yes, end here"});
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kDeclined);
+  EXPECT_EQ(lab.input.titles, (std::vector<std::string>{"Welcome", "Your consent",
+                                                        "Do you really not want to take part?",
+                                                        "Thank you for your time"}));
+  ASSERT_EQ(lab.recorder.answers.size(), 1U);
+  EXPECT_EQ(lab.recorder.answers[0].answer, "declined");
+  EXPECT_EQ(lab.recorder.answers[0].text, lab.protocol.script.consent_statement);
+  EXPECT_TRUE(lab.display.pictures.empty());
+}
+
+TEST(Session, ARefusalIsSavedBeforeItsThanks) {
+  TestLab lab;
+  std::size_t awaits = 0;
+  lab.input.on_page = [&](const Page& page) {
+    Answer answer;
+    answer.choice = page.title == "Your consent" ? 1 : 0;
+    if (page.title == "Thank you for your time") {
+      awaits = lab.recorder.awaited.size();
+      answer.interruption = Interruption::kDisplayClosed;
+    }
+    return answer;
+  };
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kDeclined);
+  EXPECT_EQ(awaits, 1U);
+}
+
+TEST(Session, ARefusalThatWasNotMeantLeadsBackToTheConsent) {
+  TestLab lab;
+  lab.input.on_page = choosing({"No, I do not", "Back", "Yes, I agree"});
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kFinished);
+  EXPECT_EQ(std::count(lab.input.titles.begin(), lab.input.titles.end(), "Your consent"), 2);
+  EXPECT_EQ(lab.recorder.answers.front().answer, "agreed");
+  EXPECT_FALSE(showed(lab, "Thank you for your time"));
+}
+
+TEST(Session, ConsentAloneNeedsTheEndOfItsPage) {
+  TestLab lab;
+  lab.input.on_page = [](const Page& page) {
+    EXPECT_EQ(page.choice_at_end.has_value(), page.title == "Your consent") << page.title;
+    if (page.choice_at_end) {
+      EXPECT_EQ(page.choices[*page.choice_at_end].label, "Yes, I agree");
+    }
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+}
+
+TEST(Session, AWayBackLeadsToThePageBeforeWhereNothingWasAnswered) {
+  TestLab lab;
+  lab.input.on_page = choosing({"Back", "Yes, I agree", "Back"});
+  EXPECT_EQ(run(lab, short_plan(lab.protocol, 1)).ending, SessionEnding::kFinished);
+  const std::vector<std::string> expected{
+      "Welcome",           "Your consent",     "Welcome",           "Your consent",    "About you",
+      "What you will see", "What you will do", "What you will see", "What you will do"};
+  EXPECT_EQ(std::vector<std::string>(lab.input.titles.begin(), lab.input.titles.begin() + 9),
+            expected);
+}
+
+TEST(Session, NoWayLeadsBackOverAnAnswer) {
+  TestLab lab;
+  std::set<std::string> lead_back;
+  lab.input.on_page = [&](const Page& page) {
+    for (const Choice& choice : page.choices) {
+      if (choice.label == "Back") {
+        lead_back.insert(page.title);
+      }
+    }
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  EXPECT_EQ(lead_back, (std::set<std::string>{"What you will do", "Your consent"}));
 }
 
 TEST(Session, WhatIsAgreedToIsShownAndStoredAsItWasShown) {

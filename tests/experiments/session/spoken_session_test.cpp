@@ -170,6 +170,16 @@ void read_rated_session(Reading& reading) {
             SessionEnding::kFinished);
 }
 
+/// Consent refused, and meant.
+void read_refusal(Reading& reading) {
+  TestLab lab(60.0, spoken_causality());
+  const auto answer = [](const Page& page, Answer& given) {
+    given.choice = page.choice_at_end ? 1 : 0;
+  };
+  EXPECT_EQ(run_read(lab, short_plan(lab.protocol, 1), reading, answer).ending,
+            SessionEnding::kDeclined);
+}
+
 /// All kinds of response at once, answered, and left until their time is up.
 void read_asked_session(Reading& reading) {
   const std::vector<std::string> questions{kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText,
@@ -280,13 +290,14 @@ TEST(SpokenSession, HasNoWordThatIsNotOfItsLanguageAndUsesEveryTextOfTheTable) {
   Reading reading;
   const Language language = spoken_causality().script.language;
   read_rated_session(reading);
+  read_refusal(reading);
   read_asked_session(reading);
   read_practice(reading);
   read_gaze_pages(language, reading);
   read_other_pages(language, reading);
-  const std::set<std::string> of_the_window{"space_bar",      "enter",         "escape",
-                                            "gaze_lost_mark", "map_caption",   "press_or_click",
-                                            "scroll_hint",    "number_within", "number_needed"};
+  const std::set<std::string> of_the_window{
+      "space_bar",      "enter",       "escape",        "gaze_lost_mark", "map_caption",
+      "press_or_click", "scroll_hint", "number_within", "number_needed",  "read_to_end"};
   for (const TextRow& row : kTextRows) {
     const std::string key(row.key);
     if (row.use != TextUse::kKey && of_the_window.count(key) == 0) {
@@ -319,10 +330,10 @@ TEST(SpokenSession, InGermanAsksAndAnswersInGermanAndRecordsAsInEnglish) {
   std::vector<std::string> english;
   EXPECT_EQ(recorded("de", german), recorded("en", english));
   const std::set<std::string> all(german.begin(), german.end());
-  EXPECT_EQ(all, (std::set<std::string>{"1 (1)", "2 (2)", "3 (3)", "Die erste (1)",
-                                        "Die zweite (2)", "Ja (j)", "Ja, ich stimme zu (j)",
-                                        "Nein (n)", "Nein, ich stimme nicht zu (n)",
-                                        "Schließen (space)", "Weiter (enter)", "Weiter (space)"}));
+  EXPECT_EQ(all, (std::set<std::string>{
+                     "1 (1)", "2 (2)", "3 (3)", "Die erste (1)", "Die zweite (2)", "Ja (j)",
+                     "Ja, ich stimme zu (j)", "Nein (n)", "Nein, ich stimme nicht zu (n)",
+                     "Schließen (space)", "Weiter (enter)", "Weiter (space)", "Zurück (z)"}));
 }
 
 TEST(SpokenSession, DoesNotShowAPageOfWhichEveryTextIsSwitchedOff) {

@@ -70,7 +70,7 @@ TEST(Enrolment, WhoDeclinedIsAskedForConsentAgain) {
   {
     StudyWriter writer(at.study, at.enrolment, facts());
     writer.save(QuestionRecord{"consent", "consent", "I agree", "declined"});
-    writer.end("quit");
+    writer.end("declined");
   }
   EXPECT_TRUE(at.found()->history.answered.empty());
 }

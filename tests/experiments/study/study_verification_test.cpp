@@ -220,6 +220,21 @@ TEST(Verify, WhatIsNoStudyCouldNotBeVerified) {
                  "text.sqlite: expected an Impetus study, got a file that is no SQLite database");
 }
 
+TEST(Verify, WhoDeclinedIsRemarkedAndHasNoTrial) {
+  const TemporaryFolder folder;
+  EnrolledStudy at(folder / "a.sqlite");
+  {
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(QuestionRecord{"consent", "consent", "I agree", "declined"});
+    writer.end("declined");
+  }
+  EXPECT_TRUE(
+      remarked(folder / "a.sqlite", "1 of 1 enrolments was declined: no consent, and no trial"));
+  const VerifiedStudy study;
+  EXPECT_EQ(first_failure(study.tampered("UPDATE session SET ending = 'declined' WHERE id = 2")),
+            "order: P02, causality, session 2: ended as declined, but has trials");
+}
+
 TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
   const VerifiedStudy study;
   const std::vector<std::pair<std::string, std::string>> cases{
