@@ -148,6 +148,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"gaze_again_title"},
     {"gaze_drifted"},
     {"gaze_not_in_middle"},
+    {"gaze_off_middle"},
     {"shown_again"},
     {"gaze_was_lost"},
     {"keep_pointer"},

@@ -127,7 +127,8 @@ std::string gaze(const GazeTask& task) {
         number_words(calibration.accuracy_limit_deg) + "°, " +
         std::to_string(calibration.most_tries) +
         " times at most, then the experimenter decides. At breaks one point is checked: above " +
-        number_words(calibration.drift_limit_deg) + "° it is calibrated again.\n";
+        number_words(calibration.drift_limit_deg) + "° it is calibrated again." +
+        (calibration.show_accuracy ? " Participants are told the distances.\n" : "\n");
   }
   if (task.loss.policy != GazeLossRule::Policy::kKeep) {
     const bool repeated = task.loss.policy == GazeLossRule::Policy::kRepeat;

@@ -162,7 +162,9 @@ Kind<CalibrationTask> calibration_kind() {
        row("drift_limit_deg", &C::drift_limit_deg, limit,
            "A drift check worse than this asks for a calibration; 2 when left out."),
        row("point_ms", &C::point_ms, number({200, 10000}),
-           "For which each point is shown; 1000 when left out.")});
+           "For which each point is shown; 1000 when left out."),
+       row("show_accuracy", &C::show_accuracy, flag(),
+           "Participants read in degrees how well they did; false when left out.")});
 }
 
 Kind<GazeLossRule> gaze_loss_kind() {

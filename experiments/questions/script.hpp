@@ -54,6 +54,7 @@ struct CalibrationTask {
   std::int64_t most_tries{3};      ///< then the experimenter decides
   double drift_limit_deg{2.0};     ///< a drift check worse than this asks for a calibration
   double point_ms{1000.0};         ///< for which a point is shown
+  bool show_accuracy{false};       ///< in numbers, to participants
 };
 
 /// Whose recorded gaze the regions of kind recorded follow.

@@ -65,18 +65,26 @@ PointMap map_of(const CalibrationRecord& record, const ScreenGeometry& screen) {
   return map;
 }
 
-Page with_results(const std::string& title, const CalibrationRecord& validation,
-                  const ScreenGeometry& screen, const SessionProgress& progress) {
-  const Language& language = progress.language;
-  Text text{title, accuracy_words(validation, language)};
+std::vector<std::string> measured_words(const CalibrationRecord& validation,
+                                        const Language& language) {
+  std::vector<std::string> all = accuracy_words(validation, language);
   const std::int64_t unseen = unseen_in(validation);
   if (unseen > 0 && validation.accuracy_deg) {
-    text.paragraphs.push_back(language.counted_text("gaze_unseen", unseen));
+    all.push_back(language.counted_text("gaze_unseen", unseen));
   }
   if (validation.accuracy_deg) {
     for (std::string& words : quality_words(validation, language)) {
-      text.paragraphs.push_back(std::move(words));
+      all.push_back(std::move(words));
     }
+  }
+  return all;
+}
+
+Page with_results(const std::string& title, const CalibrationRecord& validation,
+                  const ScreenGeometry& screen, Numbers numbers, const SessionProgress& progress) {
+  Text text{title, {}};
+  if (numbers == Numbers::kShown) {
+    text.paragraphs = measured_words(validation, progress.language);
   }
   Page page = text_page(text, progress);
   page.point_map = map_of(validation, screen);
@@ -98,12 +106,12 @@ Page calibration_intro(bool by_pointer, const SessionProgress& progress) {
 }
 
 Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
-                         const SessionProgress& progress) {
+                         Numbers numbers, const SessionProgress& progress) {
   const Language& language = progress.language;
   if (validation.passed) {
-    return with_results(language.text("gaze_went_well"), validation, screen, progress);
+    return with_results(language.text("gaze_went_well"), validation, screen, numbers, progress);
   }
-  Page page = with_results(language.text("gaze_once_more"), validation, screen, progress);
+  Page page = with_results(language.text("gaze_once_more"), validation, screen, numbers, progress);
   page.choices = {{language.text("try_again"), "space"}};
   return page;
 }
@@ -111,16 +119,19 @@ Page calibration_results(const CalibrationRecord& validation, const ScreenGeomet
 Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
                             const SessionProgress& progress) {
   const Language& language = progress.language;
-  Page page = with_results(language.text("gaze_not_known"), validation, screen, progress);
+  Page page =
+      with_results(language.text("gaze_not_known"), validation, screen, Numbers::kShown, progress);
   page.paragraphs.push_back(language.text("gaze_call_experimenter"));
   page.choices = experimenter_decides({}, progress).choices;
   return page;
 }
 
-Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress) {
+Page gaze_has_drifted(const CalibrationRecord& check, Numbers numbers,
+                      const SessionProgress& progress) {
   const Language& language = progress.language;
   const std::string found =
-      check.accuracy_deg
+      numbers == Numbers::kHidden ? language.text("gaze_off_middle")
+      : check.accuracy_deg
           ? language.text("gaze_drifted",
                           {{"distance", degrees_text(check.accuracy_deg, language)},
                            {"limit", degrees_text(check.accuracy_limit_deg, language)}})
@@ -273,8 +284,8 @@ bool GazeCalibration::calibrate(std::int64_t before_slot) {
     if (!validation->passed && occasion.number >= task_.most_tries) {
       return leave_to_experimenter(*validation);
     }
-    const Page results =
-        calibration_results(*validation, ports_.display.geometry(), standing_.progress());
+    const Page results = calibration_results(*validation, ports_.display.geometry(), numbers(),
+                                             standing_.progress());
     if (!talk_.ask(results)) {
       return false;
     }
@@ -296,7 +307,7 @@ bool GazeCalibration::check_drift(std::int64_t before_slot) {
   if (check.passed) {
     return true;
   }
-  return talk_.ask(gaze_has_drifted(check, standing_.progress())).has_value() &&
+  return talk_.ask(gaze_has_drifted(check, numbers(), standing_.progress())).has_value() &&
          calibrate(before_slot);
 }
 

@@ -28,16 +28,20 @@ inline constexpr std::size_t kStopChoice = 1;  ///< of calibration_not_passed()
 /// Before the points. `by_pointer`: the mouse pointer stands in for the eye.
 Page calibration_intro(bool by_pointer, const SessionProgress& progress);
 
-/// What the validation found, in words and as a map: go on, or once more.
-Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
-                         const SessionProgress& progress);
+/// Whether a page says in numbers what was measured. Participants need none.
+enum class Numbers : bool { kHidden, kShown };
 
-/// The same after the last try: the experimenter decides.
+/// What the validation found, as a map and maybe in numbers: go on, or once more.
+Page calibration_results(const CalibrationRecord& validation, const ScreenGeometry& screen,
+                         Numbers numbers, const SessionProgress& progress);
+
+/// The same after the last try: the experimenter decides, by the numbers.
 Page calibration_not_passed(const CalibrationRecord& validation, const ScreenGeometry& screen,
                             const SessionProgress& progress);
 
 /// A drift check was worse than its limit: calibrated anew.
-Page gaze_has_drifted(const CalibrationRecord& check, const SessionProgress& progress);
+Page gaze_has_drifted(const CalibrationRecord& check, Numbers numbers,
+                      const SessionProgress& progress);
 
 /// Too much of the gaze was lost, and the trial is shown again.
 Page gaze_was_lost_page(double lost_share, bool by_pointer, const SessionProgress& progress);
@@ -92,6 +96,9 @@ class GazeCalibration {
   bool take_correction(const Occasion& occasion);
   std::optional<CalibrationRecord> validate(const Occasion& occasion);
   bool leave_to_experimenter(const CalibrationRecord& validation);
+  [[nodiscard]] Numbers numbers() const {
+    return task_.show_accuracy ? Numbers::kShown : Numbers::kHidden;
+  }
   [[nodiscard]] std::vector<ScreenPoint> drawn_points(const char* kind, double share,
                                                       const Occasion& occasion) const;
   [[nodiscard]] CalibrationRecord record_of(const PointRun& run, CalibrationKind kind,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/simulated_eye.hpp"
@@ -124,6 +125,37 @@ TEST(GazeCalibrated, AfterThePoorTriesTheExperimenterLetsItGoOn) {
   EXPECT_EQ(lab.titled("Your gaze is not known well enough"), 1);
   EXPECT_EQ(lab.noted("calibration not passed"), 1);
   EXPECT_EQ(lab.noted("poor calibration accepted"), 1);
+}
+
+/// Of all pages of a session whose gaze drifts, those for participants that have a degree on them.
+std::set<std::string> titles_with_degrees(bool show_accuracy) {
+  CalibrationLab lab(short_gaze_study([&](json& protocol, json&) {
+    protocol["session"]["breaks"]["every"] = 1;
+    if (show_accuracy) {
+      protocol["gaze"]["calibration"]["show_accuracy"] = true;
+    }
+  }));
+  lab.eye.fault = [&lab](const ScreenPoint& at) {
+    const bool drifted = lab.recorder.attempts.size() > 1;
+    return Fixation({at.x_m + (drifted ? 3.0 * m_per_deg() : 0.0), at.y_m});
+  };
+  std::set<std::string> titles;
+  lab.input.on_page = [&](const Page& page) {
+    for (const std::string& words : page.paragraphs) {
+      if (words.find("°") != std::string::npos) {
+        titles.insert(page.title);
+      }
+    }
+    return Answer{};
+  };
+  lab.run();
+  return titles;
+}
+
+TEST(GazeCalibrated, ParticipantsReadNumbersOnlyWhereTheProtocolAsksForThem) {
+  EXPECT_EQ(titles_with_degrees(false), std::set<std::string>{});
+  EXPECT_EQ(titles_with_degrees(true),
+            (std::set<std::string>{"Let us look at the points again", "That went well"}));
 }
 
 TEST(GazeCalibrated, OrStopsTheSessionBeforeAnyTrial) {

@@ -250,9 +250,11 @@ void read_gaze_pages(const Language& language, Reading& reading) {
   CalibrationRecord passed = seen_badly(true);
   passed.passed = true;
   for (const CalibrationRecord& record : {once, twice, passed, seen_badly(false)}) {
-    reading.read(calibration_results(record, screen, progress));
+    for (const Numbers numbers : {Numbers::kHidden, Numbers::kShown}) {
+      reading.read(calibration_results(record, screen, numbers, progress));
+      reading.read(gaze_has_drifted(record, numbers, progress));
+    }
     reading.read(calibration_not_passed(record, screen, progress));
-    reading.read(gaze_has_drifted(record, progress));
   }
   for (const bool by_pointer : {true, false}) {
     reading.read(calibration_intro(by_pointer, progress));
