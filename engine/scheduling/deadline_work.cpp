@@ -36,6 +36,11 @@ constexpr std::int64_t kMostGrowth = 2;
 constexpr std::int64_t kFirstSlice = 8;
 constexpr double kMostRise = 2.0;
 
+/// So many pairs are looked at if they fit by what is known; of more, at most so many times as many
+/// as ever were: memory that is touched for the first time takes far longer than it does later.
+constexpr std::int64_t kFewPairs = 4096;
+constexpr double kMostGrowthOfPairs = 1.25;
+
 bool can_be_interrupted(WorkPhase phase) {
   return phase != WorkPhase::kPairs && phase != WorkPhase::kModel;
 }
@@ -186,7 +191,7 @@ std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const 
 }
 
 void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
-                                   Granting& granting) const {
+                                   Granting& granting) {
   const double unit_ns =
       phase == WorkPhase::kPairs ? part_ns(StepPart::kRefine) : unit_times_[index_of(phase)].ns();
   const auto fitting = [&](double time_ns) {
@@ -194,6 +199,12 @@ void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int
   };
   const auto left_ns = static_cast<double>(granting.until_ns - now_ns);
   granting.granted = std::min(total, fitting(left_ns));
+  if (phase == WorkPhase::kPairs) {
+    const auto most =
+        static_cast<std::int64_t>(kMostGrowthOfPairs * static_cast<double>(most_pairs_));
+    granting.granted = std::min(granting.granted, std::max(kFewPairs, most));
+    most_pairs_ = std::max(most_pairs_, granting.granted);
+  }
   granting.refused = granting.granted < total;
   if (granting.refused && phase == WorkPhase::kModel) {  // who comes first is found out before
     granting.granted = fitting(left_ns - ordering_time_.ns() * static_cast<double>(pairs_));

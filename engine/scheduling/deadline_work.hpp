@@ -73,7 +73,7 @@ class DeadlineWork final : public WorkMeter {
   void begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting);
   [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
   void grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
-                       Granting& granting) const;
+                       Granting& granting);
   [[nodiscard]] std::int64_t kept_for_later_ns(WorkPhase phase, std::int64_t total,
                                                std::int64_t reserved) const;
   void grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns, Granting& granting);
@@ -102,6 +102,7 @@ class DeadlineWork final : public WorkMeter {
   // Learned.
   std::array<LearnedTime, kWorkPhases> unit_times_;
   std::array<LearnedTime, kStepParts> part_times_;
+  std::int64_t most_pairs_{0};  ///< granted in a step so far
   LearnedTime reserved_unit_time_{4.0};
   LearnedTime left_entry_time_{50.0};  ///< of a pair, once the search for entries was refused
   LearnedTime sorting_time_{20.0};     ///< of what the sweep found, for each of its units
