@@ -107,6 +107,13 @@ rows_of_view <- function(path, view, protocol) {
   query_study(path, sprintf("SELECT * FROM %s WHERE protocol = ?", view), protocol)
 }
 
+# What a protocol is called in a report's data; several where it was changed, none in data of before.
+protocol_titles <- function(path, protocol) {
+  fields <- query_study(path, "SELECT name FROM pragma_table_info('design_level')")$name
+  if (!"title" %in% fields) return(character())
+  unique(rows_of_view(path, "design_level", protocol)$title)
+}
+
 # The rows of "SELECT trial, ... FROM view" for the study's own trials: `row` is the number of their
 # row in study$trials, and participant, scheduling and bodies are that row's.
 rows_of_trials <- function(study, select, ending = "") {
@@ -165,8 +172,8 @@ factor_of_trials <- function(trials, levels, column, name = column) {
 }
 
 # What the protocols of a report's data call their factors and how they order them and their levels,
-# as options that label_of(), with_every_factor() and factor_of_trials() go by: labels up to a colon. A factor that protocols call by
-# different words, or by such as would be markup, keeps its name.
+# as options that label_of(), with_every_factor() and factor_of_trials() go by: labels up to a colon. A
+# factor that protocols call by different words, or by such as would be markup, keeps its name.
 design_words <- function(path) {
   views <- query_study(path, "SELECT name FROM sqlite_master WHERE type = 'view'")$name
   rows <- if ("design_level" %in% views) query_study(path,

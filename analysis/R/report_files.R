@@ -23,6 +23,7 @@ kComputedWords <- c("trial_level.factor", "trial_level.level")
 # A protocol's factors and their levels in its own order, and the factors' words, for whoever reads
 # the page: no view has them, so they are taken from the protocols as the file keeps them.
 kDesignLevelSql <- "SELECT protocol.name AS protocol, protocol.hash AS protocol_hash,
+  json_extract(protocol.protocol_json, '$.title') AS title,
   json_extract(factor.value, '$.name') AS factor, json_extract(factor.value, '$.label') AS label,
   factor.key + 1 AS place, level.key + 1 AS number, CAST(level.value AS TEXT) AS level
   FROM protocol, json_each(protocol.protocol_json, '$.design.factors') AS factor,

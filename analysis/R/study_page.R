@@ -58,6 +58,7 @@ protocol_lines <- function(protocol, parts, path, folder) {
     results_of_part(part, if (nrow(part$exclusions) > 0) trials_with_excluded(path, part))
   })
   c(sprintf("<h2 id=\"%s\">%s</h2>", anchor_of(protocol), html_text(protocol)),
+    sprintf("<p>%s</p>", html_text(protocol_titles(path, protocol))),
     simulated_lines(path, protocol), "<h3>Participants and exclusions</h3>",
     html_table(participants_table(path, protocol), kParticipantHeads),
     unlist(lapply(parts, part_data_lines)), design_lines(parts),
@@ -148,7 +149,7 @@ test_lines <- function(rows) {
     statistic <- ifelse(is.na(mine$statistic_name), NA, sprintf("%s%s = %s",
       sub("chi-squared", "χ²", mine$statistic_name), df_words(mine), format_number(mine$statistic)))
     statistic <- gsub(" ", "\u00a0", statistic)  # a table breaks no line inside a number
-    effect <- gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE)
+    effect <- effect_words(gsub("(?<=\\S):(?=\\S)", " × ", mine$effect, perl = TRUE))
     interval <- ifelse(is.na(mine$interval_low), NA, sprintf("%s to %s",
       format_number(mine$interval_low), format_number(mine$interval_high)))
     shown <- data.frame(effect = effect, statistic = statistic, p = p_cell(mine$p),
@@ -163,6 +164,16 @@ test_lines <- function(rows) {
         if (length(level) == 1) sprintf("%.0f %% interval", 100 * level) else "Interval",
         "Participants")))
   }))
+}
+
+# An effect with a study's own factors by their labels, as the words above the table call them.
+effect_words <- function(effect) {
+  own <- names(getOption("impetus.labels"))
+  for (factor in own[order(-nchar(own))]) {
+    effect <- gsub(sprintf("(?<![\\w.])\\Q%s\\E(?![\\w.])", factor), plain_name(factor), effect,
+      perl = TRUE)
+  }
+  effect
 }
 
 df_words <- function(rows) {
