@@ -34,7 +34,8 @@ inline Page consent() {
             "Taking part is voluntary. You may pause or stop at any time with the Esc key, "
             "without giving a reason, and ask for your data to be deleted.",
             "Do you agree to take part?"},
-           {{"Yes, I agree", "y"}, {"No, I do not", "n"}});
+           {{"Yes, I agree", "y"}, {"No, I do not", "n"}, {"Back", "b"}});
+  page.choice_at_end = 0;
   page.statement = "I have read this and agree to take part; I may stop at any time.";
   return page;
 }
