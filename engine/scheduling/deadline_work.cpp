@@ -89,28 +89,39 @@ void DeadlineWork::begin(StepPart part, std::int64_t units) {
   if (part == StepPart::kMove) {
     end_ns_ -= static_cast<std::int64_t>(part_ns(StepPart::kRemember) * static_cast<double>(units));
   }
-  if (part_ == StepPart::kModel && part == StepPart::kRespond) {
-    const Granting& model = phases_[index_of(WorkPhase::kModel)];
-    unit_time(WorkPhase::kModel)
-        .learn(static_cast<double>(now_ns - part_began_ns_),
-               static_cast<double>(std::min(model.asked, model.granted)));
-  }
-  const Granting& entry = phases_[index_of(WorkPhase::kEntry)];
-  if (part == StepPart::kRefine && entry.refused) {
-    left_entry_time_.learn(static_cast<double>(now_ns - entry.looked_ns),
-                           static_cast<double>(pairs_));
-  }
+  learn_before(part, now_ns);
   if (part == StepPart::kModel) {
     later_began_ns_ = now_ns;
-  }
-  if (part == StepPart::kRemember && !phases_[index_of(WorkPhase::kModel)].refused &&
-      !phases_[index_of(WorkPhase::kResponse)].refused) {
-    reserved_unit_time_.learn(static_cast<double>(now_ns - later_began_ns_),
-                              static_cast<double>(reserved_));
   }
   part_ = part;
   part_began_ns_ = now_ns;
   part_units_ = units;
+}
+
+/// What the part before has shown, when another begins.
+void DeadlineWork::learn_before(StepPart part, std::int64_t now_ns) {
+  const auto granting = [this](WorkPhase phase) -> const Granting& {
+    return phases_[index_of(phase)];
+  };
+  const auto since = [now_ns](std::int64_t then_ns) {
+    return static_cast<double>(now_ns - then_ns);
+  };
+  const Granting& pairs = granting(WorkPhase::kPairs);
+  if (part == StepPart::kEnter && pairs.refused) {
+    choosing_time_.learn(since(pairs.looked_ns), static_cast<double>(pairs.asked));
+  }
+  const Granting& entry = granting(WorkPhase::kEntry);
+  if (part == StepPart::kRefine && entry.refused) {
+    left_entry_time_.learn(since(entry.looked_ns), static_cast<double>(pairs_));
+  }
+  const Granting& model = granting(WorkPhase::kModel);
+  if (part == StepPart::kRespond) {
+    unit_time(WorkPhase::kModel)
+        .learn(since(part_began_ns_), static_cast<double>(std::min(model.asked, model.granted)));
+  }
+  if (part == StepPart::kRemember && !model.refused && !granting(WorkPhase::kResponse).refused) {
+    reserved_unit_time_.learn(since(later_began_ns_), static_cast<double>(reserved_));
+  }
 }
 
 void DeadlineWork::finish() {
@@ -214,7 +225,8 @@ void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int
 std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total,
                                              std::int64_t reserved) const {
   if (phase == WorkPhase::kSweep) {
-    return static_cast<std::int64_t>(sorting_time_.ns() * static_cast<double>(total));
+    return static_cast<std::int64_t>((sorting_time_.ns() + choosing_time_.ns()) *
+                                     static_cast<double>(total));
   }
   if (phase != WorkPhase::kTests) {
     return 0;

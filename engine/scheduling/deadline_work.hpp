@@ -70,6 +70,7 @@ class DeadlineWork final : public WorkMeter {
     bool refused{false};
   };
 
+  void learn_before(StepPart part, std::int64_t now_ns);
   void begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting);
   [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
   void grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
@@ -106,6 +107,7 @@ class DeadlineWork final : public WorkMeter {
   LearnedTime reserved_unit_time_{4.0};
   LearnedTime left_entry_time_{50.0};  ///< of a pair, once the search for entries was refused
   LearnedTime sorting_time_{20.0};     ///< of what the sweep found, for each of its units
+  LearnedTime choosing_time_{50.0};    ///< of a pair found, where not all are looked at
   LearnedTime ordering_time_{500.0};   ///< of a pair, between its root and the first test
 };
 
