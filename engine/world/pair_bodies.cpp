@@ -89,7 +89,9 @@ void find_candidates(const Step& step) {
   if (!found_all || memory.report.pairs_left > 0) {
     memory.report.degradations |= kPairsLeft;
   }
-  world.broad_phase.put_in_order(memory.bounds.size(), memory.found);
+  if (memory.bounds.size() > kFewBodies || memory.report.pairs_left > 0) {  // else they are
+    world.broad_phase.put_in_order(memory.bounds.size(), memory.found);
+  }
   take_bounds(memory.bounds, memory.found, memory.candidates);
   if (world.figures) {
     world.figures->find_folds(step.settings.figures, world.finite, world.states);

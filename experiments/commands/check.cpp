@@ -29,7 +29,7 @@
 #include "experiments/record/ports.hpp"
 #include "experiments/run/step_floor.hpp"
 #include "experiments/tables/csv_line.hpp"
-#include "experiments/trade/trade_choice.hpp"
+#include "experiments/tables/text_table.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -173,8 +173,8 @@ void check_scene(const std::filesystem::path& file) {
 }
 
 bool is_scene(const std::filesystem::path& file) {
-  const nlohmann::json value = read_json(file).value;
-  return value.is_object() && value.contains("engine") && !value.contains("design");
+  const JsonDocument document = read_json(file);
+  return document.value.is_object() && document.value.contains("engine") && !is_protocol(document);
 }
 
 void check_one(const std::filesystem::path& file, const CheckOptions& options) {

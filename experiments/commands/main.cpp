@@ -8,6 +8,7 @@
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/nearest_word.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace {
 
@@ -18,13 +19,11 @@ std::string perhaps(const std::string& given, const std::vector<std::string>& wo
 
 std::string unknown_command(const CLI::App& app, const std::string& given) {
   std::vector<std::string> names;
-  std::string listed;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     names.push_back(command->get_name());
-    listed += (listed.empty() ? "" : ", ") + command->get_name();
   }
-  return "expected one of the commands " + listed + ", got " + (given.empty() ? "none" : given) +
-         perhaps(given, names);
+  return "expected one of the commands " + impetus::listed(names) + ", got " +
+         (given.empty() ? "none" : given) + perhaps(given, names);
 }
 
 /// What was not understood of a command's arguments, and which option may have been meant.

@@ -46,15 +46,6 @@ std::string answer(const std::string& given, const std::string& words,
   return line.empty() ? otherwise : line;
 }
 
-/// "a, b, c"
-std::string list_of(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) {
-    list += (list.empty() ? "" : ", ") + word;
-  }
-  return list;
-}
-
 std::string choose_template(const std::string& given) {
   const std::vector<StudyTemplate> all = study_templates();
   std::string words = "What is shown?\n";
@@ -73,7 +64,7 @@ std::vector<std::string> choose_factors(const std::vector<std::string>& given,
     if (each.name == study_template) {
       std::istringstream words(
           answer("",
-                 "What is varied? " + list_of(each.offered) +
+                 "What is varied? " + listed(each.offered) +
                      ";\none or two of them, with levels: NAME=LEVEL,LEVEL NAME=LEVEL,LEVEL",
                  each.offered.front()));
       return {std::istream_iterator<std::string>(words), {}};
@@ -102,7 +93,7 @@ StudyChoices choices_from(const NewOptions& options) {
   choices.name = fs::path(options.folder).filename().string();
   choices.study_template = choose_template(options.study_template);
   choices.vary = choose_factors(options.vary, choices.study_template);
-  choices.ask = answer(options.ask, "What is asked? " + list_of(asks), asks.front());
+  choices.ask = answer(options.ask, "What is asked? " + listed(asks), asks.front());
   choices.question = choose_question(options.question, choices.ask, choices.language);
   return choices;
 }
@@ -180,9 +171,8 @@ void add_new(CLI::App& app, Command& chosen) {
       ->allow_extra_args(false);
   command->add_option("--ask", options->ask, "yes-no, rating, two-interval or click");
   command->add_option("--question", options->question, "The question's words");
-  command->add_option(
-      "--language", options->language,
-      "The participants': de, en, es, fr, pt, zh, or a file of one's own (default en)");
+  command->add_option("--language", options->language,
+                      "The participants': de, en, es, fr, pt or zh (default en)");
   command->callback(
       [options, &chosen] { chosen = [options] { return make_new_study(*options); }; });
 }

@@ -111,15 +111,6 @@ void print_settings(const ObserverKind& kind) {
   std::printf("%s", rows.empty() ? "" : (text_table(rows) + "\n").c_str());
 }
 
-const ObserverKind* find_observer_kind(const std::string& name) {
-  for (const ObserverKind& kind : observer_kinds()) {
-    if (kind.name == name) {
-      return &kind;
-    }
-  }
-  return nullptr;
-}
-
 int explain_observer(const std::string& name) {
   const std::vector<std::string> shipped = shipped_names();
   const bool is_shipped = std::find(shipped.begin(), shipped.end(), name) != shipped.end();
@@ -131,12 +122,8 @@ int explain_observer(const std::string& name) {
     return kDone;
   }
   if (!is_shipped && !fs::exists(name)) {
-    std::string names;
-    for (const std::string& one : shipped) {
-      names += (names.empty() ? "" : ", ") + one;
-    }
-    throw InputError("expected a file, a kind, or a simulated participant (" + names + "), got " +
-                     name);
+    throw InputError("expected a file, a kind, or a simulated participant (" + listed(shipped) +
+                     "), got " + name);
   }
   const ObserverFile file = named_observer(name);
   std::printf("%s\n%s\n", file.document.name.c_str(), file.kind->words.c_str());

@@ -113,7 +113,7 @@ void require_no_recording(const JsonDocument& scene) {
 /// A protocol is no scene, but names one.
 void require_no_protocol(const std::filesystem::path& path) {
   const JsonDocument document = read_json(path);
-  if (document.value.is_object() && document.value.contains("design")) {
+  if (is_protocol(document)) {
     const nlohmann::json named = document.value.value("scene", nlohmann::json());
     throw InputError(document.name + ": expected a scene, got a protocol" +
                      (named.is_string() ? ", whose scene is " + named.get<std::string>() : "") +

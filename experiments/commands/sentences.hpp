@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "experiments/settings/input_error.hpp"
 
@@ -14,15 +13,6 @@ inline void require(bool fulfilled, const std::string& sentence) {
   if (!fulfilled) {
     throw InputError(sentence);
   }
-}
-
-/// "one, two, three"
-inline std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
 }
 
 }  // namespace impetus::inline commands

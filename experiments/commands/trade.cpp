@@ -29,6 +29,7 @@
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/text_table.hpp"
 #include "experiments/trade/crowds/cut_trade.hpp"
 #include "experiments/trade/embedded_trade_script.hpp"
 #include "experiments/trade/impacts/impact_rows.hpp"

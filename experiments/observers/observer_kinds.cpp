@@ -108,6 +108,12 @@ OrderedJson schema_of(const ObserverKind& kind) {
 
 }  // namespace
 
+const ObserverKind* find_observer_kind(const std::string& name) {
+  const auto found = std::find_if(observer_kinds().begin(), observer_kinds().end(),
+                                  [&](const ObserverKind& kind) { return kind.name == name; });
+  return found == observer_kinds().end() ? nullptr : &found->get();
+}
+
 const ObserverKind& named_kind(const JsonDocument& document) {
   json names = json::array();
   for (const ObserverKind& kind : observer_kinds()) {
@@ -116,9 +122,7 @@ const ObserverKind& named_kind(const JsonDocument& document) {
   require_schema(document, {{"type", "object"},
                             {"required", {"observer"}},
                             {"properties", {{"observer", {{"enum", names}}}}}});
-  const auto name = document.value["observer"].get<std::string>();
-  return *std::find_if(observer_kinds().begin(), observer_kinds().end(),
-                       [&](const ObserverKind& kind) { return kind.name == name; });
+  return *find_observer_kind(document.value["observer"].get<std::string>());
 }
 
 OrderedJson observer_file_schema() {

@@ -159,6 +159,9 @@ struct ObserverKind {
 /// All kinds, by name.
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds();
 
+/// The kind of this name; null when there is none.
+const ObserverKind* find_observer_kind(const std::string& name);
+
 /// The kind that a file names. Throws InputError when there is no such kind.
 const ObserverKind& named_kind(const JsonDocument& document);
 

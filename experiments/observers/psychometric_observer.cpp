@@ -231,8 +231,8 @@ Attention attention_of(const PsychometricParameters& own) {
 }
 
 std::shared_ptr<const RatingParameters> read_psychometric(const JsonDocument& document) {
-  PsychometricParameters numbers;
-  read_numbers(document, psychometric_entries(numbers), settings(), nullptr);
+  PsychometricParameters checked;  // the whole file is, before what it says is read
+  read_numbers(document, psychometric_entries(checked), settings(), nullptr);
   auto own = std::make_shared<PsychometricParameters>(settings().read(document.value));
   read_numbers(document, psychometric_entries(*own), settings(), nullptr);
   if (own->factor.empty() == own->truth.empty()) {

@@ -29,11 +29,11 @@ OrderedJson template_file(const std::string& name) {
   if (found && !name.starts_with(kShared)) {
     return *found;
   }
-  std::string names;
+  std::vector<std::string> names;
   for (const StudyTemplate& each : study_templates()) {
-    names += (names.empty() ? "" : ", ") + each.name;
+    names.push_back(each.name);
   }
-  throw InputError("--template: expected one of " + names + ", got " + name);
+  throw InputError("--template: expected one of " + listed(names) + ", got " + name);
 }
 
 /// What all studies share, in the words of a language that comes with the program; in English for
@@ -48,11 +48,11 @@ OrderedJson shared_parts(const std::string& language) {
 
 /// "a, b, c" of an object's keys.
 std::string key_list(const OrderedJson& object) {
-  std::string keys;
+  std::vector<std::string> keys;
   for (const auto& each : object.items()) {
-    keys += (keys.empty() ? "" : ", ") + each.key();
+    keys.push_back(each.key());
   }
-  return keys;
+  return listed(keys);
 }
 
 /// A number, true, false, or a word.

@@ -33,11 +33,11 @@ ObserverFile observer_from(JsonDocument document) {
 
 /// "restitution, angle_deg"
 std::string factor_names(const std::vector<Factor>& factors) {
-  std::string names;
+  std::vector<std::string> names;
   for (const Factor& factor : factors) {
-    names += (names.empty() ? "" : ", ") + factor.name;
+    names.push_back(factor.name);
   }
-  return names;
+  return listed(names);
 }
 
 /// The factor that the participant goes by is the protocol's, and each of its words is known.

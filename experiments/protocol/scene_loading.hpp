@@ -17,6 +17,11 @@ namespace impetus::inline protocol {
 /// sentence, "file:/pointer: expected ..., got ...".
 JsonDocument load_scene(const std::filesystem::path& path);
 
+/// Whether a file is a protocol, by its design, where a scene may be meant.
+inline bool is_protocol(const JsonDocument& document) {
+  return document.value.is_object() && document.value.contains("design");
+}
+
 /// Files that something beside a scene puts into it: a protocol's factors and demonstrations.
 struct MoreFiles {
   std::vector<std::string> meshes;

@@ -155,25 +155,22 @@ class Recorder {
   virtual void await_saved() = 0;
 };
 
-/// The machine's own, which a change of date never moves: CLOCK_MONOTONIC.
-class SteadyClock final : public Clock {
+/// One of the machine's clocks.
+template <clockid_t kClock>
+class MachineClock final : public Clock {
  public:
   [[nodiscard]] std::int64_t now_ns() const override {
     std::timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(kClock, &now);
     return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
   }
 };
 
-/// The time that this thread has computed, so that what else the machine does is not in it:
-/// CLOCK_THREAD_CPUTIME_ID in nanoseconds. Looking at it takes some tenths of a microsecond.
-class ThreadClock final : public Clock {
- public:
-  [[nodiscard]] std::int64_t now_ns() const override {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-  }
-};
+/// That which a change of date never moves.
+using SteadyClock = MachineClock<CLOCK_MONOTONIC>;
+
+/// The time that this thread has computed, so that what else the machine does is not in it. Looking
+/// at it takes some tenths of a microsecond.
+using ThreadClock = MachineClock<CLOCK_THREAD_CPUTIME_ID>;
 
 }  // namespace impetus::inline record

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace impetus::inline settings {
 
@@ -11,5 +13,14 @@ namespace impetus::inline settings {
 class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// "one, two, three": what was expected.
+inline std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
 
 }  // namespace impetus::inline settings

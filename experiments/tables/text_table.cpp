@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace impetus::inline tables {
@@ -60,6 +61,27 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows) {
     }
   }
   return text;
+}
+
+std::string two_digits(double value) {
+  if (value == 0.0 || !std::isfinite(value)) {
+    return value == 0.0 ? "0" : "?";
+  }
+  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const double unit = std::pow(10.0, before_point - 2);
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.*f", std::max(0, 2 - before_point),
+                std::round(value / unit) * unit);
+  std::string text = digits;
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(text.find_last_not_of('.') + 1);
+  }
+  return text;
+}
+
+std::string two_digits_from(double least, double value) {
+  return value < least ? "< " + two_digits(least) : two_digits(value);
 }
 
 }  // namespace impetus::inline tables

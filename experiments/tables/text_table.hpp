@@ -1,4 +1,4 @@
-// Rows of words for a terminal, in aligned columns.
+// Rows of words for a terminal, in aligned columns, and numbers as people read them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,5 +15,11 @@ std::string printable(const std::string& text);
 /// go on with one are not counted), two spaces between. Cells are made printable. The last column
 /// is not filled up.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
+
+/// To two digits, as people write numbers: 0.012, 6.3, 140; "?" when it is not finite.
+std::string two_digits(double value);
+
+/// The same, or "< 0.1" of what is less than `least`.
+std::string two_digits_from(double least, double value);
 
 }  // namespace impetus::inline tables

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/text_table.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
 
 namespace impetus::inline trade {
@@ -80,27 +81,6 @@ std::string reduction_words(const std::string& reduction) {
 }
 
 }  // namespace
-
-std::string two_digits(double value) {
-  if (value == 0.0 || !std::isfinite(value)) {
-    return value == 0.0 ? "0" : "?";
-  }
-  const int before_point = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  const double unit = std::pow(10.0, before_point - 2);
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.*f", std::max(0, 2 - before_point),
-                std::round(value / unit) * unit);
-  std::string text = digits;
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    text.erase(text.find_last_not_of('.') + 1);
-  }
-  return text;
-}
-
-std::string two_digits_from(double least, double value) {
-  return value < least ? "< " + two_digits(least) : two_digits(value);
-}
 
 std::string words_for(const TradeOption& option) {
   return kind_words(option.kind) + " to level " + std::to_string(option.level) + " with " +

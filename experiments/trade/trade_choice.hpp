@@ -31,12 +31,6 @@ std::string words_for(const TradeOption& option);
 /// "median normal error 6°, 95 % of gaps below 9 minutes of arc"
 std::string error_words(const TradeOption& option);
 
-/// To two digits, as people write numbers: 0.012, 6.3, 140; "?" when it is not finite.
-std::string two_digits(double value);
-
-/// The same, or "< 0.1" of what is less than `least`.
-std::string two_digits_from(double least, double value);
-
 /// What to choose within one budget, and what it took when the scene ran with it.
 struct TradeChoice {
   double budget_ms{0.0};

@@ -10,9 +10,9 @@
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
 #include "experiments/run/collision_truth.hpp"
+#include "experiments/tables/text_table.hpp"
 #include "experiments/trade/crowds/trajectory.hpp"
 #include "experiments/trade/estimate.hpp"
-#include "experiments/trade/trade_choice.hpp"
 
 namespace impetus::inline trade {
 namespace {

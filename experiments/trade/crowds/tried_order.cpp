@@ -29,14 +29,6 @@ class RandomMetric final : public PriorityMetric {
   std::uint64_t seed_;
 };
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) {
-    list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  }
-  return list;
-}
-
 void require_known(const std::string& scheduler, const StagedScene& scene) {
   const std::vector<std::string> known = schedulers_for(scene);
   if (std::find(known.begin(), known.end(), scheduler) == known.end()) {

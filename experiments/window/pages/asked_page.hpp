@@ -4,12 +4,7 @@
 //
 // A press counts only when it was taken after the page was on the glass, so an impatient key
 // cannot answer a question that has not been seen.
-//
-//   stops   field 0, field 1, ..., choice 0, choice 1, ...      Tab goes on, Shift-Tab back
-//
-// Keys, in this order: Enter on a focused button, or in a field that others follow, to which it
-// goes on; arrows and space in a focused row of options; a choice's own key (letters, digits and
-// space only while no text is being entered); Tab. SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>

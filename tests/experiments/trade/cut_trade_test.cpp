@@ -41,14 +41,17 @@ TEST(CutTrade, EachPhaseIsCutToEachPart) {
 }
 
 TEST(CutTrade, LessOfAPhaseShowsMore) {
+  int compared = 0;
   for (const CutCrowd& least : cut_crowds()) {
     for (const CutCrowd& all : cut_crowds()) {
       if (least.part == 64 && all.part == 1 && least.phase == all.phase &&
           least.order_place == all.order_place) {
         EXPECT_GT(visible_error(least), visible_error(all)) << least.phase->name;
+        ++compared;
       }
     }
   }
+  EXPECT_EQ(compared, 5) << "two phases in two orders, and the entry";
 }
 
 TEST(CutTrade, RowsNameThePhaseThePartAndTheOrder) {

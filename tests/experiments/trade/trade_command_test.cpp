@@ -11,6 +11,7 @@
 
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/tables/text_table.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"
 #include "experiments/trade/scene_demand.hpp"
 #include "experiments/trade/trade_choice.hpp"
