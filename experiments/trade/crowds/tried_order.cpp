@@ -29,10 +29,18 @@ class RandomMetric final : public PriorityMetric {
   std::uint64_t seed_;
 };
 
+std::string quoted_list(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) {
+    list += (list.empty() ? "\"" : ", \"") + name + "\"";
+  }
+  return list;
+}
+
 void require_known(const std::string& scheduler, const StagedScene& scene) {
   const std::vector<std::string> known = schedulers_for(scene);
   if (std::find(known.begin(), known.end(), scheduler) == known.end()) {
-    throw InputError("schedulers: expected some of " + listed(known) + ", got \"" + scheduler +
+    throw InputError("schedulers: expected some of " + quoted_list(known) + ", got \"" + scheduler +
                      "\"");
   }
 }
@@ -58,7 +66,8 @@ std::vector<std::string> tried_traversals(const std::vector<std::string>& asked)
   }
   for (const std::string& name : asked) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw InputError("traversals: expected some of " + listed(known) + ", got \"" + name + "\"");
+      throw InputError("traversals: expected some of " + quoted_list(known) + ", got \"" + name +
+                       "\"");
     }
   }
   return asked.empty() ? known : asked;
