@@ -10,10 +10,10 @@ namespace {
 /// First guesses, of a machine of 2022; each is corrected within a few steps.
 constexpr double kNsPerUnit[kWorkPhases] = {500.0, 10.0, 1'000.0, 30.0, 500.0,
                                             8.0,   8.0,  60.0,    80.0, 80.0};
-constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 1'000.0, 20.0, 150.0, 250.0};
+constexpr double kNsPerThing[kStepParts] = {600.0, 100.0, 20.0, 1'000.0, 1'500.0, 150.0, 250.0};
 
 /// Of the time that is left when a phase begins, besides what later ones take in any case.
-constexpr double kShareOfRest[kWorkPhases] = {0.4, 0.3, 0.45, 0.4, 0.6, 1.0, 1.0, 0.5, 0.7, 1.0};
+constexpr double kShareOfRest[kWorkPhases] = {0.4, 0.3, 0.6, 0.4, 0.6, 1.0, 1.0, 0.5, 0.7, 1.0};
 
 /// Of what is left when refinement begins: so much it gets at least, whatever is reserved, since
 /// coarser contacts are more contacts.
@@ -87,7 +87,8 @@ void DeadlineWork::begin(StepPart part, std::int64_t units) {
   }
   const std::int64_t now_ns = clock_->now_ns();
   if (part == StepPart::kMove) {
-    end_ns_ -= static_cast<std::int64_t>(part_ns(StepPart::kRemember) * static_cast<double>(units));
+    bodies_ = static_cast<double>(units);
+    end_ns_ -= static_cast<std::int64_t>(part_ns(StepPart::kRemember) * bodies_);
   }
   learn_before(part, now_ns);
   if (part == StepPart::kModel) {
@@ -106,6 +107,10 @@ void DeadlineWork::learn_before(StepPart part, std::int64_t now_ns) {
   const auto since = [now_ns](std::int64_t then_ns) {
     return static_cast<double>(now_ns - then_ns);
   };
+  const Granting& motion = granting(WorkPhase::kMotion);
+  if (part == StepPart::kPair && motion.refused) {
+    left_motion_time_.learn(since(motion.looked_ns), bodies_);
+  }
   const Granting& pairs = granting(WorkPhase::kPairs);
   if (part == StepPart::kEnter && pairs.refused) {
     choosing_time_.learn(since(pairs.looked_ns), static_cast<double>(pairs.asked));
@@ -116,12 +121,17 @@ void DeadlineWork::learn_before(StepPart part, std::int64_t now_ns) {
   }
   const Granting& model = granting(WorkPhase::kModel);
   if (part == StepPart::kRespond) {
-    unit_time(WorkPhase::kModel)
-        .learn(since(part_began_ns_), static_cast<double>(std::min(model.asked, model.granted)));
+    const std::int64_t others = std::min(model.asked, model.granted);
+    LearnedTime& time = others > 0 ? unit_time(WorkPhase::kModel) : part_time(StepPart::kModel);
+    time.learn(since(part_began_ns_), static_cast<double>(others > 0 ? others : part_units_));
   }
   if (part == StepPart::kRemember && !model.refused && !granting(WorkPhase::kResponse).refused) {
     reserved_unit_time_.learn(since(later_began_ns_), static_cast<double>(reserved_));
   }
+}
+
+void DeadlineWork::expect_at_walls(std::int64_t bodies) {
+  bodies_at_walls_ = static_cast<double>(bodies);
 }
 
 void DeadlineWork::finish() {
@@ -190,12 +200,16 @@ void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& g
   }
 }
 
+/// When the phase's time is up: it has a share of what is not due to others, whatever is granted.
 std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const {
-  double due_ns = 0.0;
-  if (phase == WorkPhase::kEntry) {
-    due_ns = (left_entry_time_.ns() + part_ns(StepPart::kRefine)) * static_cast<double>(pairs_);
+  const auto pairs = static_cast<double>(pairs_);
+  double due_ns = phase < WorkPhase::kTests || phase == WorkPhase::kModel ? walls_ns() : 0.0;
+  if (phase == WorkPhase::kMotion) {
+    due_ns += (left_motion_time_.ns() + part_ns(StepPart::kPair)) * bodies_;
+  } else if (phase == WorkPhase::kEntry) {
+    due_ns += (left_entry_time_.ns() + part_ns(StepPart::kRefine)) * pairs;
   } else if (phase == WorkPhase::kRoots) {
-    due_ns = ordering_time_.ns() * static_cast<double>(pairs_);
+    due_ns += ordering_time_.ns() * pairs;
   }
   const double rest_ns = static_cast<double>(end_ns_ - now_ns) - due_ns;
   return now_ns + static_cast<std::int64_t>(kShareOfRest[index_of(phase)] * std::max(0.0, rest_ns));
@@ -203,8 +217,9 @@ std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const 
 
 void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
                                    Granting& granting) {
-  const double unit_ns =
-      phase == WorkPhase::kPairs ? part_ns(StepPart::kRefine) : unit_times_[index_of(phase)].ns();
+  const double unit_ns = phase == WorkPhase::kPairs
+                             ? left_entry_time_.ns() + part_ns(StepPart::kRefine)
+                             : unit_times_[index_of(phase)].ns();
   const auto fitting = [&](double time_ns) {
     return static_cast<std::int64_t>(std::max(0.0, time_ns / unit_ns));
   };
@@ -233,7 +248,8 @@ std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total
   }
   const auto wanted_ns =
       static_cast<std::int64_t>(reserved_unit_time_.ns() * static_cast<double>(reserved));
-  return std::min(wanted_ns, std::max<std::int64_t>(0, end_ns_ - later_end_ns_));
+  return std::max(static_cast<std::int64_t>(walls_ns()),
+                  std::min(wanted_ns, end_ns_ - later_end_ns_));
 }
 
 void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns,

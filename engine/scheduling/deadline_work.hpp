@@ -56,6 +56,7 @@ class DeadlineWork final : public WorkMeter {
 
   std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t reserved) override;
   void begin(StepPart part, std::int64_t units) override;
+  void expect_at_walls(std::int64_t bodies) override;
   void finish() override;
 
  private:
@@ -84,6 +85,8 @@ class DeadlineWork final : public WorkMeter {
   [[nodiscard]] double part_ns(StepPart part) const {
     return part_times_[static_cast<std::size_t>(part)].ns();
   }
+  /// What it takes to model the contacts with walls, whatever is granted.
+  [[nodiscard]] double walls_ns() const { return part_ns(StepPart::kModel) * bodies_at_walls_; }
 
   const WorkClock* clock_;
   std::int64_t ns_per_step_;
@@ -99,16 +102,19 @@ class DeadlineWork final : public WorkMeter {
   StepPart part_{StepPart::kMove};
   std::int64_t part_began_ns_{0};
   std::int64_t part_units_{0};
+  double bodies_{0.0};
+  double bodies_at_walls_{0.0};  ///< of the step before, until they are known
 
   // Learned.
   std::array<LearnedTime, kWorkPhases> unit_times_;
   std::array<LearnedTime, kStepParts> part_times_;
   std::int64_t most_pairs_{0};  ///< granted in a step so far
   LearnedTime reserved_unit_time_{4.0};
-  LearnedTime left_entry_time_{50.0};  ///< of a pair, once the search for entries was refused
-  LearnedTime sorting_time_{20.0};     ///< of what the sweep found, for each of its units
-  LearnedTime choosing_time_{50.0};    ///< of a pair found, where not all are looked at
-  LearnedTime ordering_time_{500.0};   ///< of a pair, between its root and the first test
+  LearnedTime left_motion_time_{2'500.0};  ///< of a body, once the motion of figures was refused
+  LearnedTime left_entry_time_{300.0};     ///< of a pair, once the search for entries was refused
+  LearnedTime sorting_time_{20.0};         ///< of what the sweep found, for each of its units
+  LearnedTime choosing_time_{50.0};        ///< of a pair found, where not all are looked at
+  LearnedTime ordering_time_{500.0};       ///< of a pair, between its root and the first test
 };
 
 }  // namespace impetus::inline scheduling

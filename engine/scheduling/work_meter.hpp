@@ -95,6 +95,10 @@ class WorkMeter {
   /// contacts. For meters that learn how long things take.
   virtual void begin(StepPart /*part*/, std::int64_t /*units*/) {}
 
+  /// So many bodies touch walls, by their roots, and will be modelled there whatever is granted.
+  /// Told before roots are asked for.
+  virtual void expect_at_walls(std::int64_t /*bodies*/) {}
+
   /// The step is done.
   virtual void finish() {}
 };

@@ -117,10 +117,13 @@ void model_most_urgent(const Step& step, std::span<const RefinedPair> pairs, Pha
 
 void model_pairs(const Step& step) {
   const std::span<const RefinedPair> pairs = step.memory.refined.all();
+  std::int64_t at_walls = 0;
   std::int64_t units = 0;
   for (const RefinedPair& pair : pairs) {
+    at_walls += is_wall(pair.bodies.b) && touches(pair) ? 1 : 0;
     units += is_wall(pair.bodies.b) ? 0 : units_of(pair);
   }
+  step.meter.begin(StepPart::kModel, at_walls);
   PhaseWork work = step.work_of(WorkPhase::kModel);
   if (work.spend(units)) {
     model_all(step, pairs);
@@ -186,7 +189,6 @@ void ModelledCollisions::report_in_order(StepReport& report) {
 
 void model_contacts(const Step& step) {
   ModelledCollisions& modelled = step.memory.modelled;
-  step.meter.begin(StepPart::kModel, 0);
   modelled.clear();
   model_pairs(step);
   model_folds(step);

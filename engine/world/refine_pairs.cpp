@@ -1,9 +1,11 @@
 // The fourth phase of a step: the roots of all pairs are tested, and then finer nodes for as long
 // as work is granted. How it is shared among the lists is told in budgeted_refinement.hpp.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
@@ -11,6 +13,10 @@
 
 namespace impetus::inline world {
 namespace {
+
+bool comes_before(const RefinedPair& pair, BodyPair other) {
+  return std::pair(pair.bodies.a, pair.bodies.b) < std::pair(other.a, other.b);
+}
 
 bool is_capped_by_speed(const Step& step, BodyPair bodies) {
   if (is_wall(bodies.b)) {
@@ -98,19 +104,34 @@ void add_pairs(const Step& step) {
   }
 }
 
-/// Tests the roots of all pairs, first those with walls. A pair for which no work is left stays
-/// unlooked at, as if it were apart; none with a wall.
-void begin_refining(const Step& step) {
-  const std::span<RefinedPair> pairs = step.memory.refined.all();
+/// Tests the roots of all bodies and walls.
+void begin_all_at_walls(const Step& step, std::span<RefinedPair> pairs) {
   const std::vector<PriorityList>& lists = step.settings.schedule.lists;
+  std::int64_t touching = 0;
   for (RefinedPair& pair : pairs) {
     if (is_wall(pair.bodies.b)) {
       begin_at_walls(step, lists[at(pair.list)].greatest_level, pair);
       find_sight(step, pair);
+      touching += pair.refinement.overlapping().empty() ? 0 : 1;
     }
   }
+  step.meter.expect_at_walls(touching);
+}
+
+/// Tests the roots of the pairs of bodies: in their order, but from the one on that the step before
+/// had no work left for, so that everybody's turn comes. A pair for which no work is left stays
+/// unlooked at, as if it were apart.
+void begin_all_between(const Step& step, std::span<RefinedPair> pairs) {
+  const std::vector<PriorityList>& lists = step.settings.schedule.lists;
+  std::optional<BodyPair>& next = step.world.next_to_begin;
+  const auto first = static_cast<std::size_t>(
+      std::find_if(pairs.begin(), pairs.end(),
+                   [&](const RefinedPair& pair) { return next && !comes_before(pair, *next); }) -
+      pairs.begin());
+  next.reset();
   PhaseWork roots = step.work_of(WorkPhase::kRoots);
-  for (RefinedPair& pair : pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    RefinedPair& pair = pairs[(first + i) % pairs.size()];
     if (is_wall(pair.bodies.b)) {
       continue;
     }
@@ -118,6 +139,7 @@ void begin_refining(const Step& step) {
       begin_between(step, lists[at(pair.list)].greatest_level, pair);
       find_sight(step, pair);
     } else {
+      next = next.value_or(pair.bodies);
       step.memory.report.degradations |= kPairsLeft;
       ++step.memory.report.pairs_left;
     }
@@ -157,8 +179,9 @@ void refine_pairs(const Step& step) {
   memory.work_of_folds = work_of_folds(step);
   memory.report.work_floor += memory.work_of_folds;
   add_pairs(step);
-  begin_refining(step);
   const std::span<RefinedPair> pairs = memory.refined.all();
+  begin_all_at_walls(step, pairs);
+  begin_all_between(step, pairs);
   const RefinementSettings settings{schedule.traversal, step.settings.costs, step.settings.contacts,
                                     memory.report.work_floor};
   const std::size_t waiting = memory.sharing.do_floor(pairs, schedule.lists, settings);

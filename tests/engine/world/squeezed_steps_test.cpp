@@ -111,4 +111,26 @@ TEST(SqueezedSteps, PairsThatAreLeftAreThoseThatReachLeastIntoEachOther) {
   EXPECT_NE(report.degradations & kPairsLeft, 0U);
 }
 
+TEST(SqueezedSteps, PairsThatAStepCouldNotLookAtAreFirstInLineInTheNext) {
+  const BodyModel model = ball(0.1, 1.0);
+  std::vector<BodyState> states;
+  for (const double x_m : {0.0, 1.0, 2.0, 3.0, 4.0}) {
+    states.push_back(resting_at({x_m, 0.0, 0.0}));
+    states.push_back(resting_at({x_m + 0.1, 0.0, 0.0}));
+  }
+  World world(std::vector<BodyModel>(states.size(), model), states, {});
+  WorkGrants grants;
+  grants.of(WorkPhase::kRoots) = 2;
+  std::vector<std::int32_t> looked_at;
+  for (int step = 0; step < 5; ++step) {
+    FixedWork meter(grants);
+    const StepReport& report = world.step(step_of(1e-6), meter);
+    EXPECT_EQ(report.pairs_left, 3);
+    for (const CollisionReport& collision : report.collisions) {
+      looked_at.push_back(collision.bodies.a / 2);
+    }
+  }
+  EXPECT_EQ(looked_at, (std::vector<std::int32_t>{0, 1, 2, 3, 0, 4, 1, 2, 3, 4}));
+}
+
 }  // namespace impetus::squeezed_steps_test
