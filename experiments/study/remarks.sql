@@ -8,10 +8,6 @@ SELECT count(*) || ' of ' || (SELECT count(*) FROM participant) || ' participant
   HAVING count(*) > 0;
 
 SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' ||
-    iif(count(*) = 1, 'is', 'are') || ' not finished' FROM enrolment WHERE finished_utc IS NULL
-  HAVING count(*) > 0;
-
-SELECT count(*) || ' of ' || (SELECT count(*) FROM enrolment) || ' enrolments ' ||
     iif(count(*) = 1, 'was', 'were') || ' declined: no consent, and no trial' FROM enrolment
   WHERE EXISTS (SELECT 1 FROM session WHERE enrolment_id = enrolment.id AND ending = 'declined')
     AND NOT EXISTS (SELECT 1 FROM attempt JOIN session ON session.id = session_id
@@ -32,11 +28,6 @@ SELECT count(DISTINCT enrolment_id) ||
     attempt WHERE session_id = session.id) AND NOT EXISTS (SELECT 1 FROM answer JOIN session AS
     other ON other.id = answer.session_id WHERE other.enrolment_id = session.enrolment_id AND kind =
     'consent' AND answer = 'agreed') HAVING count(*) > 0;
-
-SELECT count(*) ||
-    ' trials were shown by a display that had failed its sync test (marked sync_overridden)'
-  FROM attempt WHERE sync_overridden AND outcome = 'completed'
-  HAVING count(*) > 0;
 
 SELECT sum(late_timed_frames) || ' of ' || sum(timed_frames) || ' timed frames were late (' ||
     printf('%.2g', 100.0 * sum(late_timed_frames) / sum(timed_frames)) || ' %)'

@@ -17,6 +17,7 @@
 #include "experiments/store/rows.hpp"
 #include "experiments/store/session_rows.hpp"
 #include "experiments/store/study_integrity.hpp"
+#include "experiments/study/embedded_obstacles.hpp"
 #include "experiments/study/embedded_order_rules.hpp"
 #include "experiments/study/embedded_places.hpp"
 #include "experiments/study/embedded_provenance_rules.hpp"
@@ -30,7 +31,8 @@ namespace {
 
 // What must hold between rows though no constraint of a table can say it, and what a reader should
 // know. Each rule is a query that yields one sentence for every violation, so that a rule is read
-// as it is checked: order_rules.sql, recording_rules.sql, provenance_rules.sql, and remarks.sql.
+// as it is checked: order_rules.sql, recording_rules.sql, provenance_rules.sql, obstacles.sql, and
+// remarks.sql.
 
 /// The rule with the numbers that this build puts into it.
 std::string with_formats(std::string rule) {
@@ -59,6 +61,11 @@ std::vector<std::string> sentences(SQLite::Database& study, const std::string& b
   return found;
 }
 
+/// "1 plan", "12 plans".
+std::string count_of(std::int64_t number, const std::string& one) {
+  return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
+}
+
 /// "P01, causality, session 2: ".
 std::string place_of(const SessionScreen& session) {
   return session.participant + ", " + session.protocol + ", session " +
@@ -81,14 +88,15 @@ Failures broken_provenance(SQLite::Database& study) {
   return sentences(study, kPlacesSql, kProvenanceRulesSql);
 }
 
-/// One sentence each: simulated participants, what is not finished, overridden sync tests, late
-/// frames, exclusions, words that participants wrote, ...
+/// One sentence each: simulated participants, late frames, exclusions, words that participants
+/// wrote,
+/// ...
 std::vector<std::string> remarks_on(SQLite::Database& study) {
   return sentences(study, "", kRemarksSql);
 }
 
 // Whether people saw what was measured: square pixels, and one screen from the first session to the
-// last. What was not so, and said, is a remark; what nobody said is wrong.
+// last. What was not so, and said, stands against publishing; what nobody said is wrong.
 
 /// Sessions whose pixels were not square, and resumed ones before another screen than the session
 /// before, where nobody said so.
@@ -113,11 +121,22 @@ Failures unsaid_screens(SQLite::Database& study) {
   return failures;
 }
 
+/// The sessions' screens but those of participants whom the analysis leaves out.
+std::vector<SessionScreen> screens_of_analysed(SQLite::Database& study) {
+  std::vector<SessionScreen> sessions = session_screens(study);
+  const auto left_out =
+      load_column<std::string>(study, "SELECT participant FROM excluded WHERE trial IS NULL");
+  std::erase_if(sessions, [&](const SessionScreen& session) {
+    return std::find(left_out.begin(), left_out.end(), session.participant) != left_out.end();
+  });
+  return sessions;
+}
+
 /// The same that was said; and who sat before several screens.
-std::vector<std::string> screen_remarks(SQLite::Database& study) {
+std::vector<std::string> screen_obstacles(SQLite::Database& study) {
   std::int64_t not_square = 0;
   std::map<std::string, std::vector<ScreenGeometry>> screens;  // of each participant
-  for (const SessionScreen& session : session_screens(study)) {
+  for (const SessionScreen& session : screens_of_analysed(study)) {
     not_square += session.said_not_square ? 1 : 0;
     std::vector<ScreenGeometry>& known = screens[session.participant];
     if (std::none_of(known.begin(), known.end(), [&](const ScreenGeometry& screen) {
@@ -126,30 +145,25 @@ std::vector<std::string> screen_remarks(SQLite::Database& study) {
       known.push_back(session.screen);
     }
   }
-  std::vector<std::string> remarks;
+  std::vector<std::string> obstacles;
   for (const auto& [participant, seen] : screens) {
     if (seen.size() > 1) {
       std::string words = participant + " sat before " + std::to_string(seen.size()) + " screens: ";
       for (const ScreenGeometry& screen : seen) {
         words += (&screen == &seen.front() ? "" : "; ") + screen_words(screen);
       }
-      remarks.push_back(words);
+      obstacles.push_back(words);
     }
   }
   if (not_square > 0) {
-    remarks.push_back(std::to_string(not_square) +
-                      " sessions were before a screen whose pixels, as was said, are not square");
+    obstacles.push_back(count_of(not_square, "session") + (not_square == 1 ? " was" : " were") +
+                        " before a screen whose pixels, as was said, are not square");
   }
-  return remarks;
+  return obstacles;
 }
 
 std::int64_t count(SQLite::Database& database, const std::string& what) {
   return database.execAndGet("SELECT count(*) FROM " + what).getInt64();
-}
-
-/// "1 plan", "12 plans".
-std::string count_of(std::int64_t number, const std::string& one) {
-  return std::to_string(number) + " " + one + (number == 1 ? "" : "s");
 }
 
 void append(Failures& to, const Failures& from) { to.insert(to.end(), from.begin(), from.end()); }
@@ -198,7 +212,8 @@ class StudyChecks {
       verification_.checks.push_back(further(study_));
     }
     append(verification_.remarks, remarks_on(database_));
-    append(verification_.remarks, screen_remarks(database_));
+    verification_.obstacles = sentences(database_, "", kObstaclesSql);
+    append(verification_.obstacles, screen_obstacles(database_));
     verification_.participants = count(database_, "participant");
     verification_.completed_trials = count(database_, "attempt WHERE outcome = 'completed'");
     verification_.sessions = count(database_, "session");

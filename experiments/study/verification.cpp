@@ -48,6 +48,11 @@ void add_rows(const VerificationCheck& check, std::vector<std::vector<std::strin
 }
 
 std::string verdict(const Verification& verification) {
+  if (verification.passed() && !verification.obstacles.empty()) {
+    const std::size_t more = verification.obstacles.size() - 1;
+    return "cannot be published: whole, but " + verification.obstacles.front() +
+           (more > 0 ? " (and " + std::to_string(more) + " more)" : "");
+  }
   if (verification.passed()) {
     return "can be published: " + number_of(verification.participants, "participant") + ", " +
            number_of(verification.completed_trials, "trial") + ", " +
@@ -65,6 +70,9 @@ std::string verification_words(const std::string& name, const Verification& veri
   for (const VerificationCheck& check : verification.checks) {
     add_rows(check, rows);
   }
+  for (const std::string& obstacle : verification.obstacles) {
+    rows.push_back({"obstacle", "", obstacle});
+  }
   for (const std::string& remark : verification.remarks) {
     rows.push_back({"remark", "", remark});
   }
@@ -80,12 +88,13 @@ std::string verification_json(const std::string& name, const Verification& verif
                       {"failures", check.failures}});
   }
   const json whole = {{"study", name},
-                      {"publishable", verification.passed()},
+                      {"publishable", verification.publishable()},
                       {"verdict", verdict(verification)},
                       {"participants", verification.participants},
                       {"completed_trials", verification.completed_trials},
                       {"sessions", verification.sessions},
                       {"checks", std::move(checks)},
+                      {"obstacles", verification.obstacles},
                       {"remarks", verification.remarks}};
   return whole.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -23,6 +23,7 @@ struct VerificationCheck {
 /// All that was found of a study.
 struct Verification {
   std::vector<VerificationCheck> checks;  ///< in the order made; the first failure is the reason
+  std::vector<std::string> obstacles;     ///< why a study is not published though its file is whole
   std::vector<std::string> remarks;       ///< what a reader should know, and forbids nothing
   std::int64_t participants{0};
   std::int64_t completed_trials{0};  ///< practice included
@@ -33,10 +34,12 @@ struct Verification {
     return std::all_of(checks.begin(), checks.end(),
                        [](const VerificationCheck& check) { return check.failures.empty(); });
   }
+  /// Whether the study can be published: it passed, and nothing stands against it.
+  [[nodiscard]] bool publishable() const { return passed() && obstacles.empty(); }
 };
 
-/// A line for each check, each failure and each remark; the last line alone says whether the study
-/// `name` can be published, and if not, the first reason.
+/// A line for each check, each failure, each obstacle and each remark; the last line alone says
+/// whether the study `name` can be published, and if not, the first reason.
 std::string verification_words(const std::string& name, const Verification& verification);
 
 /// The same as one JSON object.

@@ -25,6 +25,14 @@ std::string first_failure(const std::filesystem::path& path) {
   return failures.empty() ? "none" : failures.front();
 }
 
+/// What stands against publishing a study of which every check passed.
+std::vector<std::string> obstacles_of(const std::filesystem::path& path) {
+  const Verification verification = verify_study(path);
+  EXPECT_EQ(failures_of(verification), Failures{});
+  EXPECT_EQ(verification.publishable(), verification.obstacles.empty());
+  return verification.obstacles;
+}
+
 bool remarked(const std::filesystem::path& path, const std::string& remark) {
   const std::vector<std::string> remarks = verify_study(path).remarks;
   return std::count(remarks.begin(), remarks.end(), remark) == 1;
@@ -243,12 +251,6 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
        "1 of 2 participants is simulated"},
       {"UPDATE session SET ending = NULL, ended_utc = NULL WHERE id = 2",
        "1 of 2 sessions has no ending: killed, or running now"},
-      {"UPDATE enrolment SET finished_utc = NULL WHERE id = 2; UPDATE session SET ending = 'quit' "
-       "WHERE id = 2",
-       "1 of 2 enrolments is not finished"},
-      {"UPDATE session SET sync_passed = 0, sync_overridden = 1 WHERE id = 2; UPDATE attempt SET "
-       "sync_overridden = 1 WHERE session_id = 2",
-       "5 trials were shown by a display that had failed its sync test (marked sync_overridden)"},
       {"UPDATE frame SET missed_slots = 1 WHERE attempt_id = 7 AND frame < 10; UPDATE attempt SET "
        "late_timed_frames = 10 WHERE id = 7; UPDATE attempt SET timed_frames = timed_frames",
        "10 of 1534 timed frames were late (0.65 %)"},
@@ -265,6 +267,7 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
   for (const auto& [sql, remark] : cases) {
     const Verification verification = verify_study(study.tampered(sql));
     EXPECT_EQ(failures_of(verification), Failures{}) << sql;
+    EXPECT_TRUE(verification.publishable()) << sql;
     const std::vector<std::string>& remarks = verification.remarks;
     EXPECT_TRUE(std::any_of(
         remarks.begin(), remarks.end(),
@@ -272,6 +275,35 @@ TEST(Verify, WhatAReaderShouldKnowIsRemarkedAndForbidsNothing) {
         << remark << "\n"
         << ::testing::PrintToString(remarks);
   }
+}
+
+TEST(Verify, AStudyThatIsWholeIsNotPublishedUnfinishedOrBeforeAFailedSyncTest) {
+  using Obstacles = std::vector<std::string>;
+  const VerifiedStudy study;
+  const std::string quit =
+      "UPDATE enrolment SET finished_utc = NULL WHERE id = 2; UPDATE session SET ending = 'quit' "
+      "WHERE id = 2; ";
+  const std::string overridden =
+      "UPDATE session SET sync_passed = 0, sync_overridden = 1 WHERE id = 2; UPDATE attempt SET "
+      "sync_overridden = 1 WHERE session_id = 2; ";
+  const std::string left_out =
+      "INSERT INTO exclusion VALUES (NULL, 2, NULL, 1, 'the display', 'then'); ";
+  const std::string not_finished = "1 of 2 enrolments is not finished";
+  const std::string failed_sync =
+      "5 trials were shown by a display that had failed its sync test (marked sync_overridden)";
+  EXPECT_EQ(obstacles_of(study.copy()), Obstacles{});
+  EXPECT_EQ(obstacles_of(study.tampered(quit)), Obstacles{not_finished});
+  EXPECT_EQ(obstacles_of(study.tampered(overridden)), Obstacles{failed_sync});
+  EXPECT_EQ(obstacles_of(study.tampered(quit + overridden + left_out)), Obstacles{});
+  EXPECT_EQ(obstacles_of(study.tampered(
+                overridden + "INSERT INTO exclusion SELECT NULL, 2, trial_id, 1, 'late', 'then' "
+                             "FROM attempt WHERE session_id = 2 LIMIT 1")),
+            Obstacles{"4" + failed_sync.substr(1)});
+  static_cast<void>(study.tampered(quit + overridden));
+  const ProgramResult result = run_program(study.folder(), {"verify", "a.sqlite"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(last_line(result),
+            "a.sqlite: cannot be published: whole, but " + not_finished + " (and 1 more)");
 }
 
 /// A second session of the first enrolment, before a screen of other shape in metres and pixels.
@@ -282,7 +314,7 @@ std::string second_session(const std::string& width_m, const std::string& width_
          "; INSERT INTO session SELECT * FROM again; ";
 }
 
-TEST(Verify, ScreensThatNobodySpokeOfAreWrongAndThoseSaidAreRemarked) {
+TEST(Verify, ScreensThatNobodySpokeOfAreWrongAndThoseSaidStandAgainstPublishing) {
   const VerifiedStudy study;
   const std::string wide = "46.9 cm x 30.1 cm, 1600 x 1024 pixels, seen from 57.0 cm";
   const std::string usual = "37.6 cm x 30.1 cm, 1280 x 1024 pixels, seen from 57.0 cm";
@@ -297,13 +329,15 @@ TEST(Verify, ScreensThatNobodySpokeOfAreWrongAndThoseSaidAreRemarked) {
             "are not square");
   const std::filesystem::path said =
       study.tampered(changed + "INSERT INTO note VALUES (NULL, 3, 'then', 'screen changed', '')");
-  EXPECT_EQ(first_failure(said), "none");
-  EXPECT_TRUE(remarked(said, "P01 sat before 2 screens: " + usual + "; " + wide));
+  EXPECT_EQ(obstacles_of(said),
+            std::vector<std::string>{"P01 sat before 2 screens: " + usual + "; " + wide});
+  tamper(said, "INSERT INTO exclusion VALUES (NULL, 1, NULL, 1, 'two screens', 'then')");
+  EXPECT_EQ(obstacles_of(said), std::vector<std::string>{});
   const std::filesystem::path stretched =
       study.tampered(eggs + "INSERT INTO note VALUES (NULL, 2, 'then', 'pixels not square', '')");
-  EXPECT_EQ(first_failure(stretched), "none");
-  EXPECT_TRUE(remarked(
-      stretched, "1 sessions were before a screen whose pixels, as was said, are not square"));
+  EXPECT_EQ(obstacles_of(stretched),
+            std::vector<std::string>{
+                "1 session was before a screen whose pixels, as was said, are not square"});
 }
 
 TEST(Verify, ALogBesideAKilledSessionsFileIsReadAndRemarked) {
