@@ -58,8 +58,8 @@ drawn_pairs <- function(part) {
 factor_plot <- function(trials, factor, of) {
   each <- shifted_means(trials, factor, of)
   ggplot2::ggplot(placed_means(trials, factor, of), ggplot2::aes(x, mean)) +
-    ggplot2::geom_line(ggplot2::aes(group = participant), each, linewidth = 0.25,
-      colour = "grey65") +
+    (if (length(between_factors(trials, factor)) == 0) ggplot2::geom_line(
+      ggplot2::aes(group = participant), each, linewidth = 0.25, colour = "grey65")) +
     ggplot2::geom_point(data = each, size = 0.8, stroke = 0, colour = "grey55") +
     line_of_numbers(trials, factor, linewidth = 0.5) + interval_bars(0.9) +
     ggplot2::geom_point(size = 1.9) + level_axis(trials, factor)
@@ -93,11 +93,15 @@ factor_figure_caption <- function(part, factor, measure) {
   if (people == 1) return(sprintf("%s: one %s.", title, who))
   paste0(title, ". Grey: ", count_of(people, who),
     ", shifted sideways a little to keep them apart; black: the mean",
-    if (shown > 1) " and its within-participant 95 % interval (Cousineau–Morey)", ".")
+    if (shown > 1) " and its within-participant 95 % interval (Cousineau–Morey)" else
+      if (length(between_factors(part$trials, factor)) > 0)
+        " and its 95 % interval over the participants of each level (Student's t)", ".")
 }
 
 pair_figure_caption <- function(part, pair, measure) {
   shown <- nrow(complete_participants(participant_means(part$trials, pair, measure$of)))
   paste0(measure$title, " by ", name_and_unit(pair[1]), " and ", name_and_unit(pair[2]), ": means",
-    if (shown > 1) " with within-participant 95 % intervals (Cousineau–Morey)", ".")
+    if (shown > 1) " with within-participant 95 % intervals (Cousineau–Morey)" else
+      if (length(between_factors(part$trials, pair)) > 0)
+        " with 95 % intervals over the participants of each (Student's t)", ".")
 }

@@ -20,7 +20,10 @@ left_out_remark <- function(test, count) {
 # effect without it is labelled so.
 repeated_measures_tests <- function(trials, factors) {
   trials[factors] <- lapply(trials[factors], droplevels)
-  means <- participant_means(trials, factors)
+  between <- between_factors(trials, factors)
+  within <- setdiff(factors, between)
+  means <- if (length(within) > 0) participant_means(trials, within) else
+    as.matrix(tapply(trials$rating, as.character(trials$participant), mean))
   complete <- complete_participants(means)
   if (nrow(complete) < 2) {
     return(outcome(remarks = paste(
@@ -29,13 +32,14 @@ repeated_measures_tests <- function(trials, factors) {
   }
   remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
   kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
-  fit <- listen_to(fit_anova(kept, factors))$value
+  fit <- listen_to(fit_anova(kept, within, between))$value
   if (is.null(fit) || any(!is.finite(fit$F))) {
     return(outcome(remarks = c(remarks, paste(
       "The repeated-measures ANOVA has no variance left within participants to test against, or",
       "too few participants for its interactions, and is not reported."))))
   }
-  fit$corrected <- nrow(complete) > fit$whole_df
+  fit$within <- vapply(strsplit(fit$effect, ":", fixed = TRUE), function(of) any(of %in% within), NA)
+  fit$corrected <- !fit$within | fit$spare_df > fit$whole_df
   if (!all(fit$corrected)) {
     remarks <- c(remarks, sprintf(
       "Greenhouse–Geisser's correction needs more than %d participants for %s: p is uncorrected.",
@@ -44,18 +48,29 @@ repeated_measures_tests <- function(trials, factors) {
   outcome(each_row(seq_len(nrow(fit)), function(i) anova_row(fit[i, ], kept)), remarks)
 }
 
-# One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares.
-# `between`: factors of which each participant has one level.
+# One row per effect: effect, F, corrected df1 and df2, whole_df, p, ges, and sums of squares;
+# spare_df: participants beyond those that the groups take. `between`: factors of which each
+# participant has one level.
 fit_anova <- function(trials, factors, between = NULL) {
   model <- afex::aov_ez("participant", "rating", trials,
-    within = unname(factors), between = between, fun_aggregate = mean,
+    within = if (length(factors) > 0) unname(factors), between = between, fun_aggregate = mean,
     anova_table = list(es = "ges", correction = "GG"), include_aov = FALSE)
   table <- model$anova_table
-  squares <- summary(model$Anova)$univariate.tests
+  squares <- squares_of(model, length(factors) > 0)
   squares <- squares[match(rownames(table), rownames(squares)), , drop = FALSE]
+  cells <- if (length(between) > 0) nrow(unique(trials[between])) else 1
   data.frame(effect = rownames(table), df1 = table[["num Df"]], df2 = table[["den Df"]],
     whole_df = squares[, "num Df"], F = table[["F"]], p = table[["Pr(>F)"]],
-    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"])
+    ges = table[["ges"]], ss = squares[, "Sum Sq"], ss_error = squares[, "Error SS"],
+    spare_df = participant_count(trials) - cells + 1)
+}
+
+# Sums of squares of a fit's effects and of their errors, and degrees of freedom.
+squares_of <- function(model, is_within) {
+  if (is_within) return(summary(model$Anova)$univariate.tests)
+  table <- model$Anova
+  cbind("num Df" = table[["Df"]], "Sum Sq" = table[["Sum Sq"]],
+    "Error SS" = table["Residuals", "Sum Sq"]) |> `rownames<-`(rownames(table))
 }
 
 anova_row <- function(effect, trials) {
@@ -66,7 +81,8 @@ anova_row <- function(effect, trials) {
   if (!is.finite(error)) error <- effect$ss_error
   limits <- effect$ss_error * partial / (1 - partial)
   method <- paste("ANOVA of participants' cell means,",
-    if (effect$corrected) "Greenhouse–Geisser" else "uncorrected")
+    if (!effect$within) "between participants" else
+      if (effect$corrected) "Greenhouse–Geisser" else "uncorrected")
   test_row(kAnovaFamily, method, effect$effect, "F", effect$F, effect$df1, effect$df2,
     effect$p, "generalised eta squared", effect$ges, limits / (limits + error), 0.90,
     participant_count(trials), nrow(trials))
@@ -116,7 +132,8 @@ pooled_test <- function(trials, label, factor, of, family) {
 
 # Friedman's rank test of participants' means for each factor, with Kendall's W.
 friedman_tests <- function(trials, factors) {
-  do.call(all_outcomes, lapply(factors, function(factor) {
+  between <- outcome(remarks = between_remark("No Friedman test", between_factors(trials, factors)))
+  do.call(all_outcomes, c(list(between), lapply(within_factors(trials, factors), function(factor) {
     means <- participant_means(trials, factor)
     complete <- complete_participants(means)
     remarks <- left_out_remark(paste("Friedman's test of", factor), nrow(means) - nrow(complete))
@@ -131,7 +148,7 @@ friedman_tests <- function(trials, factors) {
       size_name = "Kendall's W", size = agreement(ranked),
       interval = bootstrap_interval(ranked, agreement), interval_level = 0.95,
       participants = nrow(complete), trials = nrow(trials)), remarks)
-  }))
+  })))
 }
 
 # One row per participant: the ranks and, last, the correction for ties. A bootstrap draws these rows,
@@ -173,7 +190,9 @@ equivalence_margin <- function(scale) {
 # Are mean ratings at two levels closer than a margin that matters? Every pair of levels of every
 # factor, as an outcome. The unit is the participant.
 equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {
-  do.call(all_outcomes, lapply(factors, function(factor) {
+  between <- outcome(remarks = between_remark("No equivalence test",
+    between_factors(trials, factors)))
+  do.call(all_outcomes, c(list(between), lapply(within_factors(trials, factors), function(factor) {
     means <- participant_means(trials, factor)
     complete <- complete_participants(means)
     pairs <- utils::combn(colnames(complete), 2, simplify = FALSE)
@@ -183,7 +202,7 @@ equivalence_tests <- function(trials, factors, margin = kEquivalenceMargin) {
     }))
     all_outcomes(outcome(remarks = left_out_remark(paste("the equivalence tests of", factor),
       nrow(means) - nrow(complete))), tests)
-  }))
+  })))
 }
 
 # One test of participants' differences, in rating points.

@@ -42,19 +42,29 @@ apparatus_words <- function(sessions) {
       count_of(sum(sessions$sync_overridden), "sitting")))
 }
 
+# "delay in ms (0, 100, 300) was varied within participants; keys (f j, j f) was varied between
+# participants".
+varied_words <- function(part) {
+  factors <- unname(part$factors)
+  between <- between_factors(part$trials, factors)
+  groups <- list(within = setdiff(factors, between), between = between)
+  paste(unlist(lapply(names(groups), function(how) {
+    each <- vapply(groups[[how]], function(f) {
+      sprintf("%s (%s)", name_and_unit(f), levels_words(levels(droplevels(part$trials[[f]])),
+        "%d levels from %s to %s"))
+    }, "")
+    if (length(each) > 0) paste(and_words(unname(each)),
+      if (length(each) == 1) "was varied" else "were varied", how, "participants")
+  })), collapse = "; ")
+}
+
 # The design and the response of one part.
 part_methods <- function(part) {
   trials <- part$trials
-  factors <- vapply(unname(part$factors), function(f) {
-    sprintf("%s (%s)", name_and_unit(f), levels_words(levels(droplevels(trials[[f]])),
-      "%d levels from %s to %s"))
-  }, "")
   per <- range(table(trials$participant))
   c(
     sprintf("%s: %s, %s %ss of each participant.", title_of_part(part),
-      if (length(factors) == 0) "no factor varied" else paste(and_words(factors),
-        if (length(factors) == 1) "was varied within participants" else
-          "were varied within participants"), paste(unique(per), collapse = " to "), answer_noun(part)),
+      if (length(part$factors) == 0) "no factor varied" else varied_words(part), paste(unique(per), collapse = " to "), answer_noun(part)),
     switch(part$response,
       rating = sprintf("Participants rated from %s.", describe_scale(part$scale)),
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",

@@ -5,7 +5,7 @@
 #
 # Each factor is tested in a model of its own, with its own slope, beside all other factors as fixed
 # effects: a test of a factor without its slope takes differences between participants for an effect
-# of it (Barr 2013). A slope runs over the numbers of a factor, or over 1, 2, 3 where its levels are
+# of it (Barr 2013). A factor between participants, of which each has one level, has no slope. A slope runs over the numbers of a factor, or over 1, 2, 3 where its levels are
 # words. A likelihood-ratio test compares two models with the same random part and distribution, so
 # models that are compared fall back together. What a response adds is in response_models.R.
 # SPDX-License-Identifier: MIT
@@ -124,13 +124,15 @@ factor_tests <- function(trials, factors, response = "rating", tested = factors,
   if (response == "rating") trials$rating <- factor(trials$rating, ordered = TRUE)
   models <- lapply(stats::setNames(nm = tested), function(factor) {
     say_progress(model_step(factor))
-    fit_models(trials, factors, factor, factor, response, paste(of$kind, "for the test of", factor))
+    fit_models(trials, factors, within_factors(trials, factor), factor, response,
+      paste(of$kind, "for the test of", factor))
   })
   tests <- do.call(all_outcomes, unname(Map(function(fitted, factor) {
     model_tests(fitted, trials, factor)
   }, models, tested)))
   if (length(interactions) > 0) {
-    tests <- all_outcomes(tests, interaction_tests(trials, factors, factors[1], interactions))
+    tests <- all_outcomes(tests, interaction_tests(trials, factors,
+      utils::head(within_factors(trials, factors), 1), interactions))
   }
   c(tests, list(models = models, trials = trials))
 }

@@ -25,6 +25,24 @@ varying_factors <- function(trials, factors) {
   factors[vapply(factors, function(f) nlevels(droplevels(trials[[f]])) > 1, NA)]
 }
 
+# Those of the factors of which every participant has one level: they are tested between participants.
+between_factors <- function(trials, factors) {
+  if (participant_count(trials) < 2) return(character())
+  unname(factors[vapply(factors, function(f) {
+    own <- tapply(as.character(trials[[f]]), as.character(trials$participant),
+      function(level) length(unique(level)))
+    nlevels(droplevels(trials[[f]])) > 1 && all(own == 1)
+  }, NA)])
+}
+
+within_factors <- function(trials, factors) setdiff(factors, between_factors(trials, factors))
+
+# Why tests that pair a participant's means say nothing of them; nothing where there are none.
+between_remark <- function(test, factors) {
+  if (length(factors) == 0) return(character())
+  sprintf("%s of %s: each participant has one level of it.", test, and_words(factors))
+}
+
 # Means of the column `of` as a matrix: participants by cells of `factors`, the last factor varying
 # fastest. NA where a participant has no trial. Columns are named by their levels, "100 : 5".
 participant_means <- function(trials, factors, of = "rating") {
@@ -49,13 +67,15 @@ cell_factors <- function(cells) {
   do.call(rbind, strsplit(as.character(cells), " : ", fixed = TRUE))
 }
 
-# Means with within-participant intervals over the participants who have every cell; without
-# intervals, over everybody, when nobody has.
+# Means with within-participant intervals over the participants who have every cell; with Student's
+# t intervals over those of each cell where a factor is between participants; without intervals, over
+# everybody, when nobody has every cell.
 means_with_intervals <- function(trials, factors, of = "rating") {
   trials[factors] <- lapply(trials[factors], droplevels)
   means <- participant_means(trials, factors, of)
   complete <- complete_participants(means)
-  rows <- if (nrow(complete) > 0) cousineau_morey(complete) else data.frame(
+  rows <- if (nrow(complete) > 0) cousineau_morey(complete) else
+    if (length(between_factors(trials, factors)) > 0) t_intervals(means) else data.frame(
     cell = colnames(means), mean = colMeans(means, na.rm = TRUE), low = NA_real_, high = NA_real_)
   rows[factors] <- cell_factors(rows$cell)
   rows$x <- position_of(rows[[factors[1]]])
@@ -77,6 +97,13 @@ t_interval <- function(x, level = 0.95) {
   n <- length(x)
   half <- if (n > 1) stats::qt((1 + level) / 2, n - 1) * stats::sd(x) / sqrt(n) else NA
   c(mean = mean(x), low = mean(x) - half, high = mean(x) + half)
+}
+
+# Student's t intervals of the columns' means, each over the participants who have it.
+t_intervals <- function(means) {
+  rows <- apply(means, 2, function(x) t_interval(x[!is.na(x)]))
+  data.frame(cell = colnames(means), mean = rows["mean", ], low = rows["low", ],
+    high = rows["high", ], row.names = NULL)
 }
 
 # Within-participant intervals of the columns' means, one row per column of `means`.

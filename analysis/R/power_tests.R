@@ -101,12 +101,25 @@ power_tests_of_means <- function(trials, tested, of) {
     method <- "repeated-measures ANOVA of participants' means, Greenhouse–Geisser"
     if (is.null(trials[[factor]])) return(power_row(factor, NA, method, "no such factor varies"))
     trials[[factor]] <- droplevels(trials[[factor]])
+    if (length(between_factors(trials, factor)) > 0) return(power_between(trials, factor, of))
     means <- complete_participants(participant_means(trials, factor, of))
     if (nrow(means) < 2 || ncol(means) < 2) {
       return(power_row(factor, NA, method, "fewer than two participants with every level"))
     }
     power_row(factor, greenhouse_geisser_p(means), method)
   })
+}
+
+# A factor of which each participant has one level: their means in all that they saw.
+power_between <- function(trials, factor, of) {
+  method <- "ANOVA of participants' means, between participants"
+  groups <- tapply(as.character(trials[[factor]]), as.character(trials$participant), `[`, 1)
+  means <- tapply(trials[[of]], as.character(trials$participant), mean)
+  if (min(table(groups)) < 2) {
+    return(power_row(factor, NA, method, "fewer than two participants with every level"))
+  }
+  p <- stats::oneway.test(means ~ groups, var.equal = TRUE)$p.value
+  power_row(factor, if (is.finite(p)) p else NA, method)
 }
 
 power_tests_of_models <- function(part, tested) {

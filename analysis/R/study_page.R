@@ -93,7 +93,9 @@ design_lines <- function(parts) {
   rows <- each_row(c(unname(part$factors), part$constant), function(f) {
     per <- table(trials$participant, droplevels(trials[[f]]))
     data.frame(factor = label_of(f), levels = levels_words(colnames(per), "%d, %s to %s"),
-      trials = paste(unique(range(per)), collapse = " to "))
+      trials = if (length(between_factors(trials, f)) > 0) sprintf(
+        "%s, between participants: %s", paste(unique(range(per[per > 0])), collapse = " to "),
+        and_words(colSums(per > 0))) else paste(unique(range(per)), collapse = " to "))
   })
   c("<h3>Design</h3>", html_table(rows, c("Factor", "Levels", "Main trials of a participant at each")),
     html_paragraphs(c(

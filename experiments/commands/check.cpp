@@ -46,12 +46,13 @@ struct CheckOptions {
 void print_factors(const Protocol& protocol) {
   for (const Factor& factor : protocol.design.factors) {
     std::printf("  factor       %s = %s\n", factor.name.c_str(), level_list(factor).c_str());
-    std::printf("               %s; overrides %s\n", factor.label.c_str(), factor.pointer.c_str());
+    std::printf("               %s; %s%s\n", factor.label.c_str(),
+                factor.keys_of.empty() ? "overrides " : "", changed_by(factor).c_str());
   }
 }
 
 /// How often each level of each factor is shown in the main trials, catch trials apart; nobody
-/// knows it of adaptive levels.
+/// knows it of adaptive levels, and one level is all that a participant has between participants.
 void print_exposure(const Protocol& protocol, const Plan& plan) {
   std::map<std::string, std::int64_t> shown;
   for (const PlannedTrial& trial : plan) {
@@ -62,7 +63,8 @@ void print_exposure(const Protocol& protocol, const Plan& plan) {
     }
   }
   for (const Factor& factor : protocol.design.factors) {
-    if (protocol.design.adaptive && protocol.design.adaptive->factor == factor.name) {
+    if (factor.between ||
+        (protocol.design.adaptive && protocol.design.adaptive->factor == factor.name)) {
       continue;
     }
     std::string text;

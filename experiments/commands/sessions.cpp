@@ -1,5 +1,6 @@
 // `impetus sessions`: who takes part in a study, how far they came, how each sitting went.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -99,9 +100,19 @@ std::string title(const std::string& name, const SessionList& list) {
          "; times are UTC\n";
 }
 
+bool has_groups(const SessionList& list) {
+  return std::any_of(list.participations.begin(), list.participations.end(),
+                     [](const Participation& one) { return !one.group.empty(); });
+}
+
+/// With a column for groups where some protocol has factors between participants.
 std::string participation_table(const SessionList& list) {
   Rows rows{{"participant", "kind", "protocol", "trials", "finished", "sittings", "interrupted",
              "set aside", "late frames", "merged from"}};
+  const bool with_groups = has_groups(list);
+  if (with_groups) {
+    rows.front().push_back("group");
+  }
   for (const Participation& one : list.participations) {
     rows.push_back({one.participant, one.simulated ? "simulated" : "person", one.protocol,
                     std::to_string(one.completed_trials) + "/" + std::to_string(one.planned_trials),
@@ -109,6 +120,9 @@ std::string participation_table(const SessionList& list) {
                     std::to_string(one.sittings.size()), std::to_string(one.interrupted_attempts),
                     std::to_string(one.set_aside_attempts), late_frames(one),
                     or_none(one.merged_from)});
+    if (with_groups) {
+      rows.back().push_back(or_none(one.group));
+    }
   }
   return text_table(rows);
 }
@@ -184,6 +198,7 @@ json json_of(const Participation& one) {
           {"protocol", one.protocol},
           {"protocol_hash", one.protocol_hash},
           {"merged_from", text_or_null(one.merged_from)},
+          {"group", text_or_null(one.group)},
           {"planned_utc", one.planned_utc},
           {"finished_utc", text_or_null(one.finished_utc)},
           {"planned_trials", one.planned_trials},

@@ -46,6 +46,21 @@ bool belongs_to(const PlannedTrial& trial, const Condition& block) {
   });
 }
 
+bool has_blocks_alike(const Design& design) {
+  return design.blocks && design.blocks->factors.empty();
+}
+
+std::size_t block_of_condition(const PlannedTrial& trial, const std::vector<Condition>& blocks) {
+  const auto block = std::find_if(blocks.begin(), blocks.end(),
+                                  [&](const Condition& one) { return belongs_to(trial, one); });
+  return static_cast<std::size_t>(block - blocks.begin());
+}
+
+std::size_t block_of_repetition(const PlannedTrial& trial, const Design& design) {
+  const std::int64_t all = design.adaptive ? design.adaptive->trials_per_track : design.repetitions;
+  return static_cast<std::size_t>((trial.repetition - 1) * design.blocks->count / all);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> williams_square(std::size_t count) {
@@ -72,6 +87,9 @@ std::vector<Condition> block_order(const Design& design, const PlanKey& key) {
   if (!design.blocks) {
     return {Condition{}};
   }
+  if (has_blocks_alike(design)) {
+    return std::vector<Condition>(static_cast<std::size_t>(design.blocks->count));
+  }
   Design of_blocks;
   for (const Factor& factor : design.factors) {
     const auto& names = design.blocks->factors;
@@ -89,12 +107,12 @@ std::vector<Condition> block_order(const Design& design, const PlanKey& key) {
   return blocks;
 }
 
-TrialBlocks divided(std::vector<PlannedTrial> trials, const std::vector<Condition>& blocks) {
+TrialBlocks divided(std::vector<PlannedTrial> trials, const Design& design, const PlanKey& key) {
+  const std::vector<Condition> blocks = block_order(design, key);
   TrialBlocks parts(blocks.size());
   for (PlannedTrial& trial : trials) {
-    const auto block = std::find_if(blocks.begin(), blocks.end(),
-                                    [&](const Condition& one) { return belongs_to(trial, one); });
-    const auto index = static_cast<std::size_t>(block - blocks.begin());
+    const std::size_t index = has_blocks_alike(design) ? block_of_repetition(trial, design)
+                                                       : block_of_condition(trial, blocks);
     trial.block = static_cast<std::int64_t>(index) + 1;
     parts[index].push_back(std::move(trial));
   }

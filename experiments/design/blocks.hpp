@@ -21,11 +21,14 @@ namespace impetus::inline design {
 std::vector<std::vector<std::size_t>> williams_square(std::size_t count);
 
 /// The combinations of the block factors' levels in the order in which this participant gets
-/// their blocks; one empty condition for a design without blocks. Throws InputError, naming
+/// their blocks; an empty condition for each block of a design whose blocks are alike, and one for
+/// a design without blocks. Throws InputError, naming
 /// --participant, when a Latin square meets a code that does not end in a number.
 std::vector<Condition> block_order(const Design& design, const PlanKey& key);
 
-/// `trials` divided among the blocks, each in the order given, with the number of its block.
-TrialBlocks divided(std::vector<PlannedTrial> trials, const std::vector<Condition>& blocks);
+/// `trials` divided among the design's blocks, in the participant's order of them, with the number
+/// of each trial's block. Blocks alike get equally many repetitions, the first block the first
+/// ones; their count divides the repetitions (or a track's trials).
+TrialBlocks divided(std::vector<PlannedTrial> trials, const Design& design, const PlanKey& key);
 
 }  // namespace impetus::inline design

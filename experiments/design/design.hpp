@@ -23,12 +23,14 @@ struct FactorLevel {
 /// One cell of the design: a level for every factor, in the design's order of factors.
 using Condition = std::vector<FactorLevel>;
 
-/// One factor and all its levels.
+/// One factor and all its levels, which are values of the scene or keys of answers.
 struct Factor {
   std::string name;
   std::vector<LevelValue> levels;
-  std::string pointer{};  ///< JSON Pointer to the value of the scene that it overrides
+  std::string pointer{};  ///< JSON Pointer to the value of the scene that it overrides; "": none
   std::string label{};    ///< for people
+  bool between{false};    ///< between participants: each of them has one level of it
+  std::string keys_of{};  ///< the question whose answers have its levels as keys; "": none
 };
 
 /// No more than `longest` trials in a row may have the same level of `factor`.
@@ -39,12 +41,14 @@ struct LongestRun {
 
 /// Trials come in blocks, one for each cell of `factors`; within a block the others vary. The order
 /// of blocks is drawn, or a row of a Latin square: that of the number the participant's code ends
-/// in, so that P01, P02, ... are counterbalanced.
+/// in, so that P01, P02, ... are counterbalanced. Without factors there are `count` blocks alike,
+/// each of which has every cell equally often.
 struct Blocks {
   /// Drawn, as the levels stand, or a row of the square.
   enum class Order { kRandom, kFixed, kLatinSquare };
   std::vector<std::string> factors;
   Order order{Order::kRandom};
+  std::int64_t count{1};
 };
 
 /// Trials outside the design, spread among the main ones, whose right answer is known.

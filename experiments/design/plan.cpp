@@ -9,6 +9,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/design/between_participants.hpp"
 #include "experiments/design/blocks.hpp"
 #include "experiments/design/trial_order.hpp"
 
@@ -166,13 +167,15 @@ void order_main_trials(TrialBlocks& blocks, const Design& design, RandomStream& 
 
 }  // namespace
 
-Plan make_plan(const Design& design, const PlanKey& key) {
+Plan make_plan(const Design& all_groups, const PlanKey& key) {
+  const Design design =
+      design_of_group(all_groups, key.group ? *key.group : draw_group(all_groups, key, {}));
   const std::string owner = key.protocol + "/" + key.participant;
   RandomStream order(key.seed, (design.adaptive ? "tracks/" : "order/") + owner);
   RandomStream catches(key.seed, "catch trials/" + owner);
   RandomStream seeds(key.seed, "trial seeds/" + owner);
 
-  TrialBlocks blocks = divided(main_trials(design), block_order(design, key));
+  TrialBlocks blocks = divided(main_trials(design), design, key);
   order_main_trials(blocks, design, order, catches);
 
   Plan plan = practice_trials(design);

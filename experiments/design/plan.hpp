@@ -48,13 +48,18 @@ struct ChosenLevel {
   std::vector<FactorLevel> state;  ///< of the track before the trial, by name
 };
 
-/// Whose plan it is: the order depends on these three alone, on every machine.
+/// Whose plan it is: the order depends on these alone, on every machine.
 struct PlanKey {
   std::string protocol;
   std::string participant;
   std::uint64_t seed{0};
+  /// The participant's levels of the factors between participants; none: those of the study's first
+  /// participant.
+  std::optional<Condition> group{};
 };
 
+/// Of a design with factors between participants, the trials of the key's group alone.
+///
 /// Practice in its given order, then every cell × repetition (or the trials of every adaptive
 /// track) block by block, in an order drawn uniformly from those that satisfy the design's longest
 /// runs, with the catch trials spread among them. Throws std::runtime_error when no such order was

@@ -105,6 +105,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"call_experimenter"},
     {"practice_unclear"},
     {"experimenter_decides"},
+    {"frames_late"},
     {"practice_over"},
     {"scale_use"},
     {"used_never", TextUse::kLabel},

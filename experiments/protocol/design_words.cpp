@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/design/between_participants.hpp"
 #include "experiments/design/blocks.hpp"
 
 namespace impetus::inline protocol {
@@ -20,15 +21,41 @@ std::string cells_line(const Design& design) {
            count_of(design.adaptive->trials_per_track, "trial", "trials each") + ".";
   }
   std::string product;
+  std::size_t within = 0;
   for (const Factor& factor : design.factors) {
-    product += (product.empty() ? "" : " × ") + std::to_string(factor.levels.size());
+    if (!factor.between) {
+      product += (product.empty() ? "" : " × ") + std::to_string(factor.levels.size());
+      ++within;
+    }
   }
-  return product + (design.factors.size() > 1 ? " cells, " : " levels, ") +
+  return (product.empty() ? "1" : product) +
+         (within > 1    ? " cells, "
+          : within == 1 ? " levels, "
+                        : " cell, ") +
          count_of(design.repetitions, "repetition", "repetitions") + " of each.";
+}
+
+/// "" where all factors vary within participants.
+std::string between_line(const Design& design) {
+  std::string names;
+  for (const Factor& factor : design.factors) {
+    if (factor.between) {
+      names += (names.empty() ? "`" : " × `") + factor.name + "`";
+    }
+  }
+  return names.empty()
+             ? ""
+             : "Between participants: " + names + ", " + std::to_string(groups(design).size()) +
+                   " groups. Whoever is planned for joins one that has the fewest so far, "
+                   "drawn by seed and code; that is kept with the plan.";
 }
 
 std::string blocks_line(const Design& design) {
   const Blocks& blocks = *design.blocks;
+  if (blocks.factors.empty()) {
+    return std::to_string(blocks.count) +
+           " blocks alike, each with every cell equally often, in random order within.";
+  }
   const std::size_t count = block_order(design, {"", "P01", 1}).size();
   std::string names;
   for (const std::string& factor : blocks.factors) {
@@ -92,6 +119,10 @@ std::string level_list(const Factor& factor) {
   return text;
 }
 
+std::string changed_by(const Factor& factor) {
+  return factor.keys_of.empty() ? factor.pointer : "keys of " + factor.keys_of;
+}
+
 std::string condition_words(const Condition& condition) {
   std::string text;
   for (const FactorLevel& level : condition) {
@@ -102,7 +133,10 @@ std::string condition_words(const Condition& condition) {
 
 std::vector<std::string> design_lines(const Design& design,
                                       std::string (*text_of)(std::string_view)) {
-  std::vector<std::string> lines{cells_line(design)};
+  std::vector<std::string> lines{cells_line(design_of_group(design, groups(design).front()))};
+  if (const std::string line = between_line(design); !line.empty()) {
+    lines.push_back(line);
+  }
   if (design.adaptive) {
     lines.push_back(adaptive_line(*design.adaptive));
   }

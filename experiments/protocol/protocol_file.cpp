@@ -73,6 +73,7 @@ std::string hash_of(const json& protocol, const json& scene) {
 Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_participants(protocol);
   require_scene(scene, *protocol.shapes);
+  take_levels_of_scene(protocol, scene.value);
   protocol.hash = hash_of(protocol.document.value, scene.value);
   protocol.scene = std::move(scene);
   check_design(protocol);
@@ -96,7 +97,9 @@ json scene_under(const Protocol& protocol, const Condition& condition) {
   json scene = protocol.scene.value;
   for (const FactorLevel& level : condition) {
     const Factor& factor = protocol.design.factors.at(factor_place(protocol.design, level.factor));
-    scene[json::json_pointer(factor.pointer)] = to_json(level.value);
+    if (!factor.pointer.empty()) {
+      scene[json::json_pointer(factor.pointer)] = to_json(level.value);
+    }
   }
   return scene;
 }

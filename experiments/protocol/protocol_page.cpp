@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <vector>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/languages/language_file.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/protocol/expected_length.hpp"
+#include "experiments/questions/question_order.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/tables/plain_text.hpp"
 
@@ -71,7 +73,7 @@ std::string factors(const Protocol& protocol) {
   page += table_head({"factor", "levels", "meaning", "value of the scene"});
   for (const Factor& factor : protocol.design.factors) {
     page += table_row({"`" + factor.name + "`", markdown_text(level_list(factor)),
-                       markdown_text(factor.label), markdown_code(factor.pointer)});
+                       markdown_text(factor.label), markdown_code(changed_by(factor))});
   }
   return page;
 }
@@ -81,9 +83,16 @@ std::string order(const Protocol& protocol) {
   for (const std::string& line : design_lines(protocol.design, markdown_text)) {
     page += "- " + line + "\n";
   }
-  return page +
-         "- Order and seeds follow from the protocol's name, the participant's code and the "
-         "session's seed alone; they are stored before the first trial.\n";
+  const bool has_groups = groups(protocol.design).size() > 1;
+  return page + "- Order and seeds follow from the protocol's name, the participant's code" +
+         (has_groups ? ", the group" : "") +
+         " and the session's seed alone; they are stored before the first trial.\n";
+}
+
+/// The order in which questions are told: a random one as kinds are listed.
+std::vector<std::size_t> listed_order(Script script) {
+  script.question_order.is_drawn = false;
+  return order_of_questions(script, 0);
 }
 
 std::string trial(const Protocol& protocol) {
@@ -99,7 +108,8 @@ std::string trial(const Protocol& protocol) {
                                           number_words(two->between_ms()) + " ms apart"
                                     : "the stimulus";
   std::string questions;
-  for (const auto& question : script.asked) {
+  for (const std::size_t place : listed_order(script)) {
+    const auto& question = script.asked[place];
     const std::string words = question->explanation(markdown_text);
     if (question->kind().during_stimulus) {
       what += "; " + words;
@@ -114,6 +124,9 @@ std::string trial(const Protocol& protocol) {
       length.shortest_s == length.longest_s
           ? number_words(length.longest_s) + " s"
           : number_words(length.shortest_s) + " to " + number_words(length.longest_s) + " s";
+  if (script.question_order.is_drawn) {
+    questions += table_row({"", "the questions come in an order that is drawn for each trial"});
+  }
   return page + table_row({span, what}) + questions;
 }
 
@@ -211,6 +224,8 @@ std::string words_shown(const Protocol& protocol) {
   }
   if (script.break_every > 0) {
     page += "Every " + std::to_string(script.break_every) + " trials: " + quoted(script.break_text);
+  } else if (breaks_after_blocks(script)) {
+    page += "After each block: " + quoted(script.break_text);
   }
   for (const FreeQuestion& question : script.questions) {
     page += "At the end: “" + markdown_text(question.text) + "”\n\n";

@@ -2,11 +2,15 @@
 #include "experiments/protocol/protocol_rows.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
+#include "experiments/questions/question_order.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/settings/schema_sentences.hpp"
 
@@ -29,11 +33,20 @@ Kind<std::string> id_kind() { return text_like("^[a-z][a-z0-9_]*$"); }
 
 Kind<Factor> factor_kind() {
   using F = Factor;
-  return object<F>("",
-                   {required("name", &F::name, id_kind()), row("label", &F::label, any_text()),
-                    required("pointer", &F::pointer, text_like("^/"),
-                             "JSON Pointer to the value in the scene that the factor overrides."),
-                    required("levels", &F::levels, list(factor_level_kind(), kSomeUnlike))});
+  return object<F>(
+      "",
+      {required("name", &F::name, id_kind()), row("label", &F::label, any_text()),
+       row("pointer", &F::pointer, text_like("^/"),
+           "JSON Pointer to the value in the scene that the factor overrides."),
+       row("keys_of", &F::keys_of, text(),
+           "In place of a pointer: the question (yes_no, two_interval) whose answers have "
+           "other keys at each level: \"f j\", \"j f\". Each key keeps its side of the screen."),
+       row("between", &F::between, flag(),
+           "Between participants: each has one level, of those that the fewest have so far, drawn "
+           "by the seed and the participant's code and kept with the plan; false when left out. "
+           "Practice and catch trials, which do not name the factor, have the same level."),
+       required("levels", &F::levels, list(own_level_kind(), kSomeUnlike),
+                "null is the scene's own value.")});
 }
 
 Kind<LongestRun> longest_run_kind() {
@@ -45,16 +58,19 @@ Kind<LongestRun> longest_run_kind() {
 Kind<Blocks> blocks_kind() {
   using B = Blocks;
   return object<B>(
-      "Trials come in blocks, one for each combination of these factors' levels; the other factors "
-      "vary within.",
-      {required("factors", &B::factors, list(any_text(), kSomeUnlike)),
-       required("order", &B::order,
-                choice<B::Order>({{"random", B::Order::kRandom},
-                                  {"fixed", B::Order::kFixed},
-                                  {"latin-square", B::Order::kLatinSquare}}),
-                "random: drawn. fixed: as listed. latin-square: a row of a square that "
-                "counterbalances first-order effects (Williams 1949), by the number at the end of "
-                "the participant's code.")});
+      "Trials come in blocks: one for each combination of the factors' levels, within which the "
+      "other factors vary; or so many alike.",
+      {row("count", &B::count, count(2, 1000),
+           "Blocks alike, in place of factors and order: each has every cell equally often, so "
+           "that their number divides the repetitions, or the trials of a track."),
+       row("factors", &B::factors, list(any_text(), kSomeUnlike)),
+       row("order", &B::order,
+           choice<B::Order>({{"random", B::Order::kRandom},
+                             {"fixed", B::Order::kFixed},
+                             {"latin-square", B::Order::kLatinSquare}}),
+           "random: drawn. fixed: as listed. latin-square: a row of a square that "
+           "counterbalances first-order effects (Williams 1949), by the number at the end of "
+           "the participant's code.")});
 }
 
 Kind<CatchTrials> catch_kind() {
@@ -114,8 +130,8 @@ Kind<PracticeRule> practice_rule_kind() {
   return object<R>(
       "Practice is repeated until, in one round, something was clicked in a trial of the worst "
       "level (where clicks are asked for) and the best level was rated better on average.",
-      {required("factor", &R::factor, any_text()), required("best", &R::best, factor_level_kind()),
-       required("worst", &R::worst, factor_level_kind()),
+      {required("factor", &R::factor, any_text()), required("best", &R::best, own_level_kind()),
+       required("worst", &R::worst, own_level_kind()),
        required("rounds", &R::rounds, count(1, 20),
                 "At most; after the last the experimenter decides.")});
 }
@@ -245,6 +261,22 @@ Kind<Demonstration> demonstration_kind() {
                                                    "Values of the scene by JSON Pointer.")}));
 }
 
+Kind<LatenessRule> lateness_kind() {
+  using L = LatenessRule;
+  return object<L>(
+      "When more than a share of the timed frames since the last break came late, or what was "
+      "shown took longer than it should by more than that.",
+      {required(
+           "then", &L::then,
+           choice<L::Then>({{"nothing", L::Then::kNothing},
+                            {"tell", L::Then::kTell},
+                            {"stop", L::Then::kStop}}),
+           "tell, as when left out: a sentence on the terminal and a note in the study, at the "
+           "next break and at the end. stop: at a break, and after practice, the session waits "
+           "for the experimenter as well, who decides whether it goes on."),
+       row("most_share", &L::most_share, number({0, 1}), "0.01 when left out.")});
+}
+
 Kind<ResumeRule> resume_kind() {
   using R = ResumeRule;
   return object<R>(
@@ -273,10 +305,12 @@ Row<S> session_row() {
        required("instructions", &S::instructions, list(page_kind(), {})),
        row("demonstrations", &S::demonstrations, list(demonstration_kind(), {0, 100}),
            "Scenes shown before practice, each named first; not recorded as trials."),
-       group<S>("breaks", rows_with_text<S>({required("every", &S::break_every, count(1),
-                                                      "Main trials between breaks.")},
-                                            &S::break_text, {})),
-       row("resume", &S::resume, resume_kind()),
+       group<S>("breaks",
+                rows_with_text<S>({row("every", &S::break_every, count(1),
+                                       "Main trials between breaks; after each block when "
+                                       "left out.")},
+                                  &S::break_text, {})),
+       row("resume", &S::resume, resume_kind()), row("late_frames", &S::lateness, lateness_kind()),
        row("questions", &S::questions, list(question, {}),
            "Asked after the last trial; answered in free text."),
        required("thanks", &S::thanks, page_kind())});
@@ -309,7 +343,8 @@ const Kind<P>& protocol_kind() {
     const std::vector<Row<P>> language = language_rows();
     rows.insert(rows.end(), language.begin(), language.end());
     std::vector<Row<S>> script = question_rows();
-    script.insert(script.end(), {timing_row(), row("gaze", &S::gaze, gaze_kind()), session_row()});
+    script.insert(script.end(), {question_order_row(), timing_row(),
+                                 row("gaze", &S::gaze, gaze_kind()), session_row()});
     for (const Row<S>& each : script) {
       rows.push_back(row_within(&P::script, each));
     }
@@ -342,6 +377,11 @@ void complete(Protocol& protocol) {
   for (Condition& condition : design.practice) {
     sort_levels(design, condition);
   }
+  for (const Factor& factor : design.factors) {
+    if (!factor.keys_of.empty()) {
+      protocol.script.key_factors.push_back(key_factor(factor));
+    }
+  }
   if (protocol.script.practice_rule) {
     design.practice_rounds = protocol.script.practice_rule->rounds;
   }
@@ -350,6 +390,61 @@ void complete(Protocol& protocol) {
     design.most_practice_trials = protocol.script.training_rule->most_trials;
     design.practice_rounds = round > 0 ? (design.most_practice_trials + round - 1) / round : 0;
   }
+}
+
+/// What the scene says in place of null, by factor.
+using OwnLevels = std::map<std::string, nlohmann::json>;
+
+OwnLevels own_levels(const Design& design, const nlohmann::json& scene) {
+  OwnLevels levels;
+  for (const Factor& factor : design.factors) {
+    if (names_single_value(scene, factor.pointer)) {
+      levels[factor.name] = scene[nlohmann::json::json_pointer(factor.pointer)];
+    }
+  }
+  return levels;
+}
+
+void put_own(const OwnLevels& own, const std::string& factor, nlohmann::json& level) {
+  const auto found = own.find(factor);
+  if (level.is_null() && found != own.end()) {
+    level = found->second;
+  }
+}
+
+void put_own(const OwnLevels& own, nlohmann::json& condition) {
+  for (auto level = condition.begin(); level != condition.end(); ++level) {
+    put_own(own, level.key(), level.value());
+  }
+}
+
+/// The document with levels in place of null, wherever it may have it.
+nlohmann::json with_own_levels(nlohmann::json document, const OwnLevels& own) {
+  nlohmann::json& design = document["design"];
+  for (nlohmann::json& factor : design["factors"]) {
+    for (nlohmann::json& level : factor["levels"]) {
+      put_own(own, factor["name"], level);
+    }
+  }
+  if (design.contains("practice")) {
+    for (nlohmann::json& condition : design["practice"]) {
+      put_own(own, condition);
+    }
+  }
+  if (design.contains("catch_trials")) {
+    for (nlohmann::json& kind : design["catch_trials"]) {
+      put_own(own, kind["condition"]);
+    }
+  }
+  if (design.contains("practice_until")) {
+    nlohmann::json& rule = design["practice_until"];
+    put_own(own, rule["factor"], rule["best"]);
+    put_own(own, rule["factor"], rule["worst"]);
+  }
+  if (document.contains("two_interval")) {
+    put_own(own, document["two_interval"]["standard"]);
+  }
+  return document;
 }
 
 }  // namespace
@@ -369,6 +464,19 @@ Protocol read_protocol(JsonDocument document) {
   protocol.script.language = language_of(document);
   protocol.document = std::move(document);
   return protocol;
+}
+
+void take_levels_of_scene(Protocol& protocol, const nlohmann::json& scene) {
+  const nlohmann::json document =
+      with_own_levels(protocol.document.value, own_levels(protocol.design, scene));
+  if (document == protocol.document.value) {
+    return;
+  }
+  Protocol anew = protocol_kind().read(document);
+  complete(anew);
+  protocol.design = std::move(anew.design);
+  protocol.script.asked = std::move(anew.script.asked);
+  protocol.script.practice_rule = std::move(anew.script.practice_rule);
 }
 
 }  // namespace impetus::inline protocol

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
@@ -82,11 +83,15 @@ int deepest_level_of(const Protocol& protocol) {
   for (const Condition& cell : cells_of_engine(protocol)) {
     look_at(cell);
   }
-  for (const Condition& condition : protocol.design.practice) {
-    look_at(condition);
+  for (const Condition& practised : protocol.design.practice) {
+    for (const Condition& condition : in_every_group(practised, protocol.design)) {
+      look_at(condition);
+    }
   }
   for (const CatchTrials& kind : protocol.design.catch_trials) {
-    look_at(kind.condition);
+    for (const Condition& condition : in_every_group(kind.condition, protocol.design)) {
+      look_at(condition);
+    }
   }
   return deepest;
 }
@@ -126,7 +131,9 @@ void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
     }
   }
   for (const CatchTrials& kind : protocol_->design.catch_trials) {
-    static_cast<void>(stage(kind.condition, screen));
+    for (const Condition& condition : in_every_group(kind.condition, protocol_->design)) {
+      static_cast<void>(stage(condition, screen));
+    }
   }
   for (const Demonstration& demonstration : protocol_->script.demonstrations) {
     static_cast<void>(stage_demonstration(demonstration.id, screen));

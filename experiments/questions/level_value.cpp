@@ -14,12 +14,18 @@ LevelValue level_value(const json& value) {
   if (value.is_boolean()) {
     return value.get<bool>();
   }
-  return value.get<double>();
+  return value.is_null() ? LevelValue{} : value.get<double>();
 }
 
 Kind<LevelValue> factor_level_kind() {
   const OrderedJson types{{"type", {"number", "string", "boolean"}}};
   return defined("level", Kind<LevelValue>{{types}, level_value});
+}
+
+Kind<LevelValue> own_level_kind() {
+  const OrderedJson types{{"type", {"number", "string", "boolean", "null"}}};
+  return defined("level_or_null", Kind<LevelValue>{{types}, level_value},
+                 "null: as the scene says.");
 }
 
 Kind<Condition> condition_kind() {
@@ -30,7 +36,7 @@ Kind<Condition> condition_kind() {
     }
     return condition;
   };
-  return defined("condition", Kind<Condition>{by_name_form(factor_level_kind()), read},
+  return defined("condition", Kind<Condition>{by_name_form(own_level_kind()), read},
                  "A level for every factor, by name.");
 }
 
@@ -75,6 +81,17 @@ const Factor& named_factor(const JsonDocument& protocol, const std::string& plac
     refuse(protocol, place, "expected the name of a factor, got " + json_text(name));
   }
   return *factor;
+}
+
+const Factor& factor_within(const JsonDocument& protocol, const std::string& place,
+                            const Design& design, const std::string& name) {
+  const Factor& factor = named_factor(protocol, place, design, name);
+  if (factor.between) {
+    refuse(protocol, place,
+           "expected a factor that varies within participants, got " + json_text(name) +
+               ", which is between them");
+  }
+  return factor;
 }
 
 }  // namespace impetus::inline questions

@@ -10,9 +10,12 @@
 
 namespace impetus::inline questions {
 
-/// A word, true or false, or else a number.
+/// A word, true or false, or else a number; 0 for null, in whose place the scene's own value is
+/// put.
 LevelValue level_value(const nlohmann::json& value);
 Kind<LevelValue> factor_level_kind();
+/// The same, or null.
+Kind<LevelValue> own_level_kind();
 
 /// A level for every factor, {"delay_ms": 100, ...}, in the order of the names.
 Kind<Condition> condition_kind();
@@ -31,6 +34,10 @@ std::string list_text(const std::vector<LevelValue>& levels);
 /// protocol names it.
 const Factor& named_factor(const JsonDocument& protocol, const std::string& place,
                            const Design& design, const std::string& name);
+
+/// The same; refuses one that is between participants, of which a session has one level.
+const Factor& factor_within(const JsonDocument& protocol, const std::string& place,
+                            const Design& design, const std::string& name);
 
 /// A value in quotes or a number, as a file has it, for messages.
 inline std::string json_text(const LevelValue& value) { return to_json(value).dump(); }

@@ -94,6 +94,10 @@ class Question {
   virtual void check_in_design(const JsonDocument& /*protocol*/, const Design& /*design*/) const {}
   /// Whether an answer can be right or wrong.
   [[nodiscard]] virtual bool has_right_answer() const { return false; }
+  /// How many answers have a key that a protocol may choose; 0: none.
+  [[nodiscard]] virtual std::size_t keyed_answers() const { return 0; }
+  /// The keys that the protocol's block chooses for them; none: the page has its own.
+  [[nodiscard]] virtual std::vector<std::string> keys() const { return {}; }
   /// The page after the stimulus; none: nothing is asked then, and nothing kept.
   [[nodiscard]] virtual std::optional<Page> page(const AskedTrial& /*asked*/) const { return {}; }
   /// Puts what was answered, or that the time was up, into the record.

@@ -86,6 +86,30 @@ struct FreeQuestion {
   std::string text;
 };
 
+/// A factor whose levels are the keys of a question's answers.
+struct KeyFactor {
+  std::string question;  ///< its block in the protocol
+  std::string factor;
+  std::vector<std::string> places;  ///< the keys from left to right
+};
+
+/// In which order the questions after the stimulus are asked.
+struct QuestionOrder {
+  bool is_drawn{false};  ///< for each trial anew, by its seed
+  std::vector<std::string>
+      questions;  ///< by their blocks in the protocol; none: as kinds are listed
+};
+
+/// What becomes of a session in which too many of the timed frames come late, or stimuli run slower
+/// than real time.
+struct LatenessRule {
+  /// Nothing; the experimenter is told at the next break; the session stops there, too, until the
+  /// experimenter decides.
+  enum class Then { kNothing, kTell, kStop };
+  Then then{Then::kTell};
+  double most_share{0.01};  ///< of the frames since the last break, and of the time they take
+};
+
 /// Where a session that was left goes on, and until when it may.
 struct ResumeRule {
   /// At the next trial, or at the start of its block.
@@ -106,15 +130,23 @@ struct Script {
   std::optional<PracticeRule> practice_rule;    ///< none: practice is one round
   std::optional<TrainingRule> training_rule{};  ///< in its place
   Text break_text;
-  std::int64_t break_every{0};  ///< main trials; 0: no breaks
+  std::int64_t break_every{0};  ///< main trials; 0: after each block, where there are any
   std::vector<FreeQuestion> questions;
   Text thanks;
   bool part_follows{false};  ///< after the thanks: another protocol of a series
   TrialTiming timing;
   std::optional<GazeTask> gaze;
   Questions asked{};  ///< of each trial, in the order in which they are asked
+  QuestionOrder question_order{};
+  std::vector<KeyFactor> key_factors{};
+  LatenessRule lateness{};
   ResumeRule resume{};
 };
+
+/// Whether breaks come after each block.
+inline bool breaks_after_blocks(const Script& script) {
+  return script.break_every == 0 && !script.break_text.title.empty();
+}
 
 /// The rule for a lost gaze; none where the gaze is not followed.
 inline std::optional<GazeLossRule> gaze_loss_rule(const Script& script) {

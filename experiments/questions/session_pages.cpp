@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/session_pages.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace impetus::inline questions {
 namespace {
 
@@ -149,6 +152,20 @@ Page practice_not_understood(const SessionProgress& progress) {
       {language.text("call_experimenter"),
        {language.text("practice_unclear"), language.text("experimenter_decides")}},
       progress);
+}
+
+Page frames_were_late(std::int64_t late, std::int64_t frames, double slower_share,
+                      const SessionProgress& progress) {
+  const Language& language = progress.language;
+  std::array<char, 32> percent{};
+  std::snprintf(percent.data(), percent.size(), "%.2g", 100.0 * slower_share);
+  const std::string share = language.text("percent", {{"number", language.number(percent.data())}});
+  return experimenter_decides({language.text("call_experimenter"),
+                               {language.text("frames_late", {{"late", std::to_string(late)},
+                                                              {"frames", std::to_string(frames)},
+                                                              {"share", share}}),
+                                language.text("experimenter_decides")}},
+                              progress);
 }
 
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,

@@ -55,6 +55,11 @@ Page experimenter_decides(const Text& text, const SessionProgress& progress);
 /// After the last such round: the experimenter decides.
 Page practice_not_understood(const SessionProgress& progress);
 
+/// At a break: so many of the timed frames were late, and what was shown took a share longer than
+/// it should; the experimenter decides.
+Page frames_were_late(std::int64_t late, std::int64_t frames, double slower_share,
+                      const SessionProgress& progress);
+
 /// After practice: how often each point was used, and a reminder when only one was.
 Page practice_summary(const RatingScale& scale, const std::map<std::int64_t, std::int64_t>& use,
                       const SessionProgress& progress);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
 
 namespace impetus::inline questions {
@@ -28,7 +29,7 @@ Kind<std::shared_ptr<const Question>> TwoIntervalQuestion::rows() {
       {required("question", &T::question_, text()),
        row("first", &T::first_, text(),
            "The words on the choice; the first, in the protocol's language, when left out."),
-       row("second", &T::second_, text()),
+       row("second", &T::second_, text()), row("keys", &T::keys_, answer_keys_kind()),
        required("standard", &T::standard_, condition_kind(),
                 "Levels that the standard has in place of the condition's."),
        row("between_ms", &T::between_ms_, number({0, 60000}),

@@ -32,6 +32,8 @@ class TwoIntervalQuestion final : public Question {
 
   [[nodiscard]] const ResponseKind& kind() const override;
   [[nodiscard]] bool has_right_answer() const override { return true; }
+  [[nodiscard]] std::size_t keyed_answers() const override { return 2; }
+  [[nodiscard]] std::vector<std::string> keys() const override { return keys_; }
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override;
   void keep(const AskedTrial& asked, const Answer& answer, AttemptRecord& record) const override;
   [[nodiscard]] Text feedback(const AttemptRecord& record, const Language& language) const override;
@@ -44,6 +46,7 @@ class TwoIntervalQuestion final : public Question {
   std::string question_;
   std::optional<std::string> first_;  ///< the words on the two choices; none: the language's
   std::optional<std::string> second_;
+  std::vector<std::string> keys_;  ///< of the first and the second; none: 1 and 2
   Condition standard_;
   double between_ms_{500.0};
   double timeout_ms_{0.0};  ///< 0: none

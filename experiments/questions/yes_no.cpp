@@ -4,6 +4,7 @@
 //   yes is right   where the level of a factor is above a number, no elsewhere
 //
 // SPDX-License-Identifier: MIT
+#include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
@@ -26,7 +27,8 @@ class YesNoQuestion final : public Question {
         {required("question", &Y::question_, text()),
          row("yes", &Y::yes_, text(),
              "The words on the choice; yes, in the protocol's language, when left out."),
-         row("no", &Y::no_, text()), row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
+         row("no", &Y::no_, text()), row("keys", &Y::keys_, answer_keys_kind()),
+         row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
          group<Y>("right_when",
                   {required("factor", &Y::right_factor_, any_text()),
                    required("above", &Y::right_above_, number({}))},
@@ -50,6 +52,8 @@ class YesNoQuestion final : public Question {
   }
 
   [[nodiscard]] const ResponseKind& kind() const override { return yes_no_kind(); }
+  [[nodiscard]] std::size_t keyed_answers() const override { return 2; }
+  [[nodiscard]] std::vector<std::string> keys() const override { return keys_; }
   [[nodiscard]] bool has_right_answer() const override { return right_factor_.has_value(); }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
@@ -117,7 +121,8 @@ class YesNoQuestion final : public Question {
   std::string question_;
   std::optional<std::string> yes_;  ///< none: the language's
   std::optional<std::string> no_;
-  double timeout_ms_{0.0};  ///< 0: none
+  std::vector<std::string> keys_;  ///< none: the language's
+  double timeout_ms_{0.0};         ///< 0: none
   std::optional<std::string>
       right_factor_;  ///< yes is right where its level is above; none: nothing is right
   double right_above_{0.0};

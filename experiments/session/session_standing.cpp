@@ -44,6 +44,12 @@ bool SessionStanding::main_has_begun() const {
   return static_cast<std::int64_t>(main.waiting.size()) < main.total;
 }
 
+bool SessionStanding::is_block_done(std::int64_t block) const {
+  const std::vector<const PlannedTrial*> waiting = trials_of(TrialPhase::kMain, 0).waiting;
+  return std::none_of(waiting.begin(), waiting.end(),
+                      [&](const PlannedTrial* trial) { return trial->block == block; });
+}
+
 std::optional<std::int64_t> SessionStanding::next_slot() const {
   if (!main_has_begun()) {
     const PhaseTrials practice = trials_of(TrialPhase::kPractice, round_);

@@ -58,6 +58,7 @@ class SessionStanding {
   [[nodiscard]] std::vector<PracticeResult> practice_results(std::int64_t round) const;
 
   [[nodiscard]] bool main_has_begun() const;
+  [[nodiscard]] bool is_block_done(std::int64_t block) const;  ///< of main trials
   /// The next trial that is not done: of practice until main trials have begun; none: all are.
   [[nodiscard]] std::optional<std::int64_t> next_slot() const;
   [[nodiscard]] std::int64_t last_round() const;  ///< of practice that is planned; 0: none

@@ -5,9 +5,12 @@
 #include <deque>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/gaze/gaze_latency.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/questions/answer_keys.hpp"
+#include "experiments/questions/question_order.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/record/frame_grid.hpp"
@@ -115,20 +118,41 @@ class Attempt {
     for (Stimulus& stimulus : stimuli_) {
       stimulus.be_witnessed();
     }
-    for (const auto& question : script_.asked) {
-      const std::optional<Page> page = question->page(asked_);
-      if (!page) {
-        continue;
+    std::vector<std::optional<Answer>> answers(script_.asked.size());
+    for (const std::size_t place : order_of_questions(script_, asked_.trial.seed)) {
+      if (!ask(*script_.asked[place], answers[place])) {
+        break;
       }
-      const Answer answer = ports_.input.ask(*page);
-      result_.record.late_untimed_frames += answer.late_frames;
-      result_.interruption = answer.interruption;
-      if (answer.interruption != Interruption::kNone) {
-        return false;
-      }
-      question->keep(asked_, answer, result_.record);
     }
+    keep(answers);
+    return result_.interruption == Interruption::kNone;
+  }
+
+  /// Asks by the question's page, if it has one; false when that was interrupted.
+  bool ask(const Question& question, std::optional<Answer>& given) {
+    std::optional<Page> page = question.page(asked_);
+    if (!page) {
+      return true;
+    }
+    const KeyedPage keyed = with_keys(std::move(*page), question, script_, asked_.trial.condition);
+    Answer answer = ports_.input.ask(keyed.page);
+    result_.record.late_untimed_frames += answer.late_frames;
+    result_.interruption = answer.interruption;
+    if (answer.interruption != Interruption::kNone) {
+      return false;
+    }
+    answer.choice = keyed.answers.empty() ? answer.choice : keyed.answers.at(answer.choice);
+    given = std::move(answer);
     return true;
+  }
+
+  /// Records are in the order in which kinds are listed, whatever was asked first.
+  void keep(const std::vector<std::optional<Answer>>& answers) {
+    for (std::size_t place = 0; place < answers.size(); ++place) {
+      if (answers[place]) {
+        script_.asked[place]->keep(asked_, *answers[place], result_.record);
+      }
+    }
   }
 
   void collect() {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+#include <string>
+
 #include "experiments/design/plan.hpp"
 #include "experiments/questions/script.hpp"
 #include "experiments/record/ports.hpp"
@@ -19,6 +22,8 @@ struct Ports {
   const Clock* work_clock{nullptr};  ///< real time; needed by scenes with a budget in milliseconds
   const GazePaths* gaze_paths{nullptr};  ///< of the trials that regions are yoked to
   GazeCorrection gaze_correction{};      ///< by the last calibration
+  /// Says a sentence to the experimenter while the session runs; none: nobody is there to hear it.
+  std::function<void(const std::string&)> tell{};
 };
 
 /// An attempt's record, and what interrupted it.

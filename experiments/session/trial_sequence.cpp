@@ -27,12 +27,12 @@ bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
       return false;
     }
   }
-  return true;
+  return look_at_lateness(/*may_stop=*/phase == TrialPhase::kPractice);
 }
 
 bool TrialSequence::run_one(const PlannedTrial& trial, const SessionProgress& here,
                             std::int64_t done, std::int64_t total) {
-  return run_trial(trial, here) && after_trial(trial.phase, done, total);
+  return run_trial(trial, here) && after_trial(trial, done, total);
 }
 
 /// The trial as it is shown: an adaptive one gets its level, which is handed over to be stored
@@ -91,6 +91,7 @@ void TrialSequence::note_completed(const PlannedTrial& trial, const AttemptRecor
       ++practice_use_[*result.rating];
     }
   }
+  lateness_.take(record);
   sitting_.standing.complete(trial, result);
   levels_.take(trial, counted_answer(record));
   const double latency_ms = record.gaze_latency_p95_ms.value_or(0.0);
@@ -111,19 +112,25 @@ void TrialSequence::note_lost_gaze(const AttemptRecord& record) {
   }
 }
 
-bool TrialSequence::after_trial(TrialPhase phase, std::int64_t done, std::int64_t total) {
-  if (phase == TrialPhase::kPractice) {
+bool TrialSequence::after_trial(const PlannedTrial& trial, std::int64_t done, std::int64_t total) {
+  if (trial.phase == TrialPhase::kPractice) {
     if (feedback_) {
       feedback_->progress = sitting_.progress();
     }
     return !feedback_ || sitting_.ask(*feedback_).has_value();
   }
-  const bool break_due = sitting_.script.break_every > 0 && done % sitting_.script.break_every == 0;
+  const bool break_due =
+      breaks_after_blocks(sitting_.script)
+          ? sitting_.standing.is_block_done(trial.block)
+          : sitting_.script.break_every > 0 && done % sitting_.script.break_every == 0;
   return !break_due || done == total || take_break(done, total);
 }
 
 bool TrialSequence::take_break(std::int64_t done, std::int64_t total) {
   sitting_.ports.recorder.save(NoteRecord{"break", "after main trial " + std::to_string(done)});
+  if (!look_at_lateness(/*may_stop=*/true)) {
+    return false;
+  }
   Text text = sitting_.script.break_text;
   if (sitting_.calibration) {
     const Language& language = sitting_.script.language;
@@ -133,6 +140,30 @@ bool TrialSequence::take_break(std::int64_t done, std::int64_t total) {
   return sitting_.ask(break_page(text, done, total, sitting_.progress())).has_value() &&
          (!sitting_.calibration ||
           sitting_.calibration->check_drift(*sitting_.standing.next_slot()));
+}
+
+/// Tells the experimenter, who may have to decide, when too much came late since it was looked at
+/// last.
+bool TrialSequence::look_at_lateness(bool may_stop) {
+  const Lateness since = std::exchange(lateness_, {});
+  const LatenessRule& rule = sitting_.script.lateness;
+  if (!since.exceeds(rule)) {
+    return true;
+  }
+  sitting_.ports.recorder.save(NoteRecord{kLateFramesNote, since.words()});
+  if (sitting_.ports.tell) {
+    sitting_.ports.tell(since.words());
+  }
+  if (rule.then != LatenessRule::Then::kStop || !may_stop) {
+    return true;
+  }
+  const auto answer = sitting_.ask(
+      frames_were_late(since.late(), since.frames(), since.slower_share(), sitting_.progress()));
+  if (answer && answer->choice != kContinueChoice) {
+    sitting_.ports.recorder.save(NoteRecord{"quit", ""});
+    return sitting_.talk.end(SessionEnding::kQuit);
+  }
+  return answer.has_value();
 }
 
 bool TrialSequence::summarise_practice() {

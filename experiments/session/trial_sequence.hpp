@@ -17,6 +17,7 @@
 #include "experiments/questions/script.hpp"
 #include "experiments/session/conversation.hpp"
 #include "experiments/session/gaze_calibration.hpp"
+#include "experiments/session/lateness.hpp"
 #include "experiments/session/session_standing.hpp"
 #include "experiments/session/trial.hpp"
 
@@ -71,8 +72,9 @@ class TrialSequence {
   bool ask_to_repeat(double lost_share);
   void note_completed(const PlannedTrial& trial, const AttemptRecord& record);
   void note_lost_gaze(const AttemptRecord& record);
-  bool after_trial(TrialPhase phase, std::int64_t done, std::int64_t total);
+  bool after_trial(const PlannedTrial& trial, std::int64_t done, std::int64_t total);
   bool take_break(std::int64_t done, std::int64_t total);
+  bool look_at_lateness(bool may_stop);
 
   const Sitting& sitting_;
   AdaptiveLevels levels_;
@@ -80,6 +82,7 @@ class TrialSequence {
   std::optional<Page> feedback_;                       ///< on the last practice trial
   bool gaze_was_lost_{false};                          ///< in the trial before
   GazeTroubles troubles_;
+  Lateness lateness_;  ///< of trials since the last break
 };
 
 /// The tracks as the answers of earlier sessions left them.

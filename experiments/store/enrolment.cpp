@@ -195,6 +195,20 @@ Enrolment enrol(StudyFile& study, const string& pseudonym, bool simulated,
   }
 }
 
+std::vector<string> first_conditions(StudyFile& study, const string& protocol, bool simulated) {
+  return load_column<string>(
+      study.database(),
+      "SELECT condition FROM trial JOIN enrolment ON enrolment.id = enrolment_id "
+      "JOIN participant ON participant.id = participant_id "
+      "JOIN protocol ON protocol.id = protocol_id "
+      "WHERE slot = 1 AND protocol.name = ? AND simulated = ? "
+      "AND NOT EXISTS (SELECT 1 FROM excluded WHERE participant = pseudonym AND trial IS NULL) "
+      "AND NOT EXISTS (SELECT 1 FROM session WHERE enrolment_id = enrolment.id "
+      "AND ending = 'declined' AND id = (SELECT max(id) FROM session AS last "
+      "WHERE last.enrolment_id = enrolment.id)) ORDER BY enrolment.id",
+      protocol, simulated ? 1 : 0);
+}
+
 std::map<string, string> told_demographics(StudyFile& study, const string& pseudonym) {
   std::map<string, string> told;
   for (auto& [question, words] :

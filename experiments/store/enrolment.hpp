@@ -63,6 +63,12 @@ bool has_finished(StudyFile& study, const std::string& pseudonym, bool simulated
 Enrolment enrol(StudyFile& study, const std::string& pseudonym, bool simulated,
                 const ProtocolTexts& protocol, std::uint64_t seed, std::vector<StoredTrial> trials);
 
+/// The conditions, as JSON, of the first trials of those who have a plan of a protocol of this
+/// name, simulated or not as said, in the order of their enrolment; who declined or is left out of
+/// the analysis is not among them.
+std::vector<std::string> first_conditions(StudyFile& study, const std::string& protocol,
+                                          bool simulated);
+
 /// What the participant told of themselves in any protocol of the study: the words that were asked,
 /// by the question's id.
 std::map<std::string, std::string> told_demographics(StudyFile& study,

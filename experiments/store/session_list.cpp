@@ -57,7 +57,11 @@ std::vector<Participation> load_participations(SQLite::Database& database) {
   SQLite::Statement query(
       database,
       "SELECT enrolment.id, pseudonym, simulated, protocol.name, protocol.hash, "
-      "merged_file.name, planned_utc, finished_utc, "
+      "merged_file.name, "
+      "(SELECT group_concat((value ->> 'name') || ' ' || (first.condition ->> (value ->> 'name')), "
+      "  ', ') FROM json_each(protocol_json, '$.design.factors'), trial AS first "
+      "  WHERE first.enrolment_id = enrolment.id AND first.slot = 1 AND value ->> 'between'), "
+      "planned_utc, finished_utc, "
       "count(DISTINCT trial.id) FILTER (WHERE phase = 'main'), "
       "count(*) FILTER (WHERE phase = 'main' AND outcome = 'completed'), "
       "count(*) FILTER (WHERE phase = 'practice' AND outcome = 'completed'), "
@@ -76,7 +80,7 @@ std::vector<Participation> load_participations(SQLite::Database& database) {
     Participation& one = participations.emplace_back();
     std::int64_t enrolment = 0;
     next >> enrolment >> one.participant >> one.simulated >> one.protocol >> one.protocol_hash >>
-        one.merged_from >> one.planned_utc >> one.finished_utc >> one.planned_trials >>
+        one.merged_from >> one.group >> one.planned_utc >> one.finished_utc >> one.planned_trials >>
         one.completed_trials >> one.practice_trials >> one.interrupted_attempts >>
         one.set_aside_attempts >> one.timed_frames >> one.late_timed_frames;
     one.sittings = load_sittings(database, enrolment);

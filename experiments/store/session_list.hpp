@@ -45,6 +45,7 @@ struct Participation {
   std::string protocol;
   std::string protocol_hash;
   std::string merged_from;  ///< name of the file; "": recorded in this one
+  std::string group;        ///< levels between participants, "keys f j"; "": there are none
   std::string planned_utc;
   std::string finished_utc;          ///< "": not finished
   std::int64_t planned_trials{0};    ///< of the main phase

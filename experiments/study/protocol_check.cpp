@@ -227,8 +227,10 @@ std::optional<std::string> plan_problem(SQLite::Database& database,
                                         const StoredEnrolment& enrolment,
                                         const Protocol& protocol) {
   try {
-    return first_difference(load_trials(database, enrolment.id),
-                            plan_for(protocol, enrolment.participant, enrolment.seed), protocol);
+    const std::vector<StoredTrial> kept = load_trials(database, enrolment.id);
+    const Condition group = stored_group(kept, protocol.design);
+    return first_difference(kept, plan_for(protocol, enrolment.participant, enrolment.seed, group),
+                            protocol);
   } catch (const SQLite::Exception&) {
     throw;
   } catch (const std::exception& error) {

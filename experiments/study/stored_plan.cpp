@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/study/stored_plan.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/solved_values.hpp"
 
 namespace impetus::inline study {
@@ -27,6 +31,20 @@ Plan planned(const std::vector<StoredTrial>& trials, const Design& design) {
     plan.back().yoked_trial_id = trial.yoked_trial_id;
   }
   return plan;
+}
+
+Condition stored_group(const std::vector<StoredTrial>& trials, const Design& design) {
+  const Condition first =
+      trials.empty() ? Condition{}
+                     : condition_from_json(nlohmann::json::parse(trials.front().condition), design);
+  const Condition group = group_of(design, first);
+  const std::vector<Condition> known = groups(design);
+  if (std::find(known.begin(), known.end(), group) == known.end()) {
+    throw std::runtime_error(
+        "its first trial is of no group of the factors between participants: " +
+        to_json(first).dump());
+  }
+  return group;
 }
 
 ProtocolTexts texts_of(const Protocol& protocol) {

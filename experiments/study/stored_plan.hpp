@@ -14,6 +14,10 @@ namespace impetus::inline study {
 std::vector<StoredTrial> stored(const Plan& plan);
 Plan planned(const std::vector<StoredTrial>& trials, const Design& design);
 
+/// The group, of the factors between participants, that a stored plan is of. Throws
+/// std::runtime_error when that is none of the design's.
+Condition stored_group(const std::vector<StoredTrial>& trials, const Design& design);
+
 /// The protocol and its scene as they were read.
 ProtocolTexts texts_of(const Protocol& protocol);
 

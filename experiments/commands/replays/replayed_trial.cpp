@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
@@ -27,8 +28,10 @@ using nlohmann::json;
 bool is_shown(const Design& design, const Condition& condition) {
   const std::vector<Condition> cells_shown = cells(design);
   return std::find(cells_shown.begin(), cells_shown.end(), condition) != cells_shown.end() ||
-         std::any_of(design.catch_trials.begin(), design.catch_trials.end(),
-                     [&](const CatchTrials& kind) { return kind.condition == condition; });
+         std::any_of(
+             design.catch_trials.begin(), design.catch_trials.end(), [&](const CatchTrials& kind) {
+               return with_group(kind.condition, group_of(design, condition), design) == condition;
+             });
 }
 
 Condition condition_of(const StudyFile& study, const StoredAttempt& attempt,

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/record/lab_screen.hpp"
@@ -265,8 +266,27 @@ std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
   return found;
 }
 
+namespace {
+
+/// The groups of those who have a plan of the protocol, people or simulated participants. Who
+/// declined or was left out of the analysis leaves a place.
+std::vector<Condition> earlier_groups(StudyFile& study, const Protocol& protocol, bool simulated) {
+  std::vector<Condition> earlier;
+  for (const std::string& condition : first_conditions(study, protocol.name, simulated)) {
+    earlier.push_back(
+        group_of(protocol.design, condition_from_json(json::parse(condition), protocol.design)));
+  }
+  return earlier;
+}
+
+}  // namespace
+
 Plan new_plan(StudyFile& study, const RunPart& part, const RunOptions& options) {
-  Plan plan = plan_for(part.protocol, options.participant, options.seed.value_or(1));
+  const std::uint64_t seed = options.seed.value_or(1);
+  const Condition group =
+      draw_group(part.protocol.design, {part.protocol.name, options.participant, seed},
+                 earlier_groups(study, part.protocol, options.simulated()));
+  Plan plan = plan_for(part.protocol, options.participant, seed, group);
   put_solved(part.solved, plan);
   return yoked(std::move(plan), study, part.protocol, options.participant, options.simulated());
 }

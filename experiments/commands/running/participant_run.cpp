@@ -72,6 +72,11 @@ void save_screen_notes(const ScreenGeometry& screen, const std::string& change,
   }
 }
 
+/// The participant may still sit there, so that it can be mended before more is recorded.
+void tell_at_once(const std::string& sentence) {
+  std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+}
+
 /// Says how the session ended.
 void conclude(const SessionResult& result, const RunOptions& options, StudyWriter& writer) {
   const auto done = static_cast<long long>(result.completed_trials);
@@ -158,7 +163,8 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const ProtocolScenes scenes(protocol, rounding_hz);
   const SteadyClock work_clock;
   const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,      writer,
-                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_};
+                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_,
+                    GazeCorrection{},       tell_at_once};
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_warnings(result, writer);

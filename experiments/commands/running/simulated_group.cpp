@@ -12,6 +12,7 @@
 
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/participant_run.hpp"
+#include "experiments/design/between_participants.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/study/stored_plan.hpp"
 
@@ -46,12 +47,14 @@ class SimulatedGroup {
  private:
   [[nodiscard]] std::int64_t jobs() const {
     const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-    // Who follows another's gaze must find the same others finished, however many cores there are.
-    const bool yoked = std::any_of(parts_.begin(), parts_.end(), [](const RunPart& part) {
+    // Who follows another's gaze must find the same others finished, and who joins a group in a
+    // later part the same others planned for, however many cores there are.
+    const bool in_order = std::any_of(parts_.begin(), parts_.end(), [&](const RunPart& part) {
       const auto& gaze = part.protocol.script.gaze;
-      return gaze && gaze->yoked_to;
+      return (gaze && gaze->yoked_to) ||
+             (parts_.size() > 1 && groups(part.protocol.design).size() > 1);
     });
-    const std::int64_t wanted = yoked ? 1 : options_.jobs > 0 ? options_.jobs : cores;
+    const std::int64_t wanted = in_order ? 1 : options_.jobs > 0 ? options_.jobs : cores;
     return std::clamp<std::int64_t>(wanted, 1, options_.participants);
   }
 

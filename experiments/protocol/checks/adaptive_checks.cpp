@@ -208,7 +208,7 @@ void check_adaptive(const Protocol& protocol) {
     return;
   }
   const std::string& name = protocol.design.adaptive->factor;
-  named_factor(protocol.document, "/design/adaptive/factor", protocol.design, name);
+  factor_within(protocol.document, "/design/adaptive/factor", protocol.design, name);
   const std::size_t factor = factor_place(protocol.design, name);
   check_levels_in_order(protocol, factor);
   check_method(protocol.document);

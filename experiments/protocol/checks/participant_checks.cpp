@@ -104,7 +104,11 @@ void check_participants(const Protocol& protocol) {
   for (const ResponseKind& kind : listed_kinds()) {
     keys.push_back("/" + kind.protocol_key);
   }
-  keys.insert(keys.end(), {"/gaze", "/design/practice", "/design/practice_until",
+  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
+    keys.push_back(item("/design/factors", i) + "/between");
+    keys.push_back(item("/design/factors", i) + "/keys_of");
+  }
+  keys.insert(keys.end(), {"/gaze", "/question_order", "/design/practice", "/design/practice_until",
                            "/design/train_until", "/design/adaptive"});
   for (const std::string& key : keys) {
     if (document.value.contains(json::json_pointer(key))) {

@@ -9,10 +9,13 @@
 #include <utility>
 
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/design/between_participants.hpp"
 #include "experiments/design/blocks.hpp"
 #include "experiments/protocol/checks/adaptive_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
+#include "experiments/questions/question_order.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline protocol {
@@ -41,7 +44,7 @@ void check_size(const Protocol& protocol) {
 
 /// The same of the trials that are planned, blocks and tracks and catch trials counted.
 void check_planned_size(const Protocol& protocol) {
-  const Design& design = protocol.design;
+  const Design design = design_of_group(protocol.design, groups(protocol.design).front());
   double trials =
       static_cast<double>(design.repetitions) * static_cast<double>(cells(design).size());
   if (design.adaptive) {
@@ -59,6 +62,56 @@ void check_planned_size(const Protocol& protocol) {
   }
 }
 
+/// The protocol's question of this key that is answered by keys; null: there is none.
+const Question* keyed_question(const Protocol& protocol, const std::string& key) {
+  for (const auto& question : protocol.script.asked) {
+    if (question->kind().protocol_key == key && question->keyed_answers() > 0) {
+      return question.get();
+    }
+  }
+  return nullptr;
+}
+
+/// Its levels are the keys of a question that no other factor has: the same keys in all levels, so
+/// that each has its side.
+void check_key_factor(const Protocol& protocol, const std::string& place, const Factor& factor,
+                      std::set<std::string>& taken) {
+  if (!factor.pointer.empty()) {
+    refuse(protocol.document, place, "expected either \"pointer\" or \"keys_of\", got both");
+  }
+  const Question* question = keyed_question(protocol, factor.keys_of);
+  if (question == nullptr || !taken.insert(factor.keys_of).second) {
+    refuse(protocol.document, place + "/keys_of",
+           "expected a question of the protocol that has two answers (yes_no, two_interval) and no "
+           "other factor of keys, got " +
+               json_text(factor.keys_of));
+  }
+  std::vector<std::string> first = keys_of_level(factor.levels.front());
+  std::sort(first.begin(), first.end());
+  for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+    std::vector<std::string> keys = keys_of_level(factor.levels[i]);
+    const std::string level = item(place + "/levels", i);
+    check_keys(protocol.document, level, keys, question->keyed_answers());
+    std::sort(keys.begin(), keys.end());
+    if (keys != first) {
+      refuse(protocol.document, level,
+             "expected the keys of the first level (" + json_text(factor.levels.front()) +
+                 ") in another order, got " + json_text(factor.levels[i]));
+    }
+  }
+}
+
+/// A level that the scene has put in the place of null may be another one again.
+void check_levels_differ(const Protocol& protocol, const std::string& place, const Factor& factor) {
+  for (auto level = factor.levels.begin(); level != factor.levels.end(); ++level) {
+    if (std::find(factor.levels.begin(), level, *level) != level) {
+      refuse(protocol.document, place + "/levels",
+             "expected levels that differ, but null is the scene's own value: " +
+                 list_text(factor.levels));
+    }
+  }
+}
+
 void check_factors(const Protocol& protocol) {
   std::set<std::string> names;
   std::set<std::string> pointers;
@@ -68,6 +121,13 @@ void check_factors(const Protocol& protocol) {
     if (!names.insert(factor.name).second) {
       refuse(protocol.document, place + "/name",
              "expected a name of its own, got " + json_text(factor.name) + " again");
+    }
+    if (!factor.keys_of.empty()) {
+      check_key_factor(protocol, place, factor, pointers);
+      continue;
+    }
+    if (factor.pointer.empty()) {
+      refuse(protocol.document, place, "expected the key \"pointer\", which is missing");
     }
     if (!pointers.insert(factor.pointer).second) {
       refuse(
@@ -79,13 +139,15 @@ void check_factors(const Protocol& protocol) {
              "expected a pointer to a single value of " + protocol.scene.name + ", got \"" +
                  factor.pointer + "\"");
     }
+    check_levels_differ(protocol, place, factor);
   }
 }
 
 void check_runs(const Protocol& protocol) {
   for (std::size_t i = 0; i < protocol.design.longest_runs.size(); ++i) {
-    named_factor(protocol.document, item("/design/longest_runs", i) + "/factor", protocol.design,
-                 protocol.design.longest_runs[i].factor);
+    const std::string place = item("/design/longest_runs", i) + "/factor";
+    factor_within(protocol.document, place, protocol.design,
+                  protocol.design.longest_runs[i].factor);
   }
 }
 
@@ -122,18 +184,64 @@ void check_questions(const Protocol& protocol) {
   }
 }
 
-/// Blocks are made of factors of the design.
+/// Blocks alike have every cell equally often; others have factors and an order.
+void check_kind_of_blocks(const Protocol& protocol) {
+  const nlohmann::json& blocks = protocol.document.value["design"]["blocks"];
+  const bool alike = blocks.contains("count");
+  if (alike == blocks.contains("factors")) {
+    refuse(protocol.document, "/design/blocks",
+           std::string("expected either \"factors\" or \"count\", got ") +
+               (alike ? "both" : "neither"));
+  }
+  if (alike == blocks.contains("order")) {
+    refuse(protocol.document, "/design/blocks",
+           alike ? "expected no \"order\" of blocks that are alike (count)"
+                 : "expected the key \"order\", which is missing");
+  }
+  const Design& design = protocol.design;
+  const std::int64_t all = design.adaptive ? design.adaptive->trials_per_track : design.repetitions;
+  if (alike && all % design.blocks->count != 0) {
+    refuse(protocol.document, "/design/blocks/count",
+           "expected a number that divides the " + std::to_string(all) +
+               (design.adaptive ? " trials of a track" : " repetitions") +
+               ", so that each block has every cell equally often, got " +
+               std::to_string(design.blocks->count));
+  }
+}
+
+/// Blocks are made of factors of the design, or alike.
 void check_blocks(const Protocol& protocol) {
   const Design& design = protocol.design;
+  if (design.blocks) {
+    check_kind_of_blocks(protocol);
+  }
   for (std::size_t i = 0; design.blocks && i < design.blocks->factors.size(); ++i) {
     const std::string& name = design.blocks->factors[i];
     const std::string place = item("/design/blocks/factors", i);
-    named_factor(protocol.document, place, design, name);
+    factor_within(protocol.document, place, design, name);
     if (design.adaptive && design.adaptive->factor == name) {
       refuse(protocol.document, place,
              "expected a factor whose levels are known beforehand, got " + json_text(name) +
                  ", which is adaptive");
     }
+  }
+}
+
+/// Breaks come after so many trials, or after blocks.
+void check_breaks(const Protocol& protocol) {
+  if (breaks_after_blocks(protocol.script) && !protocol.design.blocks) {
+    refuse(protocol.document, "/session/breaks",
+           "expected the key \"every\", which is missing, where /design has no blocks");
+  }
+}
+
+/// A session stops at breaks.
+void check_lateness(const Protocol& protocol) {
+  const Script& script = protocol.script;
+  if (script.lateness.then == LatenessRule::Then::kStop && script.break_text.title.empty()) {
+    refuse(protocol.document, "/session/late_frames/then",
+           "expected \"tell\" or \"nothing\" where the session has no breaks to stop at, got "
+           "\"stop\"");
   }
 }
 
@@ -180,14 +288,22 @@ const char* type_words(const LevelValue& level) {
   return kWords.at(level.index());
 }
 
-/// Every factor has a level in the condition, which `check` finds no fault with, and nothing else
-/// has one.
+/// Every factor within participants has a level in the condition, which `check` finds no fault
+/// with, and nothing else has one.
 void check_condition(
     const Protocol& protocol, const std::string& place, const Condition& condition,
     const std::function<void(const Factor& factor, const FactorLevel& level)>& check) {
   for (const Factor& factor : protocol.design.factors) {
     const auto level = std::find_if(condition.begin(), condition.end(),
                                     [&](const auto& one) { return one.factor == factor.name; });
+    if (factor.between && level != condition.end()) {
+      refuse(protocol.document, place + "/" + factor.name,
+             "expected no level of a factor between participants, whose own holds here too, got " +
+                 json_text(level->value));
+    }
+    if (factor.between) {
+      continue;
+    }
     if (level == condition.end()) {
       refuse(protocol.document, place,
              "expected a level for every factor, but \"" + factor.name + "\" has none");
@@ -237,9 +353,16 @@ void check_design(const Protocol& protocol) {
   check_planned_size(protocol);
   check_training_criterion(protocol);
   check_resume(protocol);
+  check_breaks(protocol);
+  check_lateness(protocol);
   for (const auto& question : protocol.script.asked) {
     question->check_block(protocol.document);
+    if (!question->keys().empty()) {
+      check_keys(protocol.document, "/" + question->kind().protocol_key + "/keys", question->keys(),
+                 question->keyed_answers());
+    }
   }
+  check_question_order(protocol.document, protocol.script);
   check_questions(protocol);
 }
 
@@ -275,9 +398,10 @@ void check_practice_rule(const Protocol& protocol) {
   }
 }
 
-Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed) {
+Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed,
+              const std::optional<Condition>& group) {
   try {
-    return make_plan(protocol.design, {protocol.name, participant, seed});
+    return make_plan(protocol.design, {protocol.name, participant, seed, group});
   } catch (const InputError&) {
     throw;  // of the participant's code
   } catch (const std::runtime_error&) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "experiments/design/plan.hpp"
@@ -20,8 +21,10 @@ void check_practice(const Protocol& protocol);
 /// The levels that practice is judged by are practised. Throws InputError.
 void check_practice_rule(const Protocol& protocol);
 
-/// A participant's plan. Throws InputError when no order was found that keeps to the longest runs,
-/// or the participant's code has no number for a Latin square.
-Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed);
+/// The plan of a participant of `group`; none: of the study's first. Throws InputError when no
+/// order was found that keeps to the longest runs, or the participant's code has no number for a
+/// Latin square.
+Plan plan_for(const Protocol& protocol, const std::string& participant, std::uint64_t seed,
+              const std::optional<Condition>& group = {});
 
 }  // namespace impetus::inline protocol

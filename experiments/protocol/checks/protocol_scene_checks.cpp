@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <set>
 
+#include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
@@ -20,7 +21,8 @@ using nlohmann::json;
 std::vector<Condition> shown_conditions(const Design& design) {
   std::vector<Condition> conditions = cells(design);
   for (const CatchTrials& kind : design.catch_trials) {
-    conditions.push_back(kind.condition);
+    const std::vector<Condition> shown = in_every_group(kind.condition, design);
+    conditions.insert(conditions.end(), shown.begin(), shown.end());
   }
   return conditions;
 }
@@ -130,10 +132,12 @@ void check_catch_scenes(const Protocol& protocol) {
                item("/design/catch_trials", i) + "/condition" + "/" + level.factor, message);
       }
     }
-    const std::string message = complaint(
-        scene_under(protocol, protocol.design.catch_trials[i].condition), *protocol.shapes);
-    if (!message.empty()) {
-      refuse(protocol.document, item("/design/catch_trials", i) + "/condition", message);
+    for (const Condition& condition :
+         in_every_group(protocol.design.catch_trials[i].condition, protocol.design)) {
+      const std::string message = complaint(scene_under(protocol, condition), *protocol.shapes);
+      if (!message.empty()) {
+        refuse(protocol.document, item("/design/catch_trials", i) + "/condition", message);
+      }
     }
   }
 }

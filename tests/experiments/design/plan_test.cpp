@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "experiments/design/adaptive_levels.hpp"
+#include "experiments/design/between_participants.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus::plan_test {
@@ -94,6 +97,135 @@ TEST(Plan, AnOrderThatCannotExistIsRefused) {
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
                  "no order of the trials that keeps to the longest runs was found in 100000 draws");
+  }
+}
+
+// ---------------------------------------------------------------- between participants
+
+/// Three delays for everybody; two speeds × two kinds of region, of which a participant has one
+/// each.
+Design grouped_design() {
+  Design design;
+  design.factors = {{"speed", {5.0, 10.0}, "/speed"},
+                    {"delay", {0.0, 100.0, 300.0}, "/delay"},
+                    {"region", {std::string("fixed"), std::string("tracked")}, "/region"}};
+  design.factors[0].between = design.factors[2].between = true;
+  design.repetitions = 4;
+  design.practice = {{{"delay", 300.0}}};
+  design.catch_trials = {{{{"delay", 900.0}}, 1}};
+  return design;
+}
+
+TEST(Plan, AParticipantHasOneLevelBetweenParticipantsInEveryTrial) {
+  const Design design = grouped_design();
+  const Condition group{{"speed", 10.0}, {"region", std::string("fixed")}};
+  const Plan plan = make_plan(design, {"x", "P01", 5, group});
+  ASSERT_EQ(plan.size(), 1U + 3U * 4U + 1U);
+  std::map<std::string, int> shown;
+  for (const PlannedTrial& trial : plan) {
+    EXPECT_EQ(group_of(design, trial.condition), group);
+    ASSERT_EQ(trial.condition.size(), 3U);
+    EXPECT_EQ(trial.condition[1].factor, "delay") << "in the order of the design";
+    ++shown[to_text(trial.condition[1].value)];
+  }
+  EXPECT_EQ(shown, (std::map<std::string, int>{{"0", 4}, {"100", 4}, {"300", 5}, {"900", 1}}));
+}
+
+TEST(Plan, WhoComesNextJoinsAGroupThatHasTheFewest) {
+  const Design design = grouped_design();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    std::vector<Condition> earlier;
+    for (int number = 1; number <= 40; ++number) {
+      earlier.push_back(draw_group(design, {"x", "P" + std::to_string(number), seed}, earlier));
+      std::vector<std::int64_t> sizes;
+      for (const Condition& group : groups(design)) {
+        sizes.push_back(std::count(earlier.begin(), earlier.end(), group));
+      }
+      const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+      ASSERT_LE(*most - *least, 1) << "seed " << seed << ", participant " << number;
+    }
+  }
+}
+
+TEST(Plan, AGroupIsDrawnBySeedAndCodeAmongThoseWithTheFewest) {
+  const Design design = grouped_design();
+  std::set<std::string> drawn;
+  for (int number = 1; number <= 40; ++number) {
+    const PlanKey key{"x", "P" + std::to_string(number), 7};
+    EXPECT_EQ(draw_group(design, key, {}), draw_group(design, key, {}));
+    drawn.insert(to_json(draw_group(design, key, {})).dump());
+  }
+  EXPECT_EQ(drawn.size(), 4U);
+  EXPECT_EQ(make_plan(design, {"x", "P01", 7}),
+            make_plan(design, {"x", "P01", 7, draw_group(design, {"x", "P01", 7}, {})}))
+      << "without a group it is that of the study's first";
+}
+
+TEST(Plan, OfADesignWithinParticipantsNothingIsDrawnForGroups) {
+  const Design design = causality().design;
+  EXPECT_EQ(groups(design), std::vector<Condition>{Condition{}});
+  EXPECT_EQ(make_plan(design, {"causality", "P01", 1, Condition{}}),
+            make_plan(design, {"causality", "P01", 1}));
+}
+
+TEST(Plan, TracksOfAGroupStartAsThoseOfTheWholeDesignDo) {
+  Design design = grouped_design();
+  design.repetitions = 1;
+  design.practice.clear();
+  design.catch_trials.clear();
+  design.adaptive = Adaptive{"delay", Staircase{1, 2, {1}, {0.0, 300.0}}, 6};
+  const Condition group{{"speed", 10.0}, {"region", std::string("fixed")}};
+  AdaptiveLevels levels(design);
+  std::map<std::int64_t, LevelValue> starts;
+  for (const PlannedTrial& trial : make_plan(design, {"x", "P01", 5, group})) {
+    const Condition chosen = levels.choose(trial).condition;
+    ASSERT_EQ(chosen.size(), 3U);
+    starts.emplace(*trial.track, chosen[1].value);
+  }
+  EXPECT_EQ(starts, (std::map<std::int64_t, LevelValue>{{0, 0.0}, {1, 300.0}}));
+}
+
+// ---------------------------------------------------------------- blocks alike
+
+/// How often each condition comes in each block.
+std::map<std::int64_t, std::map<std::string, int>> shown_in_blocks(const Plan& plan) {
+  std::map<std::int64_t, std::map<std::string, int>> shown;
+  for (const PlannedTrial& trial : plan) {
+    ++shown[trial.block][to_json(trial.condition).dump()];
+  }
+  return shown;
+}
+
+TEST(Plan, BlocksAlikeHaveEveryCellEquallyOften) {
+  Design design;
+  design.factors = {{"speed", {5.0, 10.0}, "/speed"}, {"delay", {0.0, 100.0, 300.0}, "/delay"}};
+  design.repetitions = 6;
+  const Plan without = make_plan(design, {"x", "P01", 5});
+  design.blocks = Blocks{{}, Blocks::Order::kRandom, 3};
+  const Plan plan = make_plan(design, {"x", "P01", 5});
+  EXPECT_EQ(plan.size(), without.size());
+  const auto shown = shown_in_blocks(plan);
+  ASSERT_EQ(shown.size(), 3U);
+  for (const auto& [block, conditions] : shown) {
+    EXPECT_EQ(conditions.size(), 6U);
+    for (const auto& [condition, times] : conditions) {
+      EXPECT_EQ(times, 2) << block << ": " << condition;
+    }
+  }
+  EXPECT_TRUE(std::is_sorted(plan.begin(), plan.end(),
+                             [](const auto& a, const auto& b) { return a.block < b.block; }));
+}
+
+TEST(Plan, BlocksAlikeHaveEveryTrackEquallyOften) {
+  Design design;
+  design.factors = {{"speed", {5.0, 10.0}, "/speed"}, {"delay", {0.0, 100.0, 300.0}, "/delay"}};
+  design.adaptive = Adaptive{"delay", Staircase{1, 2, {1}, {300.0}}, 8};
+  design.blocks = Blocks{{}, Blocks::Order::kRandom, 4};
+  for (const auto& [block, conditions] : shown_in_blocks(make_plan(design, {"x", "P01", 5}))) {
+    EXPECT_EQ(conditions.size(), 2U) << block;
+    for (const auto& [condition, times] : conditions) {
+      EXPECT_EQ(times, 2) << block << ": " << condition;
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/design_words.hpp"
+#include "experiments/protocol/protocol_page.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "tests/experiments/refusals.hpp"
@@ -115,6 +117,172 @@ TEST(Protocol, AConditionSurvivesJsonWithEveryTypeOfLevel) {
   }
   EXPECT_EQ(to_json(Condition{{"number", 100.0}, {"flag", true}}).dump(),
             R"({"flag":true,"number":100})");
+}
+
+// ---------------------------------------------------------------- between participants, keys,
+// blocks
+
+/// The shipped study asking yes or no, the viewpoint between participants.
+Study grouped_study() {
+  Study study;
+  study.with("/design/factors/2/between", true)
+      .with("/yes_no", json::parse(R"({"question": "Natural?", "keys": "f j"})"))
+      .with("/design/practice", json::parse(R"([{"delay_ms": 0, "speed_deg_s": 10}])"));
+  study.without("/design/practice_until");
+  return study;
+}
+
+const json kKeys = json::parse(
+    R"({"name": "keys", "keys_of": "yes_no", "between": true, "levels": ["f j", "j f"]})");
+
+TEST(DesignFile, AFactorBetweenParticipantsIsExplained) {
+  const Protocol protocol = grouped_study().with("/design/factors/3", kKeys).made();
+  EXPECT_TRUE(protocol.design.factors[2].between);
+  EXPECT_EQ(plan_for(protocol, "P01", 1).size(), 1U + 27U);
+  const std::vector<std::string> lines = design_lines(protocol.design);
+  EXPECT_EQ(lines[0], "3 × 3 cells, 3 repetitions of each.");
+  EXPECT_EQ(
+      lines[1],
+      "Between participants: `viewpoint_deg` × `keys`, 6 groups. Whoever is planned for joins "
+      "one that has the fewest so far, drawn by seed and code; that is kept with the plan.");
+  const std::string page = protocol_page(protocol);
+  EXPECT_NE(page.find("| `keys of yes_no` |"), std::string::npos) << page;
+}
+
+TEST(DesignFile, WhatCannotBeBetweenParticipantsIsRefused) {
+  const auto refused = [](const std::string& pointer, const json& value) {
+    return grouped_study()
+        .with(pointer, value)
+        .refused()
+        .substr(std::string(kProtocolName).size() + 1);
+  };
+  const std::string within =
+      "expected a factor that varies within participants, got \"viewpoint_deg\", which is between "
+      "them";
+  EXPECT_EQ(grouped_study().refused(), "accepted");
+  EXPECT_EQ(refused("/design/longest_runs", json::parse(R"([{"factor": "viewpoint_deg",
+                                                             "longest": 3}])")),
+            "/design/longest_runs/0/factor: " + within);
+  EXPECT_EQ(
+      refused("/design/blocks", json::parse(R"({"factors": ["viewpoint_deg"], "order": "fixed"})")),
+      "/design/blocks/factors/0: " + within);
+  EXPECT_EQ(refused("/design/practice/0/viewpoint_deg", 0),
+            "/design/practice/0/viewpoint_deg: expected no level of a factor between participants, "
+            "whose own holds here too, got 0");
+  EXPECT_EQ(refused("/participants", "none").substr(0, 30), "/timing: expected none where n");
+}
+
+TEST(DesignFile, KeysAreAsManyLettersOrDigitsAsThereAreAnswers) {
+  const auto refused = [](const std::string& pointer, const json& value) {
+    return grouped_study()
+        .with("/design/factors/3", kKeys)
+        .with(pointer, value)
+        .refused()
+        .substr(std::string(kProtocolName).size() + 1);
+  };
+  const std::string expected =
+      ": expected 2 keys that differ, letters from a to z or digits, a blank between (\"f j\"), "
+      "got ";
+  for (const char* keys : {"f", "f f", "f j k", "F J", "left right"}) {
+    EXPECT_EQ(refused("/yes_no/keys", keys), "/yes_no/keys" + expected + json(keys).dump());
+    EXPECT_EQ(refused("/design/factors/3/levels/1", keys),
+              "/design/factors/3/levels/1" + expected + json(keys).dump());
+  }
+  EXPECT_EQ(refused("/design/factors/3/levels/1", nullptr),
+            "/design/factors/3/levels/1" + expected + "null");
+  EXPECT_EQ(refused("/design/factors/3/levels/1", "d k"),
+            "/design/factors/3/levels/1: expected the keys of the first level (\"f j\") in another "
+            "order, got \"d k\"");
+  EXPECT_EQ(refused("/design/factors/3/keys_of", "rating"),
+            "/design/factors/3/keys_of: expected a question of the protocol that has two answers "
+            "(yes_no, two_interval) and no other factor of keys, got \"rating\"");
+  EXPECT_EQ(refused("/design/factors/3/pointer", "/title"),
+            "/design/factors/3: expected either \"pointer\" or \"keys_of\", got both");
+  EXPECT_EQ(Study().without("/design/factors/0/pointer").refused(),
+            std::string(kProtocolName) +
+                ":/design/factors/0: expected the key \"pointer\", which is missing");
+}
+
+TEST(DesignFile, BlocksAreOfFactorsOrAlike) {
+  const auto refused = [](const char* blocks) {
+    return Study()
+        .with("/design/blocks", json::parse(blocks))
+        .refused()
+        .substr(std::string(kProtocolName).size() + 1);
+  };
+  EXPECT_EQ(refused(R"({"count": 2})"),
+            "/design/blocks/count: expected a number that divides the 3 repetitions, so that each "
+            "block has every cell equally often, got 2");
+  EXPECT_EQ(refused(R"({})"),
+            "/design/blocks: expected either \"factors\" or \"count\", got neither");
+  EXPECT_EQ(refused(R"({"count": 3, "factors": ["delay_ms"], "order": "fixed"})"),
+            "/design/blocks: expected either \"factors\" or \"count\", got both");
+  EXPECT_EQ(refused(R"({"factors": ["delay_ms"]})"),
+            "/design/blocks: expected the key \"order\", which is missing");
+  EXPECT_EQ(refused(R"({"count": 3, "order": "fixed"})"),
+            "/design/blocks: expected no \"order\" of blocks that are alike (count)");
+  const Protocol protocol = Study().with("/design/blocks", json::parse(R"({"count": 3})")).made();
+  EXPECT_EQ(design_lines(protocol.design)[1],
+            "3 blocks alike, each with every cell equally often, in random order within.");
+}
+
+TEST(DesignFile, BreaksAfterBlocksNeedBlocksAndAStopNeedsBreaks) {
+  EXPECT_EQ(Study().without("/session/breaks/every").refused(),
+            std::string(kProtocolName) +
+                ":/session/breaks: expected the key \"every\", which is missing, where /design has "
+                "no blocks");
+  EXPECT_EQ(Study()
+                .without("/session/breaks/every")
+                .with("/design/blocks", json::parse(R"({"count": 3})"))
+                .refused(),
+            "accepted");
+  EXPECT_EQ(
+      Study()
+          .without("/session/breaks")
+          .with("/session/late_frames", json::parse(R"({"then": "stop"})"))
+          .refused(),
+      std::string(kProtocolName) +
+          ":/session/late_frames/then: expected \"tell\" or \"nothing\" where the session has "
+          "no breaks to stop at, got \"stop\"");
+}
+
+// ---------------------------------------------------------------- levels that the scene has
+
+TEST(DesignFile, NullIsTheScenesOwnValueWhereverALevelIsNamed) {
+  const json own = json::parse(shipped(kSceneName))[json::json_pointer(
+      json::parse(shipped(kProtocolName))["design"]["factors"][1]["pointer"].get<std::string>())];
+  ASSERT_TRUE(own.is_number());
+  Study study;
+  study.with("/design/factors/1/levels", {nullptr, 15})
+      .with("/design/practice", json::parse(R"([{"delay_ms": 0, "speed_deg_s": null,
+                                                 "viewpoint_deg": 0}])"))
+      .with("/design/catch_trials", json::parse(R"([{"condition": {"delay_ms": 900,
+              "speed_deg_s": null, "viewpoint_deg": 0}, "count": 1}])"));
+  study.without("/design/practice_until");
+  const Design design = study.made().design;
+  EXPECT_EQ(design.factors[1].levels, (std::vector<LevelValue>{own.get<double>(), 15.0}));
+  EXPECT_EQ(design.practice[0][1].value, LevelValue(own.get<double>()));
+  EXPECT_EQ(design.catch_trials[0].condition[1].value, LevelValue(own.get<double>()));
+  EXPECT_EQ(
+      study.with("/design/factors/1/levels", {nullptr, own}).refused(),
+      std::string(kProtocolName) +
+          ":/design/factors/1/levels: expected levels that differ, but null is the scene's own "
+          "value: [" +
+          own.dump() + "," + own.dump() + "]");
+}
+
+TEST(DesignFile, AStudyWithNullIsTheSameStudyWithTheValue) {
+  const json own = json::parse(shipped(kSceneName))[json::json_pointer(
+      json::parse(shipped(kProtocolName))["design"]["factors"][1]["pointer"].get<std::string>())];
+  Study with_null;
+  Study with_value;
+  for (Study* study : {&with_null, &with_value}) {
+    study->with("/design/practice", json::array()).without("/design/practice_until");
+  }
+  const Protocol null = with_null.with("/design/factors/1/levels", {5, nullptr, 15}).made();
+  const Protocol value = with_value.with("/design/factors/1/levels", {5, own, 15}).made();
+  EXPECT_EQ(plan_for(null, "P01", 1), plan_for(value, "P01", 1));
+  EXPECT_NE(null.hash, value.hash) << "the file is another";
 }
 
 }  // namespace impetus::design_file_test

@@ -18,11 +18,13 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "/timing: expected only the keys \"fixation_ms\", \"interval_ms\", got \"fixation\""},
        {"/design/factors/0/level",
         {1},
-        "/design/factors/0: expected only the keys \"label\", \"levels\", \"name\", \"pointer\", "
+        "/design/factors/0: expected only the keys \"between\", \"keys_of\", \"label\", "
+        "\"levels\", \"name\", \"pointer\", "
         "got \"level\""},
        {"/seed", 1,
         "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
-        "\"language\", \"name\", \"participants\", \"rating\", \"scene\", \"schema_version\", "
+        "\"language\", \"name\", \"participants\", \"question_order\", \"rating\", \"scene\", "
+        "\"schema_version\", "
         "\"session\", \"solve\", \"source\", \"texts\", \"timing\", "
         "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});
 }
@@ -41,11 +43,12 @@ TEST(ProtocolSchema, AWrongTypeIsRefused) {
         "/timing/fixation_ms: expected a number ≥ 0 and ≤ 60000, got \"500\""},
        {"/design/repetitions", 1.5,
         "/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, got 1.5"},
-       {"/design/factors/0/levels/1", nullptr,
-        "/design/factors/0/levels/1: expected a number, a text or a boolean, got null"},
+       {"/design/factors/0/levels/1",
+        {1},
+        "/design/factors/0/levels/1: expected a number, a text, a boolean or a null, got [1]"},
        {"/design/practice/0/delay_ms",
         {1},
-        "/design/practice/0/delay_ms: expected a number, a text or a boolean, got [1]"},
+        "/design/practice/0/delay_ms: expected a number, a text, a boolean or a null, got [1]"},
        {"/session", json::array(), "/session: expected an object, got []"},
        {"/session/welcome/paragraphs", "Hello",
         "/session/welcome/paragraphs: expected a list, got \"Hello\""},
@@ -101,7 +104,7 @@ TEST(ProtocolSchema, APlaceIsAValidJsonPointer) {
   expect_protocol_refusals(
       {{"/design/practice/0",
         {{"a/b~", {1}}},
-        "/design/practice/0/a~1b~0: expected a number, a text or a boolean, got [1]"}});
+        "/design/practice/0/a~1b~0: expected a number, a text, a boolean or a null, got [1]"}});
 }
 
 TEST(ProtocolSchema, ALongValueIsCutBetweenCharacters) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/session_pages.hpp"
 #include "experiments/questions/two_interval.hpp"
@@ -182,6 +184,136 @@ TEST(Responses, PracticeFeedbackSaysThatTheTimeWasUp) {
   ASSERT_TRUE(page);
   EXPECT_EQ(page->title, "The time was up");
   EXPECT_EQ(page->paragraphs.front(), "You have 5 s to answer.");
+}
+
+// ---------------------------------------------------------------- keys
+
+/// The yes-or-no study with a factor of its keys.
+Protocol with_keys_of(const std::vector<std::string>& levels) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["design"]["factors"].push_back(
+      {{"name", "keys"}, {"keys_of", "yes_no"}, {"between", true}, {"levels", levels}});
+  return study_of(protocol);
+}
+
+/// The choices of the page of a trial under these keys, "no (f), yes (j)", and the record when the
+/// first of them was made.
+std::pair<std::string, AttemptRecord> first_choice_under(const Protocol& protocol,
+                                                         const std::string& keys) {
+  TestLab lab(60.0, protocol);
+  PlannedTrial trial = trial_with_delay(300);
+  trial.condition.push_back({"keys", keys});
+  std::string choices;
+  lab.input.on_page = [&](const Page& page) {
+    for (const Choice& choice : page.choices) {
+      choices += (choices.empty() ? "" : ", ") + choice.label + " (" + choice.key + ")";
+    }
+    EXPECT_EQ(page.choices.at(page.positive_choice).label, "yes");
+    return Answer{};
+  };
+  AttemptRecord record = run_attempt(trial, 1, lab.protocol.script, {}, lab.ports()).record;
+  return {choices, std::move(record)};
+}
+
+TEST(AnswerKeys, OfAFactorKeepTheirSidesAndTheAnswersChangeThem) {
+  const Protocol protocol = with_keys_of({"f j", "j f"});
+  const auto [straight, yes] = first_choice_under(protocol, "f j");
+  EXPECT_EQ(straight, "yes (f), no (j)");
+  EXPECT_EQ(yes.responses.front().answer, "yes");
+  EXPECT_EQ(yes.responses.front().correct, true);
+  const auto [crossed, no] = first_choice_under(protocol, "j f");
+  EXPECT_EQ(crossed, "no (f), yes (j)");
+  EXPECT_EQ(no.responses.front().answer, "no");
+  EXPECT_EQ(no.responses.front().positive, false);
+  EXPECT_EQ(no.responses.front().correct, false);
+}
+
+TEST(AnswerKeys, OfAQuestionStandForItsAnswersInTheirOrder) {
+  json protocol = asked_protocol({kAskYesNo, kAskTwoInterval});
+  protocol["yes_no"]["keys"] = "q p";
+  protocol["two_interval"]["keys"] = "0 9";
+  TestLab lab(60.0, study_of(protocol));
+  std::string keys;
+  lab.input.on_page = [&](const Page& page) {
+    keys += page.choices[0].label + " " + page.choices[0].key + ", " + page.choices[1].label + " " +
+            page.choices[1].key + "; ";
+    return Answer{};
+  };
+  static_cast<void>(
+      run_attempt(trial_with_delay(300), 1, lab.protocol.script, {}, lab.ports()).record);
+  EXPECT_EQ(keys, "yes q, no p; the first 0, the second 9; ");
+}
+
+TEST(AnswerKeys, ChangeNothingOfWhatASimulatedParticipantSays) {
+  const auto says = [](const Protocol& protocol, const char* keys) {
+    std::vector<std::string> answers;
+    for (const std::size_t place : {std::size_t{0}, std::size_t{1}}) {
+      TestLab lab(60.0, protocol);
+      PlannedTrial trial = trial_with_delay(300);
+      trial.condition.push_back({"keys", std::string(keys)});
+      lab.input.on_page = [place](const Page& page) {
+        Answer answer;
+        answer.choice = place == 0 ? page.positive_choice : 1 - page.positive_choice;
+        return answer;
+      };
+      answers.push_back(run_attempt(trial, 1, lab.protocol.script, {}, lab.ports())
+                            .record.responses.front()
+                            .answer);
+    }
+    return answers;
+  };
+  const Protocol protocol = with_keys_of({"f j", "j f"});
+  EXPECT_EQ(says(protocol, "f j"), (std::vector<std::string>{"yes", "no"}));
+  EXPECT_EQ(says(protocol, "j f"), (std::vector<std::string>{"yes", "no"}));
+}
+
+// ---------------------------------------------------------------- the order of questions
+
+std::vector<std::string> asked_in(const json& order, std::uint64_t seed) {
+  json protocol = asked_protocol({kAskFreeText, kAskTwoInterval, kAskYesNo, kAskRating});
+  protocol["question_order"] = order;
+  TestLab lab(60.0, study_of(protocol));
+  const AttemptRecord record = answered_trial(lab, trial_with_delay(300, seed), 0);
+  EXPECT_EQ(record.responses.size(), 3U);
+  EXPECT_EQ(record.responses.front().kind, "yes_no") << "records are in one order";
+  return lab.input.titles;
+}
+
+TEST(QuestionOrder, IsAsTheProtocolListsThem) {
+  EXPECT_EQ(asked_in({"free_text", "yes_no", "rating", "two_interval"}, 1),
+            (std::vector<std::string>{"What did you see?", "Was there a delay?",
+                                      "How believable was it?", "Which had a delay?"}));
+}
+
+TEST(QuestionOrder, IsDrawnByTheTrialsSeedAlone) {
+  std::map<std::string, int> first;
+  constexpr int kTrials = 60;
+  for (std::uint64_t seed = 1; seed <= kTrials; ++seed) {
+    const std::vector<std::string> titles = asked_in("random", seed);
+    ++first[titles.front()];
+    if (seed == 1) {
+      EXPECT_EQ(titles, asked_in("random", seed));
+    }
+  }
+  EXPECT_EQ(first.size(), 4U);
+  for (const auto& [title, times] : first) {
+    EXPECT_GT(times, kTrials / 4 / 3) << title;  // of 15 expected: below 5.2 is 3 deviations off
+  }
+}
+
+TEST(QuestionOrder, ThatLeavesOneOutOrNamesAnotherIsRefused) {
+  const std::vector<json> orders{"fixed", json::array({"rating"}),
+                                 json::array({"rating", "clicks"}),
+                                 json::array({"rating", "rating"}), json::array()};
+  for (const json& order : orders) {
+    json protocol = asked_protocol({kAskYesNo, kAskRating});
+    protocol["question_order"] = order;
+    EXPECT_EQ(
+        asked_refusal(protocol),
+        "asked.json:/question_order: expected \"random\" or the questions after the stimulus, "
+        "each once, in some order ([\"rating\",\"yes_no\"]), got " +
+            order.dump());
+  }
 }
 
 }  // namespace impetus::responses_test

@@ -283,6 +283,7 @@ void read_other_pages(const Language& language, Reading& reading) {
   reading.read(practice_summary(scale, {{1, 1}}, progress));
   reading.read(practice_summary(scale, {{1, 1}, {2, 2}}, progress));
   reading.read(demonstration_over(demonstration, progress));
+  reading.read(frames_were_late(3, 100, 0.05, progress));
   reading.read(thanks_page(part_complete(language, 1, 2), true, progress));
 }
 
