@@ -172,7 +172,7 @@ void add_new(CLI::App& app, Command& chosen) {
   command->add_option("--ask", options->ask, "yes-no, rating, two-interval or click");
   command->add_option("--question", options->question, "The question's words");
   command->add_option("--language", options->language,
-                      "The participants': de, en, es, fr, pt or zh (default en)");
+                      "The participants': ar, de, en, es, fr, pt or zh (default en)");
   command->callback(
       [options, &chosen] { chosen = [options] { return make_new_study(*options); }; });
 }

@@ -43,7 +43,7 @@ Language named_language(const JsonDocument& protocol) {
 
 void add_letters_of_text(std::string_view text, std::set<std::uint16_t>& letters) {
   while (const auto point = text.empty() ? std::nullopt : first_code_point(text)) {
-    if (is_wide_letter(point->value)) {
+    if (is_wide_letter(point->value) || is_right_to_left_letter(point->value)) {
       letters.insert(static_cast<std::uint16_t>(point->value));
     }
     text.remove_prefix(point->bytes);
@@ -64,16 +64,17 @@ void add_letters_of_value(const json& value, std::set<std::uint16_t>& letters) {
 
 std::vector<Row<Protocol>> language_rows() {
   const Form language{{{"type", {"string", "object"}}}};
-  return {unread<Protocol>(
-              "language",
-              described("Of all that participants read and the protocol does not say, keys to "
-                        "press included: one that comes with the program (de, en, es, fr, pt, zh), "
-                        "or a file of a lab's own, seen from this one; en when left out.",
-                        language)),
-          unread<Protocol>("texts",
-                           described("In place of the language's: by the keys of its file. \"\" "
-                                     "switches a text off.",
-                                     by_name(any_text())))};
+  return {
+      unread<Protocol>(
+          "language",
+          described("Of all that participants read and the protocol does not say, keys to "
+                    "press included: one that comes with the program (ar, de, en, es, fr, pt, zh), "
+                    "or a file of a lab's own, seen from this one; en when left out.",
+                    language)),
+      unread<Protocol>("texts",
+                       described("In place of the language's: by the keys of its file. \"\" "
+                                 "switches a text off.",
+                                 by_name(any_text())))};
 }
 
 void hold_language(JsonDocument& protocol, const std::filesystem::path& path) {

@@ -1,7 +1,6 @@
 // The letters that screens can show, by code point: those that the stage loads of its fonts, and
-// those of Chinese, Japanese and Korean, where the language has any. What is written from right to
-// left is not among them, nor is what needs several code points for a letter.
-// SPDX-License-Identifier: MIT
+// those of Chinese, Japanese and Korean, where the language has any. What needs several code points
+// for a letter is not among them. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -32,6 +31,25 @@ inline constexpr std::array<LetterRange, 8> kShownLetters{{{0x0020, 0x007E},
 inline constexpr std::array<LetterRange, 5> kWideLetters{
     {{0x3000, 0x30FF}, {0x3400, 0x4DBF}, {0x4E00, 0x9FFF}, {0xAC00, 0xD7A3}, {0xFF01, 0xFFEE}}};
 
+/// Hebrew, and Arabic with the letters of Persian and Urdu that the fonts have: without vowel
+/// signs.
+inline constexpr std::array<LetterRange, 16> kRightToLeftLetters{{{0x05BE, 0x05BE},
+                                                                  {0x05D0, 0x05EA},
+                                                                  {0x05F3, 0x05F4},
+                                                                  {0x060C, 0x060C},
+                                                                  {0x061B, 0x061B},
+                                                                  {0x061F, 0x061F},
+                                                                  {0x0621, 0x063A},
+                                                                  {0x0640, 0x064A},
+                                                                  {0x0660, 0x066C},
+                                                                  {0x067E, 0x067E},
+                                                                  {0x0686, 0x0686},
+                                                                  {0x0698, 0x0698},
+                                                                  {0x06A9, 0x06A9},
+                                                                  {0x06AF, 0x06AF},
+                                                                  {0x06CC, 0x06CC},
+                                                                  {0x06F0, 0x06F9}}};
+
 template <std::size_t kSize>
 bool is_within(const std::array<LetterRange, kSize>& ranges, std::uint32_t code_point) {
   return std::any_of(ranges.begin(), ranges.end(), [&](const LetterRange& range) {
@@ -41,6 +59,10 @@ bool is_within(const std::array<LetterRange, kSize>& ranges, std::uint32_t code_
 
 inline bool is_shown_letter(std::uint32_t code_point) {
   return is_within(kShownLetters, code_point);
+}
+
+inline bool is_right_to_left_letter(std::uint32_t code_point) {
+  return is_within(kRightToLeftLetters, code_point);
 }
 
 inline bool is_wide_letter(std::uint32_t code_point) { return is_within(kWideLetters, code_point); }

@@ -8,7 +8,9 @@
 #include <cfloat>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "experiments/drawing/palette.hpp"
 #include "experiments/record/shown_letters.hpp"
@@ -27,17 +29,29 @@ constexpr std::array<float, kReadingSizes> kReadingScale{1.0F, 0.86F, 0.74F};
 constexpr float kTitleScale = 1.4F;
 constexpr float kSmallScale = 0.64F;
 
-/// First and last of each range, then 0. ImGui reads it when it builds the fonts' texture.
-const std::array<ImWchar, 2 * kShownLetters.size() + 1>& glyphs() {
-  static const auto kGlyphs = [] {
-    std::array<ImWchar, 2 * kShownLetters.size() + 1> ranges{};
-    for (std::size_t i = 0; i < kShownLetters.size(); ++i) {
-      ranges[2 * i] = kShownLetters[i].first;
-      ranges[2 * i + 1] = kShownLetters[i].last;
-    }
-    return ranges;
-  }();
-  return kGlyphs;
+/// Of Arabic, the forms that letters have beside others.
+constexpr std::array<LetterRange, 2> kJoinedForms{{{0xFB50, 0xFBFF}, {0xFE70, 0xFEFC}}};
+
+/// First and last of each range, then 0, as ImGui reads them when it builds the fonts' texture:
+/// what every screen shows, and what is read from right to left as well.
+std::vector<ImWchar> glyph_ranges(bool right_to_left) {
+  std::vector<ImWchar> ranges;
+  const auto add = [&](const LetterRange& range) {
+    ranges.insert(ranges.end(), {range.first, range.last});
+  };
+  std::for_each(kShownLetters.begin(), kShownLetters.end(), add);
+  if (right_to_left) {
+    std::for_each(kRightToLeftLetters.begin(), kRightToLeftLetters.end(), add);
+    std::for_each(kJoinedForms.begin(), kJoinedForms.end(), add);
+  }
+  ranges.push_back(0);
+  return ranges;
+}
+
+const ImWchar* glyphs(bool right_to_left) {
+  static const std::vector<ImWchar> kUsual = glyph_ranges(false);
+  static const std::vector<ImWchar> kBothWays = glyph_ranges(true);
+  return (right_to_left ? kBothWays : kUsual).data();
 }
 
 /// Letters of another font beside those of the one that was loaded last.
@@ -48,11 +62,11 @@ struct MoreLetters {
   const ImVector<ImWchar>& ranges;
 };
 
-ImFont* load_font(const char* path, float size_px) {
+ImFont* load_font(const char* path, float size_px, bool right_to_left) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   const float whole_px = std::round(size_px);
   if (std::filesystem::exists(path)) {
-    return atlas.AddFontFromFileTTF(path, whole_px, nullptr, glyphs().data());
+    return atlas.AddFontFromFileTTF(path, whole_px, nullptr, glyphs(right_to_left));
   }
   ImFontConfig scaled;
   scaled.SizePixels = whole_px;
@@ -143,13 +157,17 @@ float Gui::body_size() const {
   return std::round(std::max(kSmallestBodyPx, height() * kBodyShareOfHeight));
 }
 
-void Gui::load_fonts(const std::set<std::uint16_t>& letters) {
+void Gui::load_fonts(const std::set<std::uint16_t>& special) {
   const float body_px = body_size();
+  const bool right_to_left = std::any_of(special.begin(), special.end(), is_right_to_left_letter);
+  std::set<std::uint16_t> letters;
+  std::copy_if(special.begin(), special.end(), std::inserter(letters, letters.end()),
+               is_wide_letter);
   const auto wide = letters.empty() ? std::nullopt : find_wide_font();
   typed_ranges_ = wide_ranges(letters, /*is_typed=*/true);
   shown_ranges_ = wide_ranges(letters, /*is_typed=*/false);
   const auto load = [&](bool is_bold, float size_px, const ImVector<ImWchar>& ranges) {
-    ImFont* font = load_font(is_bold ? kBoldFont : kPlainFont, size_px);
+    ImFont* font = load_font(is_bold ? kBoldFont : kPlainFont, size_px, right_to_left);
     if (wide) {
       add_letters({is_bold ? wide->bold : wide->plain, wide->face, wide->scale, ranges}, size_px);
     }

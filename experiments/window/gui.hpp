@@ -31,8 +31,8 @@ struct Fonts {
 /// ImGui in this window.
 class Gui {
  public:
-  /// One per process at a time. `window` must outlive it. `letters` are those of kWideLetters that
-  /// will be shown.
+  /// One per process at a time. `window` must outlive it. `letters` are those beyond
+  /// kShownLetters that will be shown.
   explicit Gui(GlWindow& window, const std::set<std::uint16_t>& letters = {});
   ~Gui();
   Gui(const Gui&) = delete;

@@ -14,6 +14,12 @@ bool is_digit(const SDL_Keysym& pressed, char digit) {
          pressed.scancode == SDL_SCANCODE_KP_1 + place;
 }
 
+/// A keyboard for letters that are not Latin: keys go by the Latin letters that stand beside them.
+bool writes_another_script(const SDL_Keysym& pressed) {
+  constexpr SDL_Keycode kFirst = 0x0370;  // Greek
+  return pressed.sym >= kFirst && (pressed.sym & SDLK_SCANCODE_MASK) == 0;
+}
+
 }  // namespace
 
 bool is_key(const SDL_Keysym& pressed, const std::string& name) {
@@ -23,8 +29,11 @@ bool is_key(const SDL_Keysym& pressed, const std::string& name) {
   if (name == "enter") {
     return pressed.sym == SDLK_RETURN || pressed.sym == SDLK_KP_ENTER;
   }
-  return !name.empty() && pressed.sym == SDL_GetKeyFromName(name.c_str()) &&
-         pressed.sym != SDLK_UNKNOWN;
+  if (name.empty() || SDL_GetKeyFromName(name.c_str()) == SDLK_UNKNOWN) {
+    return false;
+  }
+  return writes_another_script(pressed) ? pressed.scancode == SDL_GetScancodeFromName(name.c_str())
+                                        : pressed.sym == SDL_GetKeyFromName(name.c_str());
 }
 
 std::string printed_key(const std::string& name, const Language& language) {

@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
+#include "experiments/record/shown_letters.hpp"
 #include "experiments/window/window.hpp"
 
 namespace impetus::inline window {
@@ -75,7 +77,9 @@ ImVector<ImWchar> wide_ranges(const std::set<std::uint16_t>& letters, bool is_ty
   return ranges;
 }
 
-std::optional<std::uint16_t> first_letter_without_font(const std::set<std::uint16_t>& letters) {
+std::optional<std::uint16_t> first_letter_without_font(const std::set<std::uint16_t>& shown) {
+  std::set<std::uint16_t> letters;  // all others are in the font of every screen
+  std::copy_if(shown.begin(), shown.end(), std::inserter(letters, letters.end()), is_wide_letter);
   const auto file = find_wide_font();
   if (letters.empty() || !file) {
     return letters.empty() ? std::nullopt : std::optional(*letters.begin());

@@ -27,13 +27,12 @@ struct Letters {
   bool wide{false};
 
   [[nodiscard]] bool has(std::uint32_t code) const {
-    return is_shown_letter(code) || (wide && is_wide_letter(code)) || code == '\n' ||
-           code == '\r' || code == '\t';
+    return is_shown_letter(code) || is_right_to_left_letter(code) ||
+           (wide && is_wide_letter(code)) || code == '\n' || code == '\r' || code == '\t';
   }
   [[nodiscard]] std::string words() const {
-    return wide ? "Latin, Greek, Cyrillic, Chinese, Japanese, Korean, signs; what is written from "
-                  "right to left is not covered"
-                : "Latin, Greek, Cyrillic, signs";
+    return wide ? "Latin, Greek, Cyrillic, Hebrew, Arabic, Chinese, Japanese, Korean, signs"
+                : "Latin, Greek, Cyrillic, Hebrew, Arabic, signs";
   }
 };
 

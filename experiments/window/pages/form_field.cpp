@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "experiments/window/pages/widgets.hpp"
+#include "experiments/window/right_to_left.hpp"
 #include "experiments/window/typed_input.hpp"
 
 namespace impetus::inline window {
@@ -64,7 +65,7 @@ std::string trimmed(std::string text) {
 FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, float width_px,
                             bool focused, bool take_keyboard) {
   ImGui::PushID(id);
-  draw_text(field_.label, gui.fonts().body[reading_size], palette::kText, width_px, Align::kLeft);
+  draw_text(field_.label, gui.fonts().body[reading_size], palette::kText, width_px, Align::kStart);
   const FocusChange change =
       takes_text() ? draw_entry(width_px, focused, take_keyboard) : draw_options(width_px, focused);
   if (focused && takes_text()) {
@@ -81,9 +82,12 @@ FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, fl
 void FormField::draw_message(ImFont* font) const {
   const ImVec2 from = ImGui::GetItemRectMin();
   const ImVec2 to = ImGui::GetItemRectMax();
-  const ImVec2 at(std::round(to.x + 0.6F * ImGui::GetFontSize()),
-                  std::round((from.y + to.y - font->FontSize) / 2.0F));
-  write_at(at, message_, font, palette::kWarning);
+  const std::string message = visual_label(message_);
+  const float gap_px = 0.6F * ImGui::GetFontSize();
+  const float left =
+      is_right_to_left(field_.label) ? from.x - gap_px - width_of(message, *font) : to.x + gap_px;
+  write_at(ImVec2(std::round(left), std::round((from.y + to.y - font->FontSize) / 2.0F)), message,
+           font, palette::kWarning);
 }
 
 FocusChange FormField::draw_entry(float width_px, bool focused, bool take_keyboard) {
@@ -91,7 +95,11 @@ FocusChange FormField::draw_entry(float width_px, bool focused, bool take_keyboa
     ImGui::SetKeyboardFocusHere();
   }
   if (field_.kind == Field::Kind::kNumber) {
-    ImGui::SetNextItemWidth(std::min(width_px, kNumberWidth * ImGui::GetFontSize()));
+    const float number_px = std::min(width_px, kNumberWidth * ImGui::GetFontSize());
+    if (is_right_to_left(field_.label)) {
+      ImGui::SetCursorScreenPos(ImGui::GetCursorScreenPos() + ImVec2(width_px - number_px, 0.0F));
+    }
+    ImGui::SetNextItemWidth(number_px);
     ImGui::InputText("##number", &text_, ImGuiInputTextFlags_CallbackCharFilter,
                      keep_number_characters);
   } else {
@@ -109,7 +117,7 @@ FocusChange FormField::draw_entry(float width_px, bool focused, bool take_keyboa
 
 FocusChange FormField::draw_options(float width_px, bool focused) {
   FocusChange change = FocusChange::kNone;
-  ButtonRows rows(width_px, 0.4F * ImGui::GetFontSize());
+  ButtonRows rows(width_px, 0.4F * ImGui::GetFontSize(), is_right_to_left(field_.label));
   for (std::size_t option = 0; option < field_.options.size(); ++option) {
     const ImVec2 size_px = button_size(field_.options[option], "", width_px);
     rows.place(size_px);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "experiments/window/pages/widgets.hpp"
+#include "experiments/window/right_to_left.hpp"
 #include "experiments/window/typed_input.hpp"
 
 namespace impetus::inline window {
@@ -43,7 +44,8 @@ std::optional<std::size_t> draw_rows(const Page& page, const Column& column,
                                      const ChoiceMarks& marks) {
   std::optional<std::size_t> clicked;
   ImGui::SetCursorScreenPos(ImVec2(column.left, ImGui::GetCursorScreenPos().y));
-  ButtonRows rows(column.width, std::round(0.7F * ImGui::GetFontSize()));
+  const bool from_right = !page.choices.empty() && is_right_to_left(page.choices.front().label);
+  ButtonRows rows(column.width, std::round(0.7F * ImGui::GetFontSize()), from_right);
   for (std::size_t choice = 0; choice < page.choices.size(); ++choice) {
     const ImVec2 size_px =
         button_size(page.choices[choice].label, hint_for(page, page.choices[choice]), column.width);
@@ -125,13 +127,15 @@ std::optional<std::size_t> draw_large_choices(const Gui& gui, const Page& page,
 void draw_statement(const std::string& statement, ImFont* font, const Column& column) {
   const float indent_px = std::round(0.8F * font->FontSize);
   const float bar_px = std::round(0.18F * font->FontSize);
+  const bool from_right = is_right_to_left(statement);
   const ImVec2 from = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(column.left + indent_px, from.y));
+  ImGui::SetCursorScreenPos(ImVec2(column.left + (from_right ? 0.0F : indent_px), from.y));
   const float height_px =
-      draw_text(statement, font, palette::kText, column.width - indent_px, Align::kLeft);
+      draw_text(statement, font, palette::kText, column.width - indent_px, Align::kStart);
   const float bottom = from.y + height_px - (line_height(*font) - font->FontSize);
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(column.left, from.y),
-                                            ImVec2(column.left + bar_px, bottom), palette::kAccent);
+  const float bar_left = column.left + (from_right ? column.width - bar_px : 0.0F);
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(bar_left, from.y),
+                                            ImVec2(bar_left + bar_px, bottom), palette::kAccent);
   ImGui::SetCursorScreenPos(ImVec2(from.x, from.y + height_px));
 }
 
@@ -167,7 +171,8 @@ void draw_lost_gaze_mark(ImDrawList& draw, ImVec2 at, const ImFont& font, ImU32 
                          const std::string& words) {
   const float radius = 0.3F * font.FontSize;
   draw.AddCircle(ImVec2(at.x + radius, at.y + 0.55F * font.FontSize), radius, colour, 0, 1.5F);
-  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour, words.c_str());
+  draw.AddText(&font, font.FontSize, at + ImVec2(3.0F * radius, 0.0F), colour,
+               visual_label(words).c_str());
 }
 
 float bar_height(const Gui& gui) {
@@ -188,7 +193,7 @@ void draw_words(const Gui& gui, const Page& page, std::size_t reading_size) {
   const Column column = reading_column(gui);
   const bool is_centred =
       page.layout == Page::Layout::kScale || page.layout == Page::Layout::kChoices;
-  const Align align = is_centred ? Align::kCentre : Align::kLeft;
+  const Align align = is_centred ? Align::kCentre : Align::kStart;
   if (!page.title.empty()) {
     draw_text(page.title, gui.fonts().title[reading_size], palette::kText, column.width, align);
     move_down(part_gap());
@@ -262,7 +267,7 @@ void draw_point_map(const Gui& gui, const PointMap& map, const Language& languag
   draw.PopClipRect();
   ImGui::SetCursorScreenPos(ImVec2(column.left, corner.y + height + std::round(0.3F * part_gap())));
   draw_text(language.text("map_caption"), gui.fonts().small, palette::kQuietText, column.width,
-            Align::kLeft);
+            Align::kStart);
 }
 
 float progress_height(const Gui& gui) {
@@ -284,10 +289,11 @@ void draw_progress(const Gui& gui, const SessionProgress& progress, Ground groun
   draw.AddRectFilled(ImVec2(0, top), ImVec2(done_px, gui.height()), colours.done);
 
   ImFont* font = gui.fonts().small;
-  const ImVec2 label_px = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, progress.label.c_str());
+  const std::string label = visual_label(progress.label);
+  const ImVec2 label_px = font->CalcTextSizeA(font->FontSize, 1e6F, 0.0F, label.c_str());
   const ImVec2 at(std::floor((gui.width() - label_px.x) / 2.0F),
                   std::floor(top - 1.35F * font->FontSize));
-  draw.AddText(font, font->FontSize, at, colours.label, progress.label.c_str());
+  draw.AddText(font, font->FontSize, at, colours.label, label.c_str());
   if (progress.gaze_was_lost) {
     draw_lost_gaze_mark(draw, ImVec2(at.x + label_px.x + font->FontSize, at.y), *font,
                         colours.label, progress.language.text("gaze_lost_mark"));

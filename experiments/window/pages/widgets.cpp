@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/record/shown_letters.hpp"
+#include "experiments/window/right_to_left.hpp"
 
 namespace impetus::inline window {
 namespace {
@@ -72,10 +73,29 @@ const char* end_of_wide_line(const char* begin, const char* end, const ImFont& f
   return end;
 }
 
+/// The same for words of which some are read from right to left, whose letters join.
+const char* end_of_joined_line(const char* begin, const char* end, const ImFont& font,
+                               float width_px) {
+  const char* fitting = begin;
+  for (const char* at = begin; at < end;) {
+    const char* word_end = std::find(at + 1, end, ' ');
+    const std::string_view line(begin, static_cast<std::size_t>(word_end - begin));
+    if (fitting > begin && width_of(visual_label(line), font) > width_px) {
+      return fitting;
+    }
+    fitting = word_end;
+    at = word_end;
+  }
+  return end;
+}
+
 const char* end_of_line(const char* begin, const char* end, const ImFont& font, float width_px) {
   const char* line_break = begin;
   while (line_break < end && *line_break != '\n') {
     ++line_break;
+  }
+  if (has_right_to_left({begin, static_cast<std::size_t>(line_break - begin)})) {
+    return end_of_joined_line(begin, line_break, font, width_px);
   }
   if (has_wide_letter(begin, line_break)) {
     return end_of_wide_line(begin, line_break, font, width_px);
@@ -102,14 +122,18 @@ float offset_for(Align align, float width_px, float line_px) {
                                   : 0.0F;
 }
 
-/// The words and their key in one line.
+/// The words and their key in one line: the key comes after the words, as they are read.
 void draw_label(const ButtonLook& look, ImVec2 from) {
-  const ImVec2 label_px = ImGui::CalcTextSize(look.label.c_str());
-  const ImVec2 hint_px = ImGui::CalcTextSize(look.hint.c_str());
+  const bool from_right = is_right_to_left(look.label);
+  const std::string label = visual_line(look.label, from_right);
+  const std::string hint = visual_line(look.hint, from_right);
+  const ImVec2 label_px = ImGui::CalcTextSize(label.c_str());
+  const ImVec2 hint_px = ImGui::CalcTextSize(hint.c_str());
   const ImVec2 at(std::floor(from.x + (look.size_px.x - label_px.x - hint_px.x) / 2.0F),
                   std::floor(from.y + (look.size_px.y - label_px.y) / 2.0F));
-  write_at(at, look.label, ImGui::GetFont(), look.chosen ? palette::kOnAccent : palette::kText);
-  write_at(ImVec2(at.x + label_px.x, at.y), look.hint, ImGui::GetFont(),
+  write_at(ImVec2(at.x + (from_right ? hint_px.x : 0.0F), at.y), label, ImGui::GetFont(),
+           look.chosen ? palette::kOnAccent : palette::kText);
+  write_at(ImVec2(at.x + (from_right ? 0.0F : label_px.x), at.y), hint, ImGui::GetFont(),
            look.chosen ? palette::kOnAccent : palette::kQuietText);
 }
 
@@ -123,8 +147,12 @@ void draw_long_label(const ButtonLook& look, ImVec2 from) {
   ImVec2 at(
       std::floor(from.x + margin_px),
       std::floor(from.y + (look.size_px.y - height_px + line_height(font) - font.FontSize) / 2.0F));
+  const bool from_right = is_right_to_left(words);
   for (const std::string_view line : lines) {
-    write_at(at, line, ImGui::GetFont(), look.chosen ? palette::kOnAccent : palette::kText);
+    const std::string shown = visual_line(line, from_right);
+    const float free_px = look.size_px.x - 2.0F * margin_px - width_of(shown, font);
+    write_at(ImVec2(at.x + (from_right ? std::floor(free_px) : 0.0F), at.y), shown,
+             ImGui::GetFont(), look.chosen ? palette::kOnAccent : palette::kText);
     at.y += line_height(font);
   }
 }
@@ -162,10 +190,13 @@ void write_at(ImVec2 corner, std::string_view text, ImFont* font, ImU32 colour) 
 
 float draw_text(const std::string& text, ImFont* font, ImU32 colour, float width_px, Align align) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
+  const bool from_right = is_right_to_left(text);
+  const Align side = align != Align::kStart ? align : from_right ? Align::kRight : Align::kLeft;
   float height = 0.0F;
-  for (const std::string_view line : lines_of(text, *font, width_px)) {
+  for (const std::string_view read : lines_of(text, *font, width_px)) {
+    const std::string line = visual_line(read, from_right);
     const float line_px = width_of(line, *font);
-    write_at(origin + ImVec2(offset_for(align, width_px, line_px), height), line, font, colour);
+    write_at(origin + ImVec2(offset_for(side, width_px, line_px), height), line, font, colour);
     height += line_height(*font);
   }
   ImGui::SetCursorScreenPos(origin + ImVec2(0.0F, height));
@@ -175,7 +206,8 @@ float draw_text(const std::string& text, ImFont* font, ImU32 colour, float width
 ImVec2 button_size(const std::string& label, const std::string& hint, float widest_px) {
   const ImFont& font = *ImGui::GetFont();
   const float margins_px = 2.0F * kButtonMargin * font.FontSize;
-  const float text_px = ImGui::CalcTextSize(label.c_str()).x + ImGui::CalcTextSize(hint.c_str()).x;
+  const float text_px =
+      ImGui::CalcTextSize(visual_label(label).c_str()).x + ImGui::CalcTextSize(hint.c_str()).x;
   const ImVec2 one_line(std::ceil(text_px + margins_px), std::round(1.9F * font.FontSize));
   if (one_line.x <= widest_px) {
     return one_line;
@@ -233,7 +265,9 @@ void ButtonRows::place(ImVec2 size_px) {
     at_ = ImVec2(origin_.x, at_.y + row_px_ + gap_px_);
     row_px_ = 0.0F;
   }
-  ImGui::SetCursorScreenPos(at_);
+  const float from_left_px = at_.x - origin_.x;
+  const float left_px = from_right_ ? width_px_ - from_left_px - size_px.x : from_left_px;
+  ImGui::SetCursorScreenPos(ImVec2(origin_.x + left_px, at_.y));
   at_.x += size_px.x + gap_px_;
   row_px_ = std::max(row_px_, size_px.y);
 }

@@ -26,8 +26,9 @@ float width_of(std::string_view text, const ImFont& font);
 /// Writes a text from its upper left corner on, in whole pixels or not.
 void write_at(ImVec2 corner, std::string_view text, ImFont* font, ImU32 colour);
 
-/// Where lines stand in their column.
-enum class Align { kLeft, kCentre, kRight };
+/// Where lines stand in their column: at its left, in its middle, at its right; or at the side from
+/// which the text is read.
+enum class Align { kLeft, kCentre, kRight, kStart };
 
 /// Wrapped text at the cursor, each line aligned within `width_px`; the cursor moves below it.
 /// Returns the height.
@@ -64,8 +65,10 @@ void draw_focus_ring(ImVec2 from, ImVec2 to);
 /// Where buttons go that stand in rows, as many beside each other as a width holds.
 class ButtonRows {
  public:
-  /// The first row begins at the cursor.
-  ButtonRows(float width_px, float gap_px) : width_px_(width_px), gap_px_(gap_px) {}
+  /// The first row begins at the cursor; the first button of a row is at its right where rows are
+  /// read from the right.
+  ButtonRows(float width_px, float gap_px, bool from_right = false)
+      : width_px_(width_px), gap_px_(gap_px), from_right_(from_right) {}
 
   /// Moves the cursor to where the next button goes, which is of this size.
   void place(ImVec2 size_px);
@@ -76,6 +79,7 @@ class ButtonRows {
  private:
   float width_px_;
   float gap_px_;
+  bool from_right_;
   ImVec2 origin_{ImGui::GetCursorScreenPos()};
   ImVec2 at_{origin_};
   float row_px_{0.0F};  ///< as high as the highest button of the row

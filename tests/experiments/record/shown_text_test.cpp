@@ -52,10 +52,12 @@ TEST(ProtocolTexts, ANameOfAMillionLettersIsRefusedAndNoStackEnds) {
 
 TEST(ProtocolTexts, LettersThatScreensCannotShowAreRefusedAtTheirPlace) {
   const std::string expected =
-      ": expected letters that screens can show (Latin, Greek, Cyrillic, signs), got ";
+      ": expected letters that screens can show (Latin, Greek, Cyrillic, Hebrew, Arabic, signs), "
+      "got ";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"\u05E9\u05DC\u05D5\u05DD", "U+05E9 as character 1"},
-      {"an \u0645", "U+0645 as character 4"},
+      {"\u05E9\u05B8", "U+05B8 as character 2"},
+      {"an \u0645\u064E", "U+064E as character 5"},
+      {"\u0928\u092E\u0938\u094D\u0924\u0947", "U+0928 as character 1"},
       {"\u53C2", "U+53C2 as character 1"},
       {"\U0001F600", "U+1F600 as character 1"},
       {"e\u0301", "U+0301 as character 2"},
