@@ -7,7 +7,8 @@
 //
 // Where hinges must not turn further, at their limits and where neighbours are folded together, are
 // contacts that turn: an angular impulse of the child against the parent, never pulling, found
-// among the impulses of all other contacts. SPDX-License-Identifier: MIT
+// among the impulses of all other contacts.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

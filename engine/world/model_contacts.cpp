@@ -1,5 +1,6 @@
 // The fifth phase of a step: overlapping nodes become a few contacts of each pair, and are
-// reported. SPDX-License-Identifier: MIT
+// reported.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

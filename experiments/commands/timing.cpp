@@ -1,5 +1,6 @@
 // `impetus timing`: what this machine's display, input and gaze do in time, for the methods
-// section. SPDX-License-Identifier: MIT
+// section.
+// SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <ctime>
 #include <filesystem>

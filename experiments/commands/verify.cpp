@@ -12,7 +12,7 @@
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/store/study_file.hpp"
 #include "experiments/study/study_verification.hpp"
-#include "experiments/study/verification.hpp"
+#include "experiments/study/verification_report.hpp"
 
 namespace impetus::inline commands {
 namespace {

@@ -1,5 +1,6 @@
 // The tables of an export, and the factors of a study that become columns of its trials. The
-// queries stand in export_tables.sql. SPDX-License-Identifier: MIT
+// queries stand in export_tables.sql.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>

@@ -5,7 +5,8 @@
 //   /texts of a protocol ──────────┘
 //
 // A key that no row names does not compile; a language that lacks a text is refused when it is
-// read. What researchers read is English, as is what is recorded. SPDX-License-Identifier: MIT
+// read. What researchers read is English, as is what is recorded.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

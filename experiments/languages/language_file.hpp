@@ -1,5 +1,6 @@
 // Languages as files: those that come with the program, a lab's own, and single texts in their
-// place. SPDX-License-Identifier: MIT
+// place.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>

@@ -1,6 +1,7 @@
 // Every text that participants can see and no protocol wrote: a row for each, by key. The words
 // stand in the language files beside this one. A new text is its row, its line in each of them, and
-// its use. SPDX-License-Identifier: MIT
+// its use.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>

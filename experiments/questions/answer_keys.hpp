@@ -7,7 +7,8 @@
 //
 // The keys of a factor keep their sides of the screen, as the first level has them: it is the
 // answers that change sides. What was pressed for an answer follows from the protocol and the
-// trial's condition; what is recorded is the answer. SPDX-License-Identifier: MIT
+// trial's condition; what is recorded is the answer.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,10 @@
 // The order in which the questions after a stimulus are asked.
 //
-//   left out                            as kinds are listed: rating, yes_no, two_interval,
-//   free_text "question_order": ["yes_no", ...]   as it says "question_order": "random" drawn for
-//   each trial, by its seed alone
+//   left out                            as kinds are listed
+//
+//   "question_order": ["yes_no", ...]   as it says
+//
+//   "question_order": "random"          drawn for each trial, by its seed alone
 //
 // SPDX-License-Identifier: MIT
 #pragma once

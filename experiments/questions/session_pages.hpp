@@ -1,5 +1,6 @@
 // The pages that every session shows, whatever the study: their words are those of the language
-// that the progress on them has. SPDX-License-Identifier: MIT
+// that the progress on them has.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <map>

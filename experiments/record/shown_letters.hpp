@@ -1,6 +1,7 @@
 // The letters that screens can show, by code point: those that the stage loads of its fonts, and
 // those of Chinese, Japanese and Korean, where the language has any. What needs several code points
-// for a letter is not among them. SPDX-License-Identifier: MIT
+// for a letter is not among them.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,8 @@
 //   experimenter
 //
 // A frame that misses refreshes puts off all that follow it: the stimulus then runs slower than
-// real time by as many refreshes as were missed. SPDX-License-Identifier: MIT
+// real time by as many refreshes as were missed.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/store/study_file.hpp"
-#include "experiments/study/verification.hpp"
+#include "experiments/study/verification_report.hpp"
 
 namespace impetus::inline study {
 

@@ -24,7 +24,7 @@
 #include "experiments/study/embedded_recording_rules.hpp"
 #include "experiments/study/embedded_remarks.hpp"
 #include "experiments/study/protocol_check.hpp"
-#include "experiments/study/verification.hpp"
+#include "experiments/study/verification_report.hpp"
 
 namespace impetus::inline study {
 namespace {

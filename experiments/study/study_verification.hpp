@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "experiments/store/study_file.hpp"
-#include "experiments/study/verification.hpp"
+#include "experiments/study/verification_report.hpp"
 
 namespace impetus::inline study {
 

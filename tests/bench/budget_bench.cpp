@@ -6,13 +6,14 @@
 //   1, 4, 16  longest step under that budget, and over it; what a step may take beyond is the
 //             greater of .05 ms and 2 %
 //   floor     longest step of which nothing is granted: a budget below it cannot hold
-//   energy    of the end over the start, the most of all runs; outside, the most bodies whose
-//   centre
-//             is beyond a wall at any time; overruns in work, of all runs
+//   energy    of the end over the start, the most of all runs
+//   outside   the most bodies whose centre is beyond a wall at any time
+//   overruns  in work, of all runs
 //
 // Longest steps are medians of five runs. Scenes are those of the project's files with their own
 // settings, crowds of creatures in their cube, and the crowds of the other benchmarks, whose body
-// is the MESH. SPDX-License-Identifier: MIT
+// is the MESH.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -3,7 +3,8 @@
 //   impetus_figures_bench [--steps N] [--quick]
 //
 // Thread CPU time. "without hinges" are the same 320 parts, each a body by itself: what figures
-// add. SPDX-License-Identifier: MIT
+// add.
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
 #include <exception>

@@ -1,5 +1,6 @@
 // What tests of the program's commands say: a refusal in one sentence, a changed copy of the
-// shipped protocol, a value of the study. SPDX-License-Identifier: MIT
+// shipped protocol, a value of the study.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <SQLiteCpp/Database.h>

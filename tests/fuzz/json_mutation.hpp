@@ -1,5 +1,6 @@
 // JSON with one value changed for another: what gets past the parser, which changed bytes seldom
-// do. SPDX-License-Identifier: MIT
+// do.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>

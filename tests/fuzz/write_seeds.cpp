@@ -1,5 +1,6 @@
 // Writes the seeds as files: write_seeds FOLDER makes FOLDER/mesh_file/*, FOLDER/tree_file/* and so
-// on. SPDX-License-Identifier: MIT
+// on.
+// SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <fstream>
 

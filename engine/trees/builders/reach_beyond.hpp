@@ -2,7 +2,8 @@
 // The certified bound is NodeDescription's.
 //
 // Signed distances for this are exact, or between remembered ones of a grid, which is a hundred
-// times quicker and good where a volume is many cells wide. SPDX-License-Identifier: MIT
+// times quicker and good where a volume is many cells wide.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>

@@ -1,5 +1,6 @@
 // A recorded stimulus on its way to the viewer: its bodies are built and its trial is simulated
-// again, behind a screen that says how far that is. SPDX-License-Identifier: MIT
+// again, behind a screen that says how far that is.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>

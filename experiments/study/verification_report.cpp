@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/study/verification.hpp"
+#include "experiments/study/verification_report.hpp"
 
 #include <nlohmann/json.hpp>
 
