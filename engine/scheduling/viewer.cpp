@@ -5,12 +5,19 @@
 
 namespace impetus::inline scheduling {
 
-Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg) {
+Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg, double elevation_deg) {
   const SineCosine turn = sine_cosine_deg(azimuth_deg);
   Viewer viewer;
   viewer.screen = screen;
   viewer.eye = screen.viewing_distance_m * Vector3(turn.sine, 0.0, turn.cosine);
   viewer.right = Vector3(turn.cosine, 0.0, -turn.sine);
+  if (elevation_deg != 0.0) {  // a level eye keeps every bit, signs of zeros too
+    const SineCosine raised = sine_cosine_deg(elevation_deg);
+    const Vector3 level(turn.sine, 0.0, turn.cosine);
+    viewer.eye =
+        screen.viewing_distance_m * (raised.cosine * level + raised.sine * Vector3::UnitY());
+    viewer.up = raised.cosine * Vector3::UnitY() - raised.sine * level;
+  }
   return viewer;
 }
 

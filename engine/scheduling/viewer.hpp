@@ -32,8 +32,9 @@ struct Viewer {
 };
 
 /// An eye at the viewing distance, turned about the vertical by `azimuth_deg` from the z axis: the
-/// angle between the world's x axis and the image plane.
-Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg);
+/// angle between the world's x axis and the image plane. It is raised by `elevation_deg` (from 0 to
+/// below 90) above the horizontal plane through the world's origin, and looks down at the origin.
+Viewer viewer_at(const ScreenGeometry& screen, double azimuth_deg, double elevation_deg = 0.0);
 
 /// What the viewer sees through the screen from `front_m` before it to `back_m` behind it.
 ViewFrustum view_frustum(const Viewer& viewer, double front_m, double back_m);

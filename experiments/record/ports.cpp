@@ -10,6 +10,7 @@ Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, dou
   picture.progress = progress;
   if (!poses.empty()) {
     picture.enclosure = scene.world.settings().enclosure;
+    picture.appearance = scene.appearance;
   }
   for (std::size_t body = 0; body < poses.size(); ++body) {
     picture.bodies.push_back({poses[body], scene.looks[body]});

@@ -46,6 +46,7 @@ struct Picture {
   std::optional<Enclosure> enclosure{};  ///< drawn as seen from inside: walls that face the eye
   bool pointer{false};                   ///< the mouse pointer is visible: it stands in for gaze
   Viewer viewer;
+  std::shared_ptr<const Appearance> appearance{};  ///< none: painted plainly
   SessionProgress progress;
   Fixation target{};  ///< of a calibration: where a point to look at is drawn
   /// What a photodiode patch shows with it, where the display has one.

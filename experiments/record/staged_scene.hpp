@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "engine/shapes/triangle_mesh.hpp"
 #include "engine/world/world.hpp"
 #include "experiments/design/design.hpp"
+#include "experiments/record/appearance.hpp"
 #include "experiments/record/gaze.hpp"
 
 namespace impetus::inline record {
@@ -22,8 +24,9 @@ namespace impetus::inline record {
 /// looks at the world's origin all the time (Dingliana 2002, eq. 5.1: camera motion). The eye's
 /// velocity is ω × eye, ω being the rate about y.
 struct ViewerTurn {
-  double azimuth_deg{0.0};  ///< at time zero
-  double rate_deg_s{0.0};   ///< anticlockwise from above; 0: the viewer stays
+  double azimuth_deg{0.0};    ///< at time zero
+  double rate_deg_s{0.0};     ///< anticlockwise from above; 0: the viewer stays
+  double elevation_deg{0.0};  ///< at all times
 };
 
 /// The viewer `time_s` after `start`, which is as it was when nothing turns. The same bits on every
@@ -64,14 +67,15 @@ using DrawnLevels = std::vector<DrawnLevel>;
     double px_per_metre);
 
 /// How a body looks: a mesh in the body's frame, or a sphere of this radius (metres) when there is
-/// none; colour sRGB, 0–1.
+/// none.
 struct DrawnBody {
   std::string name;
   double radius_m{0.0};  ///< of the sphere, or of a ball about the origin that holds the mesh
-  std::array<float, 3> colour{0.8F, 0.8F, 0.8F};
+  Colour colour{0.8F, 0.8F, 0.8F};
   std::shared_ptr<const TriangleMesh> mesh{};
   /// Meshes to draw instead where the body is one of a crowd; none: always its own.
   std::shared_ptr<const DrawnLevels> coarser{};
+  std::optional<SurfaceTexture> texture{};  ///< its own; none: the appearance's
 };
 
 /// Where collisions are of high priority, for schedules by region.
@@ -120,6 +124,8 @@ struct StagedScene {
   ViewerTurn turn{};           ///< `viewer` is where it starts
   double gaze_latency_s{0.0};  ///< imposed, all in all: samples younger than this are not used yet
   std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
+  /// How bodies and what is about them are painted; none: as a scene that says nothing of it.
+  std::shared_ptr<const Appearance> appearance{};
   Condition condition{};  ///< that it was staged for; a simulated participant may go by it
 
   [[nodiscard]] Viewer viewer_at_time(double time_s) const {

@@ -217,7 +217,7 @@ void add_distractor_problems(const Scene& scene, ShapeLibrary& library, ScenePro
     return;
   }
   const ScreenGeometry screen = screen_for_checks();
-  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
+  const Viewer viewer = scene.viewer_on(screen);
   SceneBodies bodies = bodies_of(scene, metres_per_degree(screen.viewing_distance_m), library);
   add_distractors(scene, bodies);
   add_shells(scene, viewer, bodies);

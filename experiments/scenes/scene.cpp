@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene.hpp"
 
-#include <cstdlib>
-
 #include "engine/numerics/elementary_functions.hpp"
 
 namespace impetus::inline scenes {
 namespace {
 
 using nlohmann::json;
-
-Colour parse_colour(const json& text) {
-  const auto number = static_cast<unsigned>(
-      std::strtoul(text.get_ref<const std::string&>().c_str() + 1, nullptr, 16));
-  const auto channel = [number](unsigned shift) {
-    return static_cast<float>((number >> shift) & 0xffU) / 255.0F;
-  };
-  return {channel(16), channel(8), channel(0)};
-}
-
-Kind<Colour> colour_kind() {
-  return defined("colour", Kind<Colour>{described("sRGB, #rrggbb", text_like("^#[0-9a-fA-F]{6}$")),
-                                        parse_colour});
-}
 
 Kind<std::vector<Colour>> colours_kind() { return list(colour_kind(), {1, -1}); }
 
@@ -72,6 +56,9 @@ Kind<ViewerSettings> viewer_kind() {
   return object<V>(
       "", {required("azimuth_deg", &V::azimuth_deg, number({-90, 90}),
                     "Angle between the line of approach (the x axis) and the image plane."),
+           row("elevation_deg", &V::elevation_deg, number({0, 80}),
+               "How far the eye is raised, to look down at the scene: a ground needs it, which is "
+               "seen from its edge at 0; 0 when left out."),
            row("turn_deg_s", &V::turn_deg_s, number({-360, 360}),
                "The eye goes round the vertical at this rate, from azimuth_deg, anticlockwise seen "
                "from above; 0 when left out.")});
@@ -93,7 +80,8 @@ Kind<BodySettings> body_kind() {
            "Nothing moves or turns it; bodies that are fixed may overlap each other and the "
            "enclosure."),
        row("material", &B::material, material_kind()),
-       required("colour", &B::colour, colour_kind())});
+       required("colour", &B::colour, colour_kind()),
+       row("texture", &B::texture, texture_kind(), "In place of the appearance's.")});
 }
 
 /// How fast a crowd moves, and where it starts.
@@ -305,6 +293,7 @@ const Kind<Scene>& scene_kind() {
                    "The content of mesh files, by file: put in when a scene is read, so that a "
                    "recording holds all that it needs. A file that is here is not read."),
                required("viewer", &S::viewer, viewer_kind()),
+               row("appearance", &S::appearance, appearance_kind()),
                row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
                    "Named one by one: two that meet, or any number with positions of their own."),
                row("crowd", &S::crowd, crowd_kind()),

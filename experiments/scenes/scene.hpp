@@ -21,17 +21,18 @@
 #include <vector>
 
 #include "engine/figures/figure.hpp"
+#include "engine/scheduling/viewer.hpp"
+#include "experiments/scenes/appearance_settings.hpp"
 #include "experiments/scenes/engine_settings.hpp"
 #include "experiments/scenes/figures/figure_settings.hpp"
 #include "experiments/scenes/shape_settings.hpp"
 
 namespace impetus::inline scenes {
 
-using Colour = std::array<float, 3>;  ///< sRGB, 0–1
-
 /// Where the viewer looks from.
 struct ViewerSettings {
   double azimuth_deg{0.0};
+  double elevation_deg{0.0};
   double turn_deg_s{0.0};
 };
 
@@ -47,6 +48,7 @@ struct BodySettings {
   std::optional<bool> fixed;
   std::string material;  ///< "": none
   Colour colour{};
+  std::optional<SurfaceTexture> texture;
 };
 
 /// What crowds of bodies and of figures have alike.
@@ -158,6 +160,7 @@ struct Scene {
   EngineSettings engine;
   Meshes meshes;
   ViewerSettings viewer;
+  AppearanceSettings appearance;
   std::optional<std::vector<BodySettings>> bodies;
   std::optional<BodyCrowd> crowd;
   std::optional<std::vector<NamedFigure>> figures;
@@ -174,6 +177,10 @@ struct Scene {
   /// The crowd, of bodies or of figures. Precondition: has_crowd().
   [[nodiscard]] const CrowdSettings& any_crowd() const {
     return crowd ? static_cast<const CrowdSettings&>(*crowd) : *figure_crowd;
+  }
+  /// Who looks at it on this screen, at the onset.
+  [[nodiscard]] Viewer viewer_on(const ScreenGeometry& screen) const {
+    return viewer_at(screen, viewer.azimuth_deg, viewer.elevation_deg);
   }
   /// None where there are none.
   [[nodiscard]] std::span<const BodySettings> named_bodies() const {

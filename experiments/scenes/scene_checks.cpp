@@ -9,6 +9,7 @@
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_checks.hpp"
 #include "experiments/scenes/figures/figure_checks.hpp"
+#include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"
@@ -150,6 +151,7 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_enclosure_problems(scene, problems);
   add_tree_problems(scene.engine, problems);
   add_random_spin_problems(scene, problems);
+  add_appearance_problems(scene, problems);
   if (scene.has_figures()) {
     add_figure_problems(scene, problems);
   }

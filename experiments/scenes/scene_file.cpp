@@ -16,6 +16,7 @@
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
+#include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
@@ -136,13 +137,13 @@ void add_coarser_meshes(std::vector<DrawnBody>& looks, ShapeLibrary& library) {
   }
 }
 
-/// All but the coarser meshes of a crowd, which only drawing needs.
+/// All but what only drawing needs: the scene's appearance, and a crowd's coarser meshes.
 StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, double round_hold_to_hz,
                          ShapeLibrary& library, const std::string& start, std::uint64_t seed,
                          int deepest_level) {
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   const EngineSettings& engine = scene.engine;
-  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
+  const Viewer viewer = scene.viewer_on(screen);
   SceneBodies bodies = bodies_of(scene, m_per_deg, library, deepest_level);
   const double intended_s = scene.intended_hold_s();
   const double realised_s =
@@ -176,7 +177,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   staged.scheduler = engine.scheduler();
   staged.metric_options = metric_options_of(engine, m_per_deg);
   staged.reduction = engine.contacts.reduction;
-  staged.turn = {scene.viewer.azimuth_deg, scene.viewer.turn_deg_s};
+  staged.turn = {scene.viewer.azimuth_deg, scene.viewer.turn_deg_s, scene.viewer.elevation_deg};
   staged.gaze_latency_s = scene.imposed ? scene.imposed->gaze_latency_ms / 1e3 : 0.0;
   return staged;
 }
@@ -194,6 +195,7 @@ StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double
                         int deepest_level) {
   StagedScene staged =
       staged_scene(scene, screen, round_hold_to_hz, library, start, seed, deepest_level);
+  apply_appearance(scene, metres_per_degree(screen.viewing_distance_m), staged);
   add_coarser_meshes(staged.looks, library);
   return staged;
 }
@@ -202,7 +204,7 @@ bool crowd_has_room(const Scene& scene, ShapeLibrary& library) {
   constexpr int kRoot = 0;  // it holds the whole body
   const ScreenGeometry screen = screen_for_checks();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
-  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
+  const Viewer viewer = scene.viewer_on(screen);
   const SceneBodies bodies = bodies_of(scene, m_per_deg, library, kRoot);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {

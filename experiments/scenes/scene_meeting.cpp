@@ -145,7 +145,7 @@ void add_touching_problems(const Scene& scene, ShapeLibrary& library, SceneProbl
     return;
   }
   const ScreenGeometry screen = screen_for_checks();
-  const Viewer viewer = viewer_at(screen, scene.viewer.azimuth_deg);
+  const Viewer viewer = scene.viewer_on(screen);
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
   SceneBodies bodies = bodies_of(scene, m_per_deg, library);
   if (!can_meet(*bodies.models[0].tree, named[0].orientation, *bodies.models[1].tree,

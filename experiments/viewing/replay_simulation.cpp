@@ -63,6 +63,7 @@ ReplayView view_at_start(const StagedScene& scene) {
   view.turn = scene.turn;
   view.looks = scene.looks;
   view.enclosure = scene.world.settings().enclosure;
+  view.appearance = scene.appearance;
   view.step_hz = scene.step_hz;
   view.duration_s = scene.duration_s;
   view.finest_level = finest_level_of(scene.world);

@@ -53,6 +53,7 @@ struct ReplayView {
   ViewerTurn turn;
   std::vector<DrawnBody> looks;
   std::optional<Enclosure> enclosure;
+  std::shared_ptr<const Appearance> appearance;
   double step_hz{240.0};
   double duration_s{0.0};
   std::vector<std::vector<BodyState>> states;  ///< [step][body], step 0 is the start

@@ -136,8 +136,9 @@ std::string settings_page() {
   }
   const OrderedJson schema = scene_file_schema();
   return "# What a scene may say\n\n" + schema["description"].get<std::string>() +
-         "\n\nWritten from the rows of `experiments/scenes/{scene,engine_settings}.cpp` by "
-         "`schema_files_test`, as the schemas\nbeside it are; `*` stands for a place in a list. "
+         "\n\nWritten from the rows of "
+         "`experiments/scenes/{scene,appearance_settings,engine_settings}.cpp` by\n"
+         "`schema_files_test`, as the schemas beside it are; `*` stands for a place in a list. "
          "The "
          "third column is the key of `impetus replay --with`.\n\n"
          "| setting | values | key | meaning |\n|---|---|---|---|\n" +

@@ -51,6 +51,17 @@ std::int64_t count(const ReplayView& view, Kind kind) {
                        [kind](const TimelineMark& mark) { return mark.kind == kind; });
 }
 
+TEST(ReplayView, LooksAsTheScenesAppearanceSays) {
+  const JsonDocument scene =
+      load_scene(std::filesystem::path(source_folder()) / "stimuli/two-balls-on-the-ground.json");
+  ShapeLibrary shapes;
+  const StagedScene staged = build_scene(scene.value, assumed_screen(), 0.0, shapes);
+  ASSERT_NE(staged.appearance, nullptr);
+  LiveRun live(staged, kSeed);
+  static_cast<void>(live.poses_at(0.1));
+  EXPECT_EQ(view_of(staged, live.take_steps()).appearance, staged.appearance);
+}
+
 TEST(ReplayView, HasTheGazeAndTheRegionOfEveryStep) {
   const std::vector<StepRecord> steps = two_seconds(RegionKind::kTracked).steps;
   const ReplayView view = view_of(cube(RegionKind::kTracked), steps);
