@@ -6,6 +6,7 @@
 
 #include "engine/volumes/enclosure.hpp"
 #include "experiments/drawing/gl_parts.hpp"
+#include "experiments/drawing/scene_lights.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
@@ -21,11 +22,12 @@ namespace impetus::inline drawing {
 /// Draws the walls that face the eye.
 class EnclosurePainter {
  public:
-  EnclosurePainter();
+  /// Walls lit by the usual light have their tones alone; by a scene's lights, shadows too.
+  explicit EnclosurePainter(LitBy light);
 
   /// Draws into the current target and viewport, which the viewer's screen fills exactly, with
-  /// the depths of the meshes.
-  void paint(const Enclosure& enclosure, const Viewer& viewer);
+  /// the depths of the meshes. `lights` are those of walls that are lit by a scene.
+  void paint(const Enclosure& enclosure, const Viewer& viewer, const SceneLights* lights = nullptr);
 
  private:
   ShaderProgram program_;

@@ -16,10 +16,11 @@ struct Calls {
   PFNGLGENBUFFERSPROC* make;
   PFNGLDELETEBUFFERSPROC* remove;
 };
-constexpr std::array<Calls, 4> kCalls{{{&glGenBuffers, &glDeleteBuffers},
+constexpr std::array<Calls, 5> kCalls{{{&glGenBuffers, &glDeleteBuffers},
                                        {&glGenVertexArrays, &glDeleteVertexArrays},
                                        {&glGenFramebuffers, &glDeleteFramebuffers},
-                                       {&glGenRenderbuffers, &glDeleteRenderbuffers}}};
+                                       {&glGenRenderbuffers, &glDeleteRenderbuffers},
+                                       {&glGenTextures, &glDeleteTextures}}};
 
 unsigned compiled_shader(GLenum kind, std::initializer_list<const char*> parts) {
   const unsigned shader = glCreateShader(kind);

@@ -19,7 +19,7 @@ namespace impetus::inline drawing {
 class GlName {
  public:
   /// What is named, in OpenGL's words.
-  enum class Kind { kBuffer, kVertexArray, kFramebuffer, kRenderbuffer };
+  enum class Kind { kBuffer, kVertexArray, kFramebuffer, kRenderbuffer, kTexture };
 
   explicit GlName(Kind kind);
   ~GlName();
@@ -76,6 +76,10 @@ template <typename T>
 void fill_buffer(unsigned kind, unsigned buffer, const std::vector<T>& values, unsigned usage) {
   fill_buffer(kind, buffer, values.data(), values.size() * sizeof(T), usage);
 }
+
+/// What light falls on a painter's surfaces: the usual one (kLightingShader), or a scene's own,
+/// with shadows and textures (kSceneLightShader of scene_lights.hpp, which follows the other).
+enum class LitBy { kUsualLight, kSceneLights };
 
 /// How any surface is lit, in the shaders' own language: put in front of a shader's text.
 /// light(normal, towards_eye, colour): unit vectors as the viewer sees them, colour and result

@@ -74,10 +74,48 @@ out vec4 seen;
 void main() { seen = vec4(lit, 1.0); }
 )";
 
-constexpr double kHardEdgeDeg = 30.0;
-
 /// Where few triangles stand for a round surface, they meet at greater angles.
 constexpr double kHardCoarseEdgeDeg = 60.0;
+
+/// Follows kSceneLightShader: as kCrowdVertexShader, and lit at every pixel.
+constexpr const char* kSceneLitVertexShader = R"(
+layout(location = 0) in vec3 vertex;   // in the body's frame
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 place;    // of the body, from the eye
+layout(location = 3) in vec4 turn;     // from the body's frame to the viewer's, a unit quaternion
+layout(location = 4) in vec3 colour;   // sRGB
+layout(location = 5) in vec3 surface;  // texture, number, radius
+uniform vec3 glass;                    // width, height, distance
+out vec3 from_eye;
+out vec3 on_body;
+centroid out vec3 upright;
+flat out vec3 paint;
+flat out vec3 made_of;
+
+void main() {
+  from_eye = turned(turn, vertex) + place;
+  on_body = vertex;
+  upright = turned(turn, normal);
+  paint = colour;
+  made_of = surface;
+  float ahead = -from_eye.z;
+  gl_Position = vec4(2.0 * glass.z * from_eye.xy / glass.xy, ahead - 2.0 * kNear, ahead);
+}
+)";
+
+/// Follows kSceneLightShader.
+constexpr const char* kSceneLitFragmentShader = R"(
+in vec3 from_eye;
+in vec3 on_body;
+centroid in vec3 upright;
+flat in vec3 paint;
+flat in vec3 made_of;
+out vec4 seen;
+
+void main() {
+  seen = vec4(lit_body(from_eye, normalize(upright), on_body, paint, made_of), 1.0);
+}
+)";
 
 /// A body, and where it is from the eye.
 struct SeenBody {
@@ -101,6 +139,21 @@ std::vector<SeenBody> nearest_first(const Picture& picture) {
   return bodies;
 }
 
+/// Poses are combined in double precision: the card sees only numbers near the eye.
+BodyInstances::Instance instance_of(const Picture& picture, const SeenBody& seen) {
+  const DrawnBody& look = seen.body->look;
+  const Eigen::Vector3f at = seen.from_eye.cast<float>();
+  const Eigen::Quaternionf turn =
+      (Quaternion(rotation_to_eye(picture.viewer)) * seen.body->pose.orientation)
+          .normalized()
+          .cast<float>();
+  return {{at.x(), at.y(), at.z()},
+          {turn.x(), turn.y(), turn.z(), turn.w()},
+          {look.colour[0], look.colour[1], look.colour[2]},
+          {texture_number(picture, look), static_cast<float>(seen.body - picture.bodies.data()),
+           static_cast<float>(look.radius_m)}};
+}
+
 void begin_meshes() {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
@@ -120,7 +173,7 @@ void UploadedMeshes::forget_ended() {
 
 const UploadedMesh& UploadedMeshes::of(const std::shared_ptr<const TriangleMesh>& mesh,
                                        double hard_edge_deg) {
-  std::unique_ptr<UploadedMesh>& place = meshes_[mesh.get()];
+  std::unique_ptr<UploadedMesh>& place = meshes_[{mesh.get(), hard_edge_deg}];
   if (!place) {
     const ShadedMesh ready = shaded_mesh(*mesh, hard_edge_deg);
     place = std::make_unique<UploadedMesh>();
@@ -159,7 +212,7 @@ void MeshPainter::paint(const Picture& picture) {
     const Eigen::Matrix3f turn =
         (R_EW * body.pose.orientation.normalized().toRotationMatrix()).cast<float>();
     const Eigen::Vector3f place = seen_from_eye(picture.viewer, body.pose.position).cast<float>();
-    const UploadedMesh& mesh = meshes_.of(body.look.mesh, kHardEdgeDeg);
+    const UploadedMesh& mesh = meshes_.of(body.look.mesh, kUsualSmoothing_deg);
     glUniformMatrix3fv(turn_at, 1, GL_FALSE, turn.data());
     glUniform3fv(place_at, 1, place.data());
     glUniform3fv(colour_at, 1, body.look.colour.data());
@@ -169,52 +222,89 @@ void MeshPainter::paint(const Picture& picture) {
   end_meshes();
 }
 
-CrowdPainter::CrowdPainter()
-    : program_({kLightingShader, kCrowdVertexShader}, {kCrowdFragmentShader}), meshes_([this] {
+BodyInstances::BodyInstances()
+    : meshes_([this] {
         glBindBuffer(GL_ARRAY_BUFFER, instances_);
         describe_records(RecordOf::kInstance, sizeof(Instance),
                          {{2, 3, offsetof(Instance, place)},
                           {3, 4, offsetof(Instance, turn)},
-                          {4, 3, offsetof(Instance, colour)}});
+                          {4, 3, offsetof(Instance, colour)},
+                          {5, 3, offsetof(Instance, surface)},
+                          {6, 1, offsetof(Instance, size)}});
       }) {}
 
-// Poses are combined in double precision: the card sees only numbers near the eye.
-void CrowdPainter::sort(const Picture& picture, int height_px) {
-  const ScreenGeometry& screen = picture.viewer.screen;
-  const double px_at_a_metre = height_px * screen.viewing_distance_m / screen.height_m;
-  const Quaternion to_eye(rotation_to_eye(picture.viewer));
+void BodyInstances::forget() {
+  meshes_.forget_ended();
   groups_.clear();
   group_of_.clear();
+}
+
+void BodyInstances::take(const UploadedMesh& mesh, const Instance& instance) {
+  const auto [place, is_new] = group_of_.try_emplace(mesh.arrangement, groups_.size());
+  if (is_new) {
+    groups_.push_back({&mesh, {}});
+  }
+  groups_[place->second].instances.push_back(instance);
+}
+
+void BodyInstances::take_meshes(const Picture& picture, int height_px, double hard_edge_deg) {
+  const ScreenGeometry& screen = picture.viewer.screen;
+  const double px_at_a_metre = height_px * screen.viewing_distance_m / screen.height_m;
+  forget();
   for (const SeenBody& seen : nearest_first(picture)) {
     const DrawnBody& look = seen.body->look;
     const double nearest_m = std::max(seen.ahead_m() - look.radius_m, 1e-6);
     const auto& chosen = mesh_as_seen(look.mesh, look.coarser.get(), px_at_a_metre / nearest_m);
-    const UploadedMesh& mesh =
-        meshes_.of(chosen, chosen == look.mesh ? kHardEdgeDeg : kHardCoarseEdgeDeg);
-    const auto [place, is_new] = group_of_.try_emplace(mesh.arrangement, groups_.size());
-    if (is_new) {
-      groups_.push_back({&mesh, {}});
-    }
-    const Eigen::Vector3f at = seen.from_eye.cast<float>();
-    const Eigen::Quaternionf turn =
-        (to_eye * seen.body->pose.orientation).normalized().cast<float>();
-    groups_[place->second].instances.push_back({{at.x(), at.y(), at.z()},
-                                                {turn.x(), turn.y(), turn.z(), turn.w()},
-                                                {look.colour[0], look.colour[1], look.colour[2]}});
+    const double hard_deg =
+        chosen == look.mesh ? hard_edge_deg : std::max(hard_edge_deg, kHardCoarseEdgeDeg);
+    take(meshes_.of(chosen, hard_deg), instance_of(picture, seen));
   }
 }
 
-void CrowdPainter::paint(const Picture& picture, int height_px) {
-  meshes_.forget_ended();
-  sort(picture, height_px);
-  program_.use(picture.viewer);
-  begin_meshes();
+void BodyInstances::take_balls(const Picture& picture,
+                               const std::shared_ptr<const TriangleMesh>& ball) {
+  forget();
+  for (const PosedBody& body : picture.bodies) {
+    if (!body.look.mesh) {
+      Instance instance =
+          instance_of(picture, {&body, seen_from_eye(picture.viewer, body.pose.position)});
+      instance.size = static_cast<float>(body.look.radius_m);
+      take(meshes_.of(ball, kUsualSmoothing_deg), instance);
+    }
+  }
+}
+
+void BodyInstances::draw() const {
   for (const Alike& alike : groups_) {
     glBindVertexArray(alike.mesh->arrangement);
     fill_buffer(GL_ARRAY_BUFFER, instances_, alike.instances, GL_STREAM_DRAW);
     glDrawElementsInstanced(GL_TRIANGLES, alike.mesh->indices, GL_UNSIGNED_INT, nullptr,
                             static_cast<GLsizei>(alike.instances.size()));
   }
+  glBindVertexArray(0);
+}
+
+CrowdPainter::CrowdPainter()
+    : program_({kLightingShader, kCrowdVertexShader}, {kCrowdFragmentShader}) {}
+
+void CrowdPainter::paint(const Picture& picture, int height_px) {
+  bodies_.take_meshes(picture, height_px, kUsualSmoothing_deg);
+  program_.use(picture.viewer);
+  begin_meshes();
+  bodies_.draw();
+  end_meshes();
+}
+
+SceneLitMeshPainter::SceneLitMeshPainter()
+    : program_({kLightingShader, kSceneLightShader, kSceneLitVertexShader},
+               {kLightingShader, kSceneLightShader, kSceneLitFragmentShader}) {}
+
+void SceneLitMeshPainter::paint(const BodyInstances& bodies, const Viewer& viewer,
+                                const SceneLights& lights) {
+  program_.use(viewer);
+  lights.shine_on(program_);
+  begin_meshes();
+  bodies.draw();
   end_meshes();
 }
 

@@ -9,11 +9,14 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "experiments/drawing/gl_parts.hpp"
+#include "experiments/drawing/scene_lights.hpp"
 #include "experiments/record/ports.hpp"
 
 namespace impetus::inline drawing {
@@ -33,8 +36,7 @@ class UploadedMeshes {
   /// `describe` adds what a painter needs beside corners to each arrangement, which is bound then.
   explicit UploadedMeshes(std::function<void()> describe = {}) : describe_(std::move(describe)) {}
 
-  /// A mesh must not change while anything owns it; its hard edges are those of its first picture.
-  /// The answer lasts as long as its mesh does.
+  /// A mesh must not change while anything owns it. The answer lasts as long as its mesh does.
   const UploadedMesh& of(const std::shared_ptr<const TriangleMesh>& mesh, double hard_edge_deg);
 
   /// Forgets the meshes that nobody owns any more; call it before a picture.
@@ -42,7 +44,48 @@ class UploadedMeshes {
 
  private:
   std::function<void()> describe_;
-  std::unordered_map<const TriangleMesh*, std::unique_ptr<UploadedMesh>> meshes_;
+  /// By mesh and hard edges.
+  std::map<std::pair<const TriangleMesh*, double>, std::unique_ptr<UploadedMesh>> meshes_;
+};
+
+/// The bodies of a picture that have a mesh, or stand for what has none, all of one mesh together.
+class BodyInstances {
+ public:
+  /// What a vertex shader takes for each body, from place 2 on in this order.
+  struct Instance {
+    float place[3];  ///< from the eye, metres
+    float turn[4];   ///< from the body's frame to the viewer's, a unit quaternion: x y z w
+    float colour[3];
+    float surface[3];  ///< texture (SurfaceTexture), its number among the bodies, and its radius
+    float size{1.0F};  ///< of which its mesh is drawn
+  };
+
+  BodyInstances();
+
+  /// Takes the picture's bodies with a mesh, the nearest first, each as coarsely as its distance
+  /// allows in a viewport that is `height_px` high.
+  void take_meshes(const Picture& picture, int height_px, double hard_edge_deg);
+
+  /// Takes the picture's bodies without one, as this mesh of a ball of radius 1.
+  void take_balls(const Picture& picture, const std::shared_ptr<const TriangleMesh>& ball);
+
+  /// Draws all of one mesh in one call, with the program in use.
+  void draw() const;
+
+ private:
+  /// The bodies that one mesh stands for.
+  struct Alike {
+    const UploadedMesh* mesh{nullptr};
+    std::vector<Instance> instances;
+  };
+
+  void forget();
+  void take(const UploadedMesh& mesh, const Instance& instance);
+
+  GlName instances_{GlName::Kind::kBuffer};
+  UploadedMeshes meshes_;
+  std::vector<Alike> groups_;                           ///< of the picture, the nearest first
+  std::unordered_map<unsigned, std::size_t> group_of_;  ///< by the mesh's arrangement
 };
 
 /// Draws each body by itself, lit at every pixel.
@@ -69,25 +112,20 @@ class CrowdPainter {
   void paint(const Picture& picture, int height_px);
 
  private:
-  /// What the vertex shader takes for each body.
-  struct Instance {
-    float place[3];
-    float turn[4];
-    float colour[3];
-  };
-  /// The bodies that one mesh stands for.
-  struct Alike {
-    const UploadedMesh* mesh{nullptr};
-    std::vector<Instance> instances;
-  };
-
-  void sort(const Picture& picture, int height_px);
-
   ShaderProgram program_;
-  GlName instances_{GlName::Kind::kBuffer};
-  UploadedMeshes meshes_;
-  std::vector<Alike> groups_;                           ///< of the picture, the nearest first
-  std::unordered_map<unsigned, std::size_t> group_of_;  ///< by the mesh's arrangement
+  BodyInstances bodies_;
+};
+
+/// Draws bodies under a scene's own lights, few or a crowd: each is lit at every pixel.
+class SceneLitMeshPainter {
+ public:
+  SceneLitMeshPainter();
+
+  /// As MeshPainter::paint(), of bodies that were taken from its picture.
+  void paint(const BodyInstances& bodies, const Viewer& viewer, const SceneLights& lights);
+
+ private:
+  ShaderProgram program_;
 };
 
 }  // namespace impetus::inline drawing

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/numerics/elementary_functions.hpp"
+#include "engine/shapes/solids/ball_meshes.hpp"
 #include "experiments/drawing/palette.hpp"
 
 namespace impetus::inline drawing {
@@ -29,15 +30,32 @@ bool is_ball(const ColouredVolume& volume) { return volume.shape.half_extents_m.
 
 std::vector<ColouredSphere> spheres_of(const Picture& picture) {
   std::vector<ColouredSphere> spheres;
-  for (const PosedBody& body : picture.bodies) {
-    if (!has_mesh(body)) {
-      spheres.push_back({{body.pose.position, body.look.radius_m}, body.look.colour});
+  for (std::size_t body = 0; body < picture.bodies.size(); ++body) {
+    const auto& [pose, look] = picture.bodies[body];
+    if (!look.mesh) {
+      spheres.push_back({{pose.position, look.radius_m},
+                         look.colour,
+                         pose.orientation,
+                         texture_number(picture, look),
+                         static_cast<float>(body)});
     }
   }
   return spheres;
 }
 
+/// Whether edges of other things than spheres are seen.
+bool has_straight_edges(const Picture& picture, const std::vector<ColouredVolume>& volumes) {
+  return picture.enclosure || picture.appearance ||
+         std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh) ||
+         !std::all_of(volumes.begin(), volumes.end(), is_ball);
+}
+
+constexpr int kBallFineness = 4;
+
 }  // namespace
+
+ScenePainter::ScenePainter()
+    : ball_(std::make_shared<const TriangleMesh>(icosphere_mesh(1.0, kBallFineness))) {}
 
 void ScenePainter::fill(const PixelArea& area, float grey) {
   glEnable(GL_SCISSOR_TEST);
@@ -49,10 +67,10 @@ void ScenePainter::fill(const PixelArea& area, float grey) {
 
 void ScenePainter::paint(const Picture& picture, const PixelArea& area,
                          const std::vector<ColouredVolume>& volumes) {
-  const bool straight_edges = picture.enclosure ||
-                              std::any_of(picture.bodies.begin(), picture.bodies.end(), has_mesh) ||
-                              !std::all_of(volumes.begin(), volumes.end(), is_ball);
-  if (straight_edges && picture.bodies.size() <= kMostSmoothedBodies) {
+  if (picture.appearance) {
+    prepare_lights(picture, area.height);
+  }
+  if (has_straight_edges(picture, volumes) && picture.bodies.size() <= kMostSmoothedBodies) {
     paint_multisampled(picture, volumes, area);
   } else {
     paint_all(picture, volumes, area);
@@ -64,6 +82,9 @@ void ScenePainter::paint(const Picture& picture, const PixelArea& area,
 
 void ScenePainter::paint_onto(unsigned framebuffer, const Picture& picture, const PixelArea& area,
                               const std::vector<ColouredVolume>& volumes) {
+  if (picture.appearance) {
+    prepare_lights(picture, area.height);
+  }
   paint_multisampled(picture, volumes, {0, 0, area.width, area.height}, framebuffer);
 }
 
@@ -76,12 +97,21 @@ void ScenePainter::paint_multisampled(const Picture& picture,
   target_.end_onto(area, framebuffer);
 }
 
-// Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
-// samples knows whether one of them is in front.
 void ScenePainter::paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                              const PixelArea& area) {
   fill(area, palette::kPictureGrey);
   glViewport(area.left, area.bottom, area.width, area.height);
+  if (picture.appearance) {
+    paint_lit_by_scene(picture, area);
+  } else {
+    paint_plainly(picture, area);
+  }
+  paint_volumes(picture, volumes, area);
+}
+
+// Walls and meshes first: a sphere's blended edge needs what is behind it, and each of a pixel's
+// samples knows whether one of them is in front.
+void ScenePainter::paint_plainly(const Picture& picture, const PixelArea& area) {
   if (picture.enclosure) {
     enclosure_.paint(*picture.enclosure, picture.viewer);
   }
@@ -91,11 +121,39 @@ void ScenePainter::paint_all(const Picture& picture, const std::vector<ColouredV
     meshes_.paint(picture);
   }
   balls_.paint(spheres_of(picture), picture.viewer, area);
+}
+
+void ScenePainter::prepare_lights(const Picture& picture, int height_px) {
+  lit_meshes_.take_meshes(picture, height_px, picture.appearance->smooth_below_deg);
+  casting_balls_.take_balls(picture, ball_);
+  lights_.prepare(picture, [this] {
+    lit_meshes_.draw();
+    casting_balls_.draw();
+  });
+}
+
+// In the same order, for the same reason.
+void ScenePainter::paint_lit_by_scene(const Picture& picture, const PixelArea& area) {
+  if (picture.enclosure) {
+    lit_enclosure_.paint(*picture.enclosure, picture.viewer, &lights_);
+  }
+  if (picture.appearance->ground != GroundPattern::kNone) {
+    ground_.paint(*picture.appearance, picture.viewer, lights_);
+  }
+  lit_mesh_painter_.paint(lit_meshes_, picture.viewer, lights_);
+  lit_balls_.paint(spheres_of(picture), picture.viewer, area, &lights_);
+}
+
+void ScenePainter::paint_volumes(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                                 const PixelArea& area) {
   std::vector<ColouredSphere> balls;
   std::vector<ColouredVolume> others;
   for (const ColouredVolume& volume : volumes) {
     if (is_ball(volume)) {
-      balls.push_back({{volume.shape.centre, volume.shape.radius_m}, volume.colour});
+      ColouredSphere ball;
+      ball.sphere = {volume.shape.centre, volume.shape.radius_m};
+      ball.colour = volume.colour;
+      balls.push_back(ball);
     } else {
       others.push_back(volume);
     }

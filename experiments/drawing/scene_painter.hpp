@@ -10,14 +10,20 @@
 // straight to the window. So does one of more than a hundred bodies, whose edges are then not
 // blended: without a graphics card, four samples would take more than twice the time. The rule is
 // the same with a card, for pictures must not depend on the machine.
+//
+// A picture with an appearance has lights of its own, shadows and perhaps a ground, and each of its
+// painters knows them (scene_lights.hpp); one without is painted as ever, pixel by pixel.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "experiments/drawing/enclosure_painter.hpp"
 #include "experiments/drawing/gl_parts.hpp"
+#include "experiments/drawing/ground_painter.hpp"
 #include "experiments/drawing/mesh_painter.hpp"
+#include "experiments/drawing/scene_lights.hpp"
 #include "experiments/drawing/sphere_painter.hpp"
 #include "experiments/drawing/volume_painter.hpp"
 #include "experiments/record/ports.hpp"
@@ -27,6 +33,8 @@ namespace impetus::inline drawing {
 /// Paints pictures and what is drawn over them.
 class ScenePainter {
  public:
+  ScenePainter();
+
   /// Fills the area with a grey (sRGB, 0–1).
   void fill(const PixelArea& area, float grey);
 
@@ -44,15 +52,29 @@ class ScenePainter {
                           const PixelArea& area, unsigned framebuffer = 0);
   void paint_all(const Picture& picture, const std::vector<ColouredVolume>& volumes,
                  const PixelArea& area);
+  void paint_plainly(const Picture& picture, const PixelArea& area);
+  void prepare_lights(const Picture& picture, int height_px);
+  void paint_lit_by_scene(const Picture& picture, const PixelArea& area);
+  void paint_volumes(const Picture& picture, const std::vector<ColouredVolume>& volumes,
+                     const PixelArea& area);
   void paint_fixation(const ScreenGeometry& screen, const PixelArea& area);
 
   SpherePainter balls_{BallKind::kOpaque};
   SpherePainter clear_balls_{BallKind::kClear};
   VolumePainter shells_;
-  EnclosurePainter enclosure_;
+  EnclosurePainter enclosure_{LitBy::kUsualLight};
   MeshPainter meshes_;
   CrowdPainter crowd_;
   MultisampledTarget target_;
+
+  std::shared_ptr<const TriangleMesh> ball_;  ///< of radius 1: what casts the shadow of a sphere
+  SceneLights lights_;
+  BodyInstances lit_meshes_;
+  BodyInstances casting_balls_;
+  GroundPainter ground_;
+  EnclosurePainter lit_enclosure_{LitBy::kSceneLights};
+  SceneLitMeshPainter lit_mesh_painter_;
+  SpherePainter lit_balls_{BallKind::kSceneLit};
 };
 
 }  // namespace impetus::inline drawing

@@ -17,11 +17,15 @@ constexpr const char* kSphereVertexShader = R"(#version 330 core
 layout(location = 0) in vec4 bounds;  // left, right, bottom, top on the glass
 layout(location = 1) in vec4 sphere;  // centre, radius
 layout(location = 2) in vec3 colour;  // sRGB
+layout(location = 3) in vec4 turn;    // from the body's frame to the viewer's
+layout(location = 4) in vec2 surface; // texture, number
 uniform vec3 glass;                   // width, height, distance
 uniform vec2 margin;                  // two pixels
 out vec3 ray;
 flat out vec4 body;
 flat out vec3 paint;
+flat out vec4 turned_by;
+flat out vec2 made_of;
 
 void main() {
   vec2 low = vec2(bounds.x, bounds.z) - margin;
@@ -30,6 +34,8 @@ void main() {
   ray = vec3(corner, -glass.z);
   body = sphere;
   paint = colour;
+  turned_by = turn;
+  made_of = surface;
   gl_Position = vec4(2.0 * corner / glass.xy, 0.0, 1.0);
 }
 )";
@@ -39,6 +45,8 @@ constexpr const char* kPassingRayShader = R"(
 in vec3 ray;
 flat in vec4 body;
 flat in vec3 paint;
+flat in vec4 turned_by;
+flat in vec2 made_of;
 out vec4 seen;
 
 void main() {
@@ -62,6 +70,19 @@ constexpr const char* kSphereFragmentShader = R"(
 }
 )";
 
+/// Follows kSceneLightShader and kPassingRayShader.
+constexpr const char* kSceneLitBallFragmentShader = R"(
+  float covered = clamp(0.5 - (beside - radius) / pixel, 0.0, 1.0);
+  if (covered <= 0.0) {
+    discard;
+  }
+  vec3 normal = normalize(hit - body.xyz);
+  vec3 on_body = turned(vec4(-turned_by.xyz, turned_by.w), hit - body.xyz);
+  seen = vec4(lit_body(hit, normal, on_body, paint, vec3(made_of, radius)), covered);
+  gl_FragDepth = clamp(1.0 + kNear / hit.z, 0.0, 1.0);
+}
+)";
+
 /// Follows kPassingRayShader: a translucent ball with a rim of a pixel or two.
 constexpr const char* kClearBallFragmentShader = R"(
   const float kInside = 0.09;
@@ -81,6 +102,8 @@ struct SphereInstance {
   float bounds[4];
   float sphere[4];
   float colour[3];
+  float turn[4];
+  float surface[2];
 };
 
 /// Bounds on the glass, metres from its centre.
@@ -119,6 +142,7 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
     SphereInstance instance;
   };
   std::vector<Seen> seen;
+  const Quaternion to_eye(rotation_to_eye(viewer));
   for (const ColouredSphere& each : spheres) {
     const double radius_m = each.sphere.radius_m;
     const Vector3 centre = seen_from_eye(viewer, each.sphere.centre);
@@ -127,12 +151,15 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
       continue;
     }
     const auto as_float = [](double value) { return static_cast<float>(value); };
+    const Eigen::Quaternionf turn = (to_eye * each.orientation).normalized().cast<float>();
     seen.push_back(
         {centre.norm(),
          {{as_float(bounds->left), as_float(bounds->right), as_float(bounds->bottom),
            as_float(bounds->top)},
           {as_float(centre.x()), as_float(centre.y()), as_float(centre.z()), as_float(radius_m)},
-          {each.colour[0], each.colour[1], each.colour[2]}}});
+          {each.colour[0], each.colour[1], each.colour[2]},
+          {turn.x(), turn.y(), turn.z(), turn.w()},
+          {each.texture, each.number}}});
   }
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& one, const Seen& other) {
     return one.distance_m > other.distance_m;
@@ -149,30 +176,38 @@ std::vector<SphereInstance> instances_of(const std::vector<ColouredSphere>& sphe
 
 SpherePainter::SpherePainter(BallKind kind)
     : kind_(kind),
-      program_({kSphereVertexShader},
-               {kLightingShader, kPassingRayShader,
-                kind == BallKind::kOpaque ? kSphereFragmentShader : kClearBallFragmentShader}) {
+      program_(
+          {kSphereVertexShader},
+          {kLightingShader, kind == BallKind::kSceneLit ? kSceneLightShader : "", kPassingRayShader,
+           kind == BallKind::kOpaque     ? kSphereFragmentShader
+           : kind == BallKind::kSceneLit ? kSceneLitBallFragmentShader
+                                         : kClearBallFragmentShader}) {
   glBindVertexArray(arrangement_);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
   describe_records(RecordOf::kInstance, sizeof(SphereInstance),
                    {{0, 4, offsetof(SphereInstance, bounds)},
                     {1, 4, offsetof(SphereInstance, sphere)},
-                    {2, 3, offsetof(SphereInstance, colour)}});
+                    {2, 3, offsetof(SphereInstance, colour)},
+                    {3, 4, offsetof(SphereInstance, turn)},
+                    {4, 2, offsetof(SphereInstance, surface)}});
   glBindVertexArray(0);
 }
 
 void SpherePainter::paint(const std::vector<ColouredSphere>& spheres, const Viewer& viewer,
-                          const PixelArea& area) {
+                          const PixelArea& area, const SceneLights* lights) {
   glViewport(area.left, area.bottom, area.width, area.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.left, area.bottom, area.width, area.height);
   program_.use(viewer);
+  if (lights != nullptr) {
+    lights->shine_on(program_);
+  }
   glUniform2f(program_.uniform("margin"),
               static_cast<float>(2.0 * viewer.screen.width_m / area.width),
               static_cast<float>(2.0 * viewer.screen.height_m / area.height));
   const std::vector<SphereInstance> instances = instances_of(spheres, viewer);
   glEnable(GL_DEPTH_TEST);
-  glDepthMask(kind_ == BallKind::kOpaque ? GL_TRUE : GL_FALSE);
+  glDepthMask(kind_ == BallKind::kClear ? GL_FALSE : GL_TRUE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(arrangement_);

@@ -9,6 +9,7 @@
 #include "engine/volumes/sphere.hpp"
 #include "experiments/drawing/gl_parts.hpp"
 #include "experiments/drawing/picture_map.hpp"
+#include "experiments/drawing/scene_lights.hpp"
 
 namespace impetus::inline drawing {
 
@@ -16,11 +17,14 @@ namespace impetus::inline drawing {
 struct ColouredSphere {
   Sphere sphere;                  ///< in world
   std::array<float, 3> colour{};  ///< sRGB, 0–1
+  Quaternion orientation{Quaternion::Identity()};
+  float texture{0.0F};  ///< texture_number()
+  float number{0.0F};   ///< among the bodies: textures of one kind differ by it
 };
 
-/// What balls are made of: opaque ones are lit, with blended edges; clear ones have a thin rim, and
-/// do not hide what is drawn later.
-enum class BallKind { kOpaque, kClear };
+/// What balls are made of: opaque ones are lit, by the usual light or by a scene's own, with
+/// blended edges; clear ones have a thin rim, and do not hide what is drawn later.
+enum class BallKind { kOpaque, kSceneLit, kClear };
 
 /// Draws balls of one kind.
 class SpherePainter {
@@ -28,9 +32,9 @@ class SpherePainter {
   explicit SpherePainter(BallKind kind);
 
   /// Draws those that can be seen, farthest first, into the area of the current target, which the
-  /// viewer's screen fills exactly.
+  /// viewer's screen fills exactly. `lights` are for balls that are lit by a scene.
   void paint(const std::vector<ColouredSphere>& spheres, const Viewer& viewer,
-             const PixelArea& area);
+             const PixelArea& area, const SceneLights* lights = nullptr);
 
  private:
   BallKind kind_;

@@ -226,6 +226,7 @@ class PreviewScreen final : public ViewerScreen {
     picture.bodies = run_.bodies();
     colour_bodies(picture.bodies, run_.details(), overlays_.colours, run_.settings().finest_level);
     picture.enclosure = run_.scene().world.settings().enclosure;
+    picture.appearance = run_.scene().appearance;
     picture.viewer = run_.viewer();
     canvas_.painter.paint(picture, area_, volumes_.of(run_, overlays_, picture.bodies));
     bodies_ = std::move(picture.bodies);

@@ -45,6 +45,20 @@ std::shared_ptr<const TriangleMesh> tiny_triangle() {
   return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
+/// An appearance for which every shader is needed.
+std::shared_ptr<const Appearance> all_looks() {
+  auto looks = std::make_shared<Appearance>();
+  looks->ground = GroundPattern::kChecks;
+  looks->check_m = 0.01;
+  looks->floor_m = -0.01;
+  looks->lights.emplace_back();
+  looks->cast_shadows = 1.0;
+  looks->contact_shadows = 1.0;
+  looks->contact_reach_m = 0.01;
+  looks->shadow_reach_m = 0.1;
+  return looks;
+}
+
 }  // namespace
 
 Window::Window(const WindowOptions& options, const Clock& clock)
@@ -96,8 +110,12 @@ void Window::warm_up() {
   Picture with_mesh = picture;
   with_mesh.bodies.push_back({{}, {"", 0.01, {0.5F, 0.5F, 0.5F}, tiny_triangle()}});
   with_mesh.enclosure = ClosedCube{0.1};
+  Picture with_lights = with_mesh;
+  with_lights.appearance = all_looks();
   Picture crowd = with_mesh;
   crowd.bodies.resize(kFewBodies + 1, with_mesh.bodies.back());
+  constexpr PixelArea kCorner{0, 0, 64, 64};  // shaders are compiled for any size
+  canvas_->painter.paint(with_lights, kCorner);
   constexpr int kFrames = 3;
   for (int frame = 0; frame < kFrames; ++frame) {
     canvas_->painter.paint(with_mesh, canvas_->whole());

@@ -74,6 +74,7 @@ void ReplayPicture::paint(const ReplayMoment& moment, const ReplayLook& look) {
   Picture picture;
   picture.bodies = bodies_at(replay, moment.time_s);
   picture.enclosure = replay.enclosure;
+  picture.appearance = replay.appearance;
   picture.viewer = look.camera.seen_from(participant_of(moment));
   std::vector<ColouredVolume> volumes;
   if (look.volumes) {
