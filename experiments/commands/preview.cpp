@@ -1,9 +1,11 @@
-// `impetus preview`: a scene runs in a window, beside a panel that changes its schedule; or its
-// first collision becomes a picture, level by level.
+// `impetus preview`: a scene runs in a window, beside a panel that changes its schedule; or one
+// moment of it becomes a picture, or its first collision, level by level.
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -19,6 +21,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/viewers/collision_strip.hpp"
 #include "experiments/viewers/preview_view.hpp"
+#include "experiments/viewers/still_picture.hpp"
 #endif
 
 namespace impetus::inline commands {
@@ -30,6 +33,8 @@ struct PreviewOptions {
   std::string screen_file;
   std::string window_size;
   std::string strip;
+  std::string picture;
+  double at_s{0.0};
   int width_px{0};
   int height_px{0};
 };
@@ -61,6 +66,28 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
   }
 }
 
+void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
+  require_new_file(options.picture);
+  const ScreenGeometry screen = chosen_screen(options.screen_file);
+  PictureSize size;
+  size.width_px = picture_px("--width", options.width_px, 1280);
+  size.height_px =
+      picture_px("--height", options.height_px,
+                 static_cast<int>(std::lround(size.width_px * screen.height_m / screen.width_m)));
+  ShapeLibrary shapes;
+  StagedScene staged = build_scene(scene.value, screen, kUnroundedHold, shapes);
+  if (options.at_s < 0.0 || options.at_s > staged.duration_s) {
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "--at: expected from 0 to the %g s that the scene lasts, got %g",
+                  staged.duration_s, options.at_s);
+    throw InputError(text);
+  }
+  const SteadyClock clock;
+  write_png(still_picture(std::move(staged), options.at_s, size, clock), options.picture);
+  std::printf("written to %s\n", options.picture.c_str());
+}
+
 /// What takes long, before a window opens.
 void build_shapes(const nlohmann::json& scene, const ScreenGeometry& screen, ShapeLibrary& shapes) {
   ProgressLine line("building the bodies");
@@ -79,6 +106,10 @@ void tell(const PreviewFrames& frames) {
 void show(const JsonDocument& scene, const PreviewOptions& options) {
   if (!options.strip.empty()) {
     write_strip(scene, options);
+    return;
+  }
+  if (!options.picture.empty()) {
+    write_picture(scene, options);
     return;
   }
   const WindowOptions asked = window_options(options.window_size);
@@ -146,7 +177,15 @@ void add_preview(CLI::App& app, Command& chosen) {
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
   command->add_option("--strip", options->strip,
                       "Write a picture of the first collision at each level instead");
-  command->add_option("--width", options->width_px, "Of each picture in the strip, in pixels");
+  command
+      ->add_option("--picture", options->picture,
+                   "Write a picture of one moment instead, as a participant sees it")
+      ->excludes("--strip");
+  command
+      ->add_option("--at", options->at_s, "That moment, in seconds from the onset; 0 if left out")
+      ->needs("--picture");
+  command->add_option("--width", options->width_px,
+                      "Of the picture, or each in the strip, in pixels");
   command->add_option("--height", options->height_px, "The same");
   command->callback([options, &chosen] { chosen = [options] { return preview(*options); }; });
 }
