@@ -85,8 +85,11 @@ class DeadlineWork final : public WorkMeter {
   [[nodiscard]] double part_ns(StepPart part) const {
     return part_times_[static_cast<std::size_t>(part)].ns();
   }
-  /// What it takes to model the contacts with walls, whatever is granted.
-  [[nodiscard]] double walls_ns() const { return part_ns(StepPart::kModel) * bodies_at_walls_; }
+  /// What it takes to model the contacts with walls, whatever is granted, and to hand them to the
+  /// response.
+  [[nodiscard]] double walls_ns() const {
+    return (part_ns(StepPart::kModel) + part_ns(StepPart::kRespond)) * bodies_at_walls_;
+  }
 
   const WorkClock* clock_;
   std::int64_t ns_per_step_;
