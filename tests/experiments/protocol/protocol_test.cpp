@@ -287,8 +287,8 @@ TEST(ProtocolChecks, TheSimulatedParticipantRefusesAScaleItCannotAnswerOn) {
 TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
   expect_scene_refusals(
       {{"/gravity", 9.8,
-        "/: expected only the keys \"$schema\", \"bodies\", \"crowd\", \"distractors\", "
-        "\"duration_s\", "
+        "/: expected only the keys \"$schema\", \"appearance\", \"bodies\", \"crowd\", "
+        "\"distractors\", \"duration_s\", "
         "\"enclosure\", "
         "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"imposed\", \"meeting\", "
         "\"meshes\", \"schema_version\", \"source\", "
