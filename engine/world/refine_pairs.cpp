@@ -14,8 +14,12 @@
 namespace impetus::inline world {
 namespace {
 
-bool comes_before(const RefinedPair& pair, BodyPair other) {
-  return std::pair(pair.bodies.a, pair.bodies.b) < std::pair(other.a, other.b);
+/// Of pairs in their order, the first that does not come before the given one.
+std::size_t place_of_first_from(BodyPair given, std::span<const RefinedPair> pairs) {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const RefinedPair& pair) {
+    return std::pair(pair.bodies.a, pair.bodies.b) >= std::pair(given.a, given.b);
+  });
+  return static_cast<std::size_t>(found - pairs.begin());
 }
 
 bool is_capped_by_speed(const Step& step, BodyPair bodies) {
@@ -124,10 +128,7 @@ void begin_all_at_walls(const Step& step, std::span<RefinedPair> pairs) {
 void begin_all_between(const Step& step, std::span<RefinedPair> pairs) {
   const std::vector<PriorityList>& lists = step.settings.schedule.lists;
   std::optional<BodyPair>& next = step.world.next_to_begin;
-  const auto first = static_cast<std::size_t>(
-      std::find_if(pairs.begin(), pairs.end(),
-                   [&](const RefinedPair& pair) { return next && !comes_before(pair, *next); }) -
-      pairs.begin());
+  const std::size_t first = next ? place_of_first_from(*next, pairs) : 0;
   next.reset();
   PhaseWork roots = step.work_of(WorkPhase::kRoots);
   for (std::size_t i = 0; i < pairs.size(); ++i) {

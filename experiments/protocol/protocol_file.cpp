@@ -11,6 +11,7 @@
 #include "experiments/protocol/checks/yoke_checks.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
+#include "experiments/protocol/scene_levels.hpp"
 #include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"

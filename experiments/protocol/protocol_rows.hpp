@@ -14,8 +14,7 @@ OrderedJson protocol_file_schema();
 /// of unknown factors last. Throws InputError where the document breaks the schema.
 Protocol read_protocol(JsonDocument document);
 
-/// Puts what the scene says in place of levels that are null: design and script are read anew.
-/// Pointers that the scene lacks are left to the checks of the design.
-void take_levels_of_scene(Protocol& protocol, const nlohmann::json& scene);
+/// What the document says, which keeps to the schema; without the words of its language.
+Protocol protocol_of(const nlohmann::json& document);
 
 }  // namespace impetus::inline protocol

@@ -12,6 +12,7 @@
 #include "experiments/design/between_participants.hpp"
 #include "experiments/design/blocks.hpp"
 #include "experiments/protocol/checks/adaptive_checks.hpp"
+#include "experiments/protocol/checks/factor_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
@@ -59,87 +60,6 @@ void check_planned_size(const Protocol& protocol) {
     refuse(protocol.document, "/design",
            "expected at most 10000 trials, got " + count_text(trials) +
                " (all tracks and catch trials counted)");
-  }
-}
-
-/// The protocol's question of this key that is answered by keys; null: there is none.
-const Question* keyed_question(const Protocol& protocol, const std::string& key) {
-  for (const auto& question : protocol.script.asked) {
-    if (question->kind().protocol_key == key && question->keyed_answers() > 0) {
-      return question.get();
-    }
-  }
-  return nullptr;
-}
-
-/// Its levels are the keys of a question that no other factor has: the same keys in all levels, so
-/// that each has its side.
-void check_key_factor(const Protocol& protocol, const std::string& place, const Factor& factor,
-                      std::set<std::string>& taken) {
-  if (!factor.pointer.empty()) {
-    refuse(protocol.document, place, "expected either \"pointer\" or \"keys_of\", got both");
-  }
-  const Question* question = keyed_question(protocol, factor.keys_of);
-  if (question == nullptr || !taken.insert(factor.keys_of).second) {
-    refuse(protocol.document, place + "/keys_of",
-           "expected a question of the protocol that has two answers (yes_no, two_interval) and no "
-           "other factor of keys, got " +
-               json_text(factor.keys_of));
-  }
-  std::vector<std::string> first = keys_of_level(factor.levels.front());
-  std::sort(first.begin(), first.end());
-  for (std::size_t i = 0; i < factor.levels.size(); ++i) {
-    std::vector<std::string> keys = keys_of_level(factor.levels[i]);
-    const std::string level = item(place + "/levels", i);
-    check_keys(protocol.document, level, keys, question->keyed_answers());
-    std::sort(keys.begin(), keys.end());
-    if (keys != first) {
-      refuse(protocol.document, level,
-             "expected the keys of the first level (" + json_text(factor.levels.front()) +
-                 ") in another order, got " + json_text(factor.levels[i]));
-    }
-  }
-}
-
-/// A level that the scene has put in the place of null may be another one again.
-void check_levels_differ(const Protocol& protocol, const std::string& place, const Factor& factor) {
-  for (auto level = factor.levels.begin(); level != factor.levels.end(); ++level) {
-    if (std::find(factor.levels.begin(), level, *level) != level) {
-      refuse(protocol.document, place + "/levels",
-             "expected levels that differ, but null is the scene's own value: " +
-                 list_text(factor.levels));
-    }
-  }
-}
-
-void check_factors(const Protocol& protocol) {
-  std::set<std::string> names;
-  std::set<std::string> pointers;
-  for (std::size_t i = 0; i < protocol.design.factors.size(); ++i) {
-    const Factor& factor = protocol.design.factors[i];
-    const std::string place = item("/design/factors", i);
-    if (!names.insert(factor.name).second) {
-      refuse(protocol.document, place + "/name",
-             "expected a name of its own, got " + json_text(factor.name) + " again");
-    }
-    if (!factor.keys_of.empty()) {
-      check_key_factor(protocol, place, factor, pointers);
-      continue;
-    }
-    if (factor.pointer.empty()) {
-      refuse(protocol.document, place, "expected the key \"pointer\", which is missing");
-    }
-    if (!pointers.insert(factor.pointer).second) {
-      refuse(
-          protocol.document, place + "/pointer",
-          "expected a value that no other factor overrides, got \"" + factor.pointer + "\" again");
-    }
-    if (!names_single_value(protocol.scene.value, factor.pointer)) {
-      refuse(protocol.document, place + "/pointer",
-             "expected a pointer to a single value of " + protocol.scene.name + ", got \"" +
-                 factor.pointer + "\"");
-    }
-    check_levels_differ(protocol, place, factor);
   }
 }
 
