@@ -31,6 +31,7 @@ struct NewOptions {
   std::string ask;
   std::string question;
   std::string language;
+  std::string levels;
 };
 
 /// What was given; else, on a terminal, what is answered; else the default.
@@ -73,28 +74,37 @@ std::vector<std::string> choose_factors(const std::vector<std::string>& given,
   return {};
 }
 
-std::string choose_question(const std::string& given, const std::string& ask,
-                            const std::string& language) {
-  for (const auto& [name, words] : offered_questions(language)) {
-    if (name == ask && !words.empty()) {
-      return answer(given, "The question's words", words);
+/// What is asked, in which words, and how levels are chosen for it.
+void choose_question(const NewOptions& options, StudyChoices& choices) {
+  const std::vector<OfferedQuestion> offered =
+      offered_questions(choices.study_template, choices.language);
+  std::vector<std::string> names;
+  for (const OfferedQuestion& each : offered) {
+    names.push_back(each.name);
+  }
+  choices.ask = answer(options.ask, "What is asked? " + listed(names), names.front());
+  choices.question = options.question;
+  choices.levels = options.levels.empty() ? "all" : options.levels;
+  for (const OfferedQuestion& each : offered) {
+    if (each.name == choices.ask && !each.words.empty()) {
+      choices.question = answer(options.question, "The question's words", each.words);
+    }
+    if (each.name == choices.ask && each.detects) {
+      choices.levels = answer(options.levels,
+                              "Which levels are shown? all of them equally often; or chosen by the "
+                              "answers: staircase, quest",
+                              "all");
     }
   }
-  return given;
 }
 
 StudyChoices choices_from(const NewOptions& options) {
   StudyChoices choices;
-  choices.language = answer(options.language, "The participants' language", "en");
-  std::vector<std::string> asks;
-  for (const auto& offered : offered_questions(choices.language)) {
-    asks.push_back(offered.first);
-  }
   choices.name = fs::path(options.folder).filename().string();
+  choices.language = answer(options.language, "The participants' language", "en");
   choices.study_template = choose_template(options.study_template);
   choices.vary = choose_factors(options.vary, choices.study_template);
-  choices.ask = answer(options.ask, "What is asked? " + listed(asks), asks.front());
-  choices.question = choose_question(options.question, choices.ask, choices.language);
+  choose_question(options, choices);
   return choices;
 }
 
@@ -116,11 +126,11 @@ std::string as_asked(std::string message, const fs::path& written, const std::st
   return message;
 }
 
-void write_study(const NewOptions& options, const std::map<std::string, OrderedJson>& files) {
+void write_study(const NewOptions& options, const std::map<std::string, std::string>& files) {
   WholeFolder folder(options.folder, /*replace=*/false);
   try {
-    for (const auto& [name, content] : files) {
-      write_output_file(folder.path() / name, content.dump(2) + "\n");
+    for (const auto& [name, text] : files) {
+      write_output_file(folder.path() / name, text);
     }
     write_page(folder.path());
   } catch (const InputError& error) {
@@ -169,7 +179,11 @@ void add_new(CLI::App& app, Command& chosen) {
       ->add_option("--vary", options->vary,
                    "A factor and its levels, such as restitution=.2,.5,.8; again for another")
       ->allow_extra_args(false);
-  command->add_option("--ask", options->ask, "yes-no, rating, two-interval or click");
+  command->add_option("--ask", options->ask, "yes-no, detection, rating, two-interval or click");
+  command->add_option(
+      "--levels", options->levels,
+      "all: each is shown equally often (default); staircase or quest: those of the "
+      "first factor are chosen by what the participant answered");
   command->add_option("--question", options->question, "The question's words");
   command->add_option("--language", options->language,
                       "The participants': ar, de, en, es, fr, pt or zh (default en)");

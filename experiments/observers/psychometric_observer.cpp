@@ -8,7 +8,8 @@
 // Yes or no: as it says. Two intervals: as observer_kinds.hpp says, of F in each. A rating's
 // distance from the scale's good end is binomial: each step is taken with P(yes). A click comes
 // with P(yes), a reaction time after the first collision. t differs between participants by its
-// spread. With `effect` 0 the answers depend on nothing, and are otherwise as they were.
+// spread. With `effect` 0 the answers depend on nothing, and are otherwise as they were. Where the
+// gaze is followed it looks about as anybody does (usual_eye()), whatever it goes by.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/design/psychometric.hpp"
 #include "experiments/observers/observer_kinds.hpp"
+#include "experiments/observers/simulated_eye.hpp"
 #include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
@@ -259,7 +261,8 @@ class PsychometricObserver final : public RatingObserver {
       : RatingObserver(parameters, birth, "psychometric"),
         own_(parameters),
         click_stream_(birth.seed, "observer/psychometric/clicks/" + birth.pseudonym),
-        threshold_(parameters.threshold + parameters.threshold_sd * normal()) {}
+        threshold_(parameters.threshold + parameters.threshold_sd * normal()),
+        eye_(usual_eye(), birth.seed, birth.pseudonym, birth.flip_clock) {}
 
   Answer ask(const Page& page) override {
     points_ = page.choices.size();
@@ -267,6 +270,7 @@ class PsychometricObserver final : public RatingObserver {
   }
 
   std::vector<ClickRecord> take_clicks() override { return std::exchange(clicks_, {}); }
+  Gaze* eye() override { return &eye_; }
 
   /// Binomial: each step away from the good end is taken with P(yes).
   [[nodiscard]] std::vector<double> probabilities(double seen) const override {
@@ -343,6 +347,7 @@ class PsychometricObserver final : public RatingObserver {
   double threshold_;  ///< t of this participant
   std::size_t points_{2};
   std::vector<ClickRecord> clicks_;
+  SimulatedEye eye_;
 };
 
 }  // namespace
@@ -356,6 +361,7 @@ const ObserverKind& psychometric_observer() {
           "through one psychometric function.",
       .attention = {"what its file names", {}},
       .clicks = true,
+      .has_eye = true,
       .parameters = psychometric_entries(nobody),
       .settings = settings(),
       .read = read_psychometric,

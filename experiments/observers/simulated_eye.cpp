@@ -58,6 +58,21 @@ RandomStream stream_of(std::uint64_t seed, const char* purpose, const std::strin
 
 }  // namespace
 
+EyeParameters usual_eye() {
+  EyeParameters eye;
+  eye.latency_ms = 8.0;
+  eye.pair_share = 0.4;
+  eye.pursuit_share = 0.7;
+  eye.pursuit_gain = 0.95;
+  eye.fixational_sd_deg = 0.1;
+  eye.fixational_time_ms = 50.0;
+  eye.offset_sd_deg = 0.5;
+  eye.blink_per_s = 0.25;
+  eye.dropout_per_s = 0.1;
+  eye.dropout_ms = 60.0;
+  return eye;
+}
+
 // ---------------------------------------------------------------- what is lost, what was seen
 
 LossProcess::LossProcess(RandomStream stream, double per_s, double mean_ms, std::int64_t start_ns)

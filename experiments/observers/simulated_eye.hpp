@@ -53,7 +53,12 @@ struct EyeParameters {
   double blink_ms{150.0};            ///< mean
   double dropout_per_s{0.0};
   double dropout_ms{50.0};  ///< mean
+
+  bool operator==(const EyeParameters& other) const = default;
 };
+
+/// An eye and a tracker as the file of the gaze-contingent participant has them, with its sources.
+EyeParameters usual_eye();
 
 /// Stretches of time in which a signal is lost: they begin at random and last about as long as each
 /// other. The share of time lost is mean length / (mean length + 1 / rate).

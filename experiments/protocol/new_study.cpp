@@ -7,26 +7,67 @@
 #include <optional>
 
 #include "experiments/protocol/embedded_templates.hpp"
+#include "experiments/protocol/new_design.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline protocol {
 namespace {
 
 constexpr const char* kShared = "study";
-constexpr double kTrials = 60.0;  ///< of a study, about
+constexpr std::string_view kTemplateFolder = "protocols/templates/";
+constexpr std::string_view kSuffix = ".json";
 
-std::optional<OrderedJson> find_template_file(const std::string& name) {
+/// The text of a file that the program carries, by its place below the project's folder.
+std::optional<std::string> find_carried(const std::string& path) {
   for (const EmbeddedFile& file : kTemplates) {
-    if (file.name == name + ".json") {
-      return OrderedJson::parse(file.text);
+    if (file.name == path) {
+      return file.text;
     }
   }
   return std::nullopt;
 }
 
-OrderedJson template_file(const std::string& name) {
-  const auto found = find_template_file(name);
+/// With what it says beside another template, where it is like one.
+std::optional<OrderedJson> find_template_file(const std::string& name) {
+  const auto text = find_carried(std::string(kTemplateFolder) + name + std::string(kSuffix));
+  if (!text) {
+    return std::nullopt;
+  }
+  OrderedJson content = OrderedJson::parse(*text);
+  if (!content.contains("like")) {
+    return content;
+  }
+  OrderedJson whole = find_template_file(content["like"].get<std::string>()).value();
+  whole.merge_patch(content);
+  return whole;
+}
+
+std::string file_text(const OrderedJson& content) { return content.dump(2) + "\n"; }
+
+/// A shipped scene or figure, for a file of the study's own, which has no schema beside it.
+OrderedJson shipped_stimulus(const std::string& file_name) {
+  OrderedJson content = OrderedJson::parse(find_carried("stimuli/" + file_name).value());
+  content.erase("$schema");
+  return content;
+}
+
+OrderedJson scene_of(const OrderedJson& shown) {
+  const OrderedJson& scene = shown["scene"];
+  OrderedJson own = scene.is_string() ? shipped_stimulus(scene.get<std::string>()) : scene;
+  if (shown.contains("changes")) {
+    own.merge_patch(shown["changes"]);
+  }
+  return own;
+}
+
+/// A template with its words in the language of `shared`.
+OrderedJson template_file(const std::string& name, const OrderedJson& shared) {
+  auto found = find_template_file(name);
   if (found && !name.starts_with(kShared)) {
+    const std::string named = found->value("like", name);
+    if (shared.contains("templates")) {
+      found->merge_patch(shared["templates"][named]);
+    }
     return *found;
   }
   std::vector<std::string> names;
@@ -46,94 +87,18 @@ OrderedJson shared_parts(const std::string& language) {
   return shared;
 }
 
-/// "a, b, c" of an object's keys.
-std::string key_list(const OrderedJson& object) {
-  std::vector<std::string> keys;
-  for (const auto& each : object.items()) {
-    keys.push_back(each.key());
-  }
-  return listed(keys);
-}
-
-/// A number, true, false, or a word.
-OrderedJson level_from(const std::string& text) {
-  if (text == "true" || text == "false") {
-    return text == "true";
-  }
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end != '\0' || !std::isfinite(number)) {
-    return text;
-  }
-  const bool whole = std::floor(number) == number && std::abs(number) < 1e15;
-  return whole ? OrderedJson(static_cast<std::int64_t>(number)) : OrderedJson(number);
-}
-
-OrderedJson levels_from(const std::string& words) {
-  OrderedJson levels = OrderedJson::array();
-  for (std::size_t begin = 0; begin <= words.size();) {
-    const std::size_t end = std::min(words.find(',', begin), words.size());
-    levels.push_back(level_from(words.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return levels;
-}
-
-/// "/crowd/spin_deg_s" as spin_deg_s
-std::string last_token(const std::string& pointer) {
-  return pointer.substr(pointer.rfind('/') + 1);
-}
-
-/// A factor of the design, of one --vary.
-OrderedJson factor_from(const std::string& vary, const OrderedJson& offered) {
-  const std::size_t equals = std::min(vary.find('='), vary.size());
-  const std::string name = vary.substr(0, equals);
-  OrderedJson factor;
-  if (name.rfind('/', 0) == 0) {
-    factor = {{"name", last_token(name)}, {"label", last_token(name)}, {"pointer", name}};
-  } else if (offered.contains(name)) {
-    factor = {{"name", name}};
-    factor.update(offered[name]);
-  } else {
-    throw InputError("--vary: expected one of " + key_list(offered) +
-                     ", or a JSON Pointer into the scene, got " + name);
-  }
-  if (equals < vary.size()) {
-    factor["levels"] = levels_from(vary.substr(equals + 1));
-  }
-  if (!factor.contains("levels") || factor["levels"].size() < 2) {
-    throw InputError("--vary: expected " + name + "= and two levels or more, got " + vary);
-  }
-  return factor;
-}
-
-/// The condition in which every factor has its first level, or its last.
-OrderedJson end_condition(const OrderedJson& factors, bool last) {
-  OrderedJson condition = OrderedJson::object();
-  for (const OrderedJson& factor : factors) {
-    const OrderedJson& levels = factor["levels"];
-    condition[factor["name"].get<std::string>()] = last ? levels.back() : levels.front();
-  }
-  return condition;
-}
-
-OrderedJson design_of(const OrderedJson& factors) {
-  double cells = 1.0;
-  for (const OrderedJson& factor : factors) {
-    cells *= static_cast<double>(factor["levels"].size());
-  }
-  const auto repetitions = std::max<std::int64_t>(2, std::llround(kTrials / cells));
-  return {{"factors", factors},
-          {"repetitions", repetitions},
-          {"practice", {end_condition(factors, false), end_condition(factors, true)}}};
+/// "": no page asks it. `of_many`: more than one collision is shown.
+std::string question_words(const OrderedJson& ask, bool of_many) {
+  return of_many && ask.contains("of_many") ? ask["of_many"].get<std::string>()
+                                            : ask["block"].value("question", std::string());
 }
 
 /// `block` with the question's words, and what else the kind needs.
-OrderedJson asked_block(const OrderedJson& ask, const OrderedJson& factors,
+OrderedJson asked_block(const OrderedJson& ask, const OrderedJson& factors, bool of_many,
                         const std::string& question) {
   OrderedJson block = ask["block"];
-  if (!question.empty() && block.contains("question")) {
-    block["question"] = question;
+  if (block.contains("question")) {
+    block["question"] = question.empty() ? question_words(ask, of_many) : question;
   }
   if (ask["key"] == "two_interval") {
     const OrderedJson& first = factors.front();
@@ -159,8 +124,7 @@ void replace_words(OrderedJson& value, const std::string& from, const std::strin
 }
 
 OrderedJson number_entry(double value, const char* unit) {
-  const double short_value = std::round(value * 1e6) / 1e6;
-  return {{"value", level_from(OrderedJson(short_value).dump())},
+  return {{"value", short_number(value)},
           {"unit", unit},
           {"source", "assumed by `impetus new`; put your own"}};
 }
@@ -198,15 +162,31 @@ OrderedJson observer_of(const OrderedJson& factor) {
             {"reaction_median_ms", number_entry(900.0, "ms")}}}};
 }
 
-OrderedJson factors_from(const StudyChoices& choices, const OrderedJson& offered) {
-  OrderedJson factors = OrderedJson::array();
-  for (const std::string& vary : choices.vary) {
-    factors.push_back(factor_from(vary, offered));
+const OrderedJson& ask_named(const std::string& name, const OrderedJson& asks) {
+  if (!asks.contains(name)) {
+    throw InputError("--ask: expected one of " + key_list(asks) + ", got " + name);
   }
-  if (factors.empty()) {
-    factors.push_back(factor_from(offered.begin().key(), offered));
+  return asks[name];
+}
+
+/// Levels are chosen from hard to easy: what is asked must be whether something was seen.
+void require_detection(const OrderedJson& ask, const StudyChoices& choices) {
+  if (choices.levels != "all" && !ask.contains("detects")) {
+    throw InputError("--levels " + choices.levels +
+                     ": expected --ask detection or two-interval, whose answers become right as "
+                     "levels rise, got " +
+                     choices.ask);
   }
-  return factors;
+}
+
+/// The gaze is followed, and participants know it.
+void add_gaze(const OrderedJson& gaze, OrderedJson& protocol) {
+  protocol["gaze"] = gaze["task"];
+  OrderedJson& session = protocol["session"];
+  OrderedJson& consent = session["consent"]["paragraphs"];
+  consent.insert(consent.begin() + 1, gaze["consent"]);
+  OrderedJson& does = session["instructions"].back()["paragraphs"];
+  does.insert(does.begin(), gaze["instruction"]);
 }
 
 }  // namespace
@@ -214,11 +194,16 @@ OrderedJson factors_from(const StudyChoices& choices, const OrderedJson& offered
 std::vector<StudyTemplate> study_templates() {
   std::vector<StudyTemplate> all;
   for (const EmbeddedFile& file : kTemplates) {
-    const std::string name = std::string(file.name).substr(0, std::string(file.name).rfind('.'));
+    std::string name = file.name;
+    if (!name.starts_with(kTemplateFolder)) {
+      continue;
+    }
+    name =
+        name.substr(kTemplateFolder.size(), name.size() - kTemplateFolder.size() - kSuffix.size());
     if (name.starts_with(kShared)) {
       continue;
     }
-    const OrderedJson content = OrderedJson::parse(file.text);
+    const OrderedJson content = find_template_file(name).value();
     StudyTemplate each{name, content["words"].get<std::string>(), {}};
     for (const auto& factor : content["vary"].items()) {
       each.offered.push_back(factor.key());
@@ -228,41 +213,49 @@ std::vector<StudyTemplate> study_templates() {
   return all;
 }
 
-std::vector<std::pair<std::string, std::string>> offered_questions(const std::string& language) {
-  std::vector<std::pair<std::string, std::string>> all;
+std::vector<OfferedQuestion> offered_questions(const std::string& study_template,
+                                               const std::string& language) {
+  std::vector<OfferedQuestion> all;
   const OrderedJson shared = shared_parts(language);
+  const bool of_many = template_file(study_template, shared).contains("of_many");
   for (const auto& ask : shared["asks"].items()) {
-    all.emplace_back(ask.key(), ask.value()["block"].value("question", std::string()));
+    all.push_back(
+        {ask.key(), question_words(ask.value(), of_many), ask.value().contains("detects")});
   }
   return all;
 }
 
-std::map<std::string, OrderedJson> make_study(const StudyChoices& choices) {
-  OrderedJson shown = template_file(choices.study_template);
+std::map<std::string, std::string> make_study(const StudyChoices& choices) {
   const OrderedJson shared = shared_parts(choices.language);
-  if (shared.contains("templates")) {
-    shown.merge_patch(shared["templates"][choices.study_template]);
-  }
-  if (!shared["asks"].contains(choices.ask)) {
-    throw InputError("--ask: expected one of " + key_list(shared["asks"]) + ", got " + choices.ask);
-  }
-  const OrderedJson& ask = shared["asks"][choices.ask];
-  const OrderedJson factors = factors_from(choices, shown["vary"]);
-  const OrderedJson block = asked_block(ask, factors, choices.question);
+  const OrderedJson shown = template_file(choices.study_template, shared);
+  const OrderedJson& ask = ask_named(choices.ask, shared["asks"]);
+  const LevelChoice levels = level_choice(choices.levels);
+  require_detection(ask, choices);
+  const OrderedJson factors = factors_from(choices.vary, shown["vary"], levels);
+  const OrderedJson block = asked_block(ask, factors, shown.contains("of_many"), choices.question);
   OrderedJson protocol = shared["protocol"];
   protocol["name"] = choices.name;
   protocol["title"] = choices.name + ": " + block.value("question", ask["does"].get<std::string>());
-  protocol["design"] = design_of(factors);
+  protocol["design"] = design_of(factors, levels, ask["key"] == "two_interval");
   protocol[ask["key"].get<std::string>()] = block;
+  if (shown.contains("gaze")) {
+    add_gaze(shared["gaze"], protocol);
+  }
   replace_words(protocol, "THINGS", shown["things"]);
   replace_words(protocol, "SEES", shown["sees"]);
   replace_words(protocol, "DOES", ask["does"]);
   if (choices.language != "en") {
     protocol["language"] = choices.language;
   }
-  return {{"protocol.json", protocol},
-          {"scene.json", shown["scene"]},
-          {"observer.json", observer_of(factors.front())}};
+  std::map<std::string, std::string> files{
+      {"protocol.json", file_text(protocol)},
+      {"scene.json", file_text(scene_of(shown))},
+      {"observer.json", file_text(observer_of(factors.front()))}};
+  for (const auto& name : shown.value("files", std::vector<std::string>())) {
+    files.emplace(name, name.ends_with(kSuffix) ? file_text(shipped_stimulus(name))
+                                                : find_carried("stimuli/" + name).value());
+  }
+  return files;
 }
 
 }  // namespace impetus::inline protocol

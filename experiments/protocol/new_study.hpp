@@ -5,7 +5,7 @@
 //   protocols/templates/study.json       what is asked, and all that every study says;
 //   study.de.json
 //                                        its words in another language
-//        + choices ─> protocol.json, scene.json, observer.json
+//        + choices ─> protocol.json, scene.json, observer.json, and what the scene names
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -28,10 +28,16 @@ struct StudyTemplate {
 /// All templates, the plainest first.
 std::vector<StudyTemplate> study_templates();
 
-/// What can be asked of each trial, by the names that choices have, with the question's words in a
-/// language; "": there are none.
-std::vector<std::pair<std::string, std::string>> offered_questions(
-    const std::string& language = "en");
+/// What can be asked of each trial.
+struct OfferedQuestion {
+  std::string name;     ///< that choices have
+  std::string words;    ///< "": there are none
+  bool detects{false};  ///< answers become right as levels rise
+};
+
+/// All that can be asked about a template's scene, in the words of a language. Throws InputError.
+std::vector<OfferedQuestion> offered_questions(const std::string& study_template,
+                                               const std::string& language = "en");
 
 /// What somebody chose.
 struct StudyChoices {
@@ -41,13 +47,16 @@ struct StudyChoices {
   /// scene in place of a name varies anything else.
   std::vector<std::string> vary;
   std::string ask;
-  std::string question;
+  std::string question;        ///< its words; "": the template's
   std::string language{"en"};  ///< one that comes with the program, or a file's name
+  /// "all": each is shown equally often. "staircase", "quest": those of the first factor are chosen
+  /// trial by trial.
+  std::string levels{"all"};
 };
 
-/// The files of the study, by name, whose simulated participant goes by the first factor. Throws
-/// InputError where a choice is not offered or not understood; whether the study is valid, the
-/// protocol's own checks say.
-std::map<std::string, OrderedJson> make_study(const StudyChoices& choices);
+/// The texts of the study's files, by name, whose simulated participant goes by the first factor.
+/// Throws InputError where a choice is not offered or not understood; whether the study is valid,
+/// the protocol's own checks say.
+std::map<std::string, std::string> make_study(const StudyChoices& choices);
 
 }  // namespace impetus::inline protocol

@@ -311,7 +311,13 @@ Row<S> session_row() {
        row("resume", &S::resume, resume_kind()), row("late_frames", &S::lateness, lateness_kind()),
        row("questions", &S::questions, list(question, {}),
            "Asked after the last trial; answered in free text."),
-       required("thanks", &S::thanks, page_kind())});
+       required("thanks", &S::thanks, page_kind()),
+       row("light_pages", &S::light_pages, flag(),
+           "Pages lighter than the stimuli; false, when left out: both have one mid-grey ground, "
+           "so that eyes need not adapt between them."),
+       row("progress_during_stimuli", &S::progress_during_stimuli, flag(),
+           "How far the session has come is shown under stimuli, too; false, when left out: on "
+           "pages and between trials alone.")});
 }
 
 Row<S> timing_row() {

@@ -141,6 +141,8 @@ struct Script {
   std::vector<KeyFactor> key_factors{};
   LatenessRule lateness{};
   ResumeRule resume{};
+  bool light_pages{false};  ///< else pages and stimuli have one ground
+  bool progress_during_stimuli{false};
 };
 
 /// Whether breaks come after each block.

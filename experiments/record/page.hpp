@@ -11,14 +11,15 @@
 
 namespace impetus::inline record {
 
-/// How far the session has come, always visible; and in what language that and all else on the
-/// screen with it is said.
+/// How far the session has come; and in what language that and all else on the screen with it is
+/// said, on what ground.
 struct SessionProgress {
   std::int64_t done{0};
   std::int64_t total{0};
   std::string label;          ///< "Practice 2 of 6", "Trial 12 of 81"
   bool gaze_was_lost{false};  ///< in the trial before: a quiet mark for the experimenter
   Language language{};
+  bool light_ground{false};  ///< of pages; else they have the pictures' grey
 };
 
 /// One way to leave a page. `key` is what is pressed: "1", "space", "enter", "escape", "y".

@@ -48,11 +48,12 @@ Interruption show_demonstration(const std::string& id, const Script& script,
   const double hz = ports.display.refresh_hz();
   const std::int64_t interval = whole_frames(script.timing.interval_ms / 1e3, hz);
   const std::int64_t last = whole_frames(live.scene().duration_s, hz);
+  const SessionProgress shown = script.progress_during_stimuli ? progress : SessionProgress{};
   ports.display.restart_grid();
   for (std::int64_t frame = -interval; frame <= last; ++frame) {
     const double time_s = std::max(0.0, static_cast<double>(frame) / hz);
     const std::vector<Pose> poses = frame < 0 ? std::vector<Pose>{} : live.poses_at(time_s);
-    ports.display.show(picture_of(live.scene(), poses, time_s, progress));
+    ports.display.show(picture_of(live.scene(), poses, time_s, shown));
     const Interruption interruption = ports.input.interruption();
     if (interruption != Interruption::kNone) {
       return interruption;
@@ -170,7 +171,7 @@ class Session {
       : script_(script),
         history_(history),
         ports_(ports),
-        standing_(plan, history, script.language),
+        standing_(plan, history, script.language, script.light_pages),
         talk_(ports.input, ports.recorder, standing_),
         sitting_{script, design, ports_, standing_, talk_, calibration_},
         trials_(sitting_, levels_after(history, plan, design)) {

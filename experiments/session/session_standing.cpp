@@ -83,7 +83,7 @@ SessionProgress SessionStanding::progress() const {
     return trial.phase == TrialPhase::kMain || trial.repetition <= round_ ||
            is_completed(trial.slot);
   });
-  return {completed_count(), total, "", false, language_};
+  return {completed_count(), total, "", false, language_, light_pages_};
 }
 
 SessionProgress SessionStanding::trial_progress(TrialPhase phase, std::int64_t number,

@@ -36,10 +36,12 @@ struct PhaseTrials {
 class SessionStanding {
  public:
   /// `plan` and `history` must outlive this.
-  SessionStanding(const Plan& plan, const SessionHistory& history, Language language = {})
+  SessionStanding(const Plan& plan, const SessionHistory& history, Language language = {},
+                  bool light_pages = false)
       : plan_(plan),
         history_(history),
         language_(std::move(language)),
+        light_pages_(light_pages),
         practice_(history.practice) {}
 
   /// The trial is done, with this result.
@@ -77,6 +79,7 @@ class SessionStanding {
   const Plan& plan_;
   const SessionHistory& history_;
   Language language_;  ///< of all progress
+  bool light_pages_;
   std::set<std::int64_t> newly_completed_;
   std::map<std::int64_t, PracticeResult> practice_;  ///< by slot
   std::int64_t round_{1};

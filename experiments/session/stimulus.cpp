@@ -113,7 +113,7 @@ bool Stimulus::show_timed(const Picture& frame, FramePhase phase, double time_s)
     if (ports_.display.has_patch()) {
       record_.frames.back().patch = frame.patch_code;
     }
-    if (ports_.gaze != nullptr) {
+    if (script_.gaze && ports_.gaze != nullptr) {
       ports_.gaze->shown(frame, flip);
     }
   }
@@ -121,7 +121,8 @@ bool Stimulus::show_timed(const Picture& frame, FramePhase phase, double time_s)
 }
 
 Picture Stimulus::with_pointer(const std::vector<Pose>& poses, double time_s) const {
-  Picture picture = picture_of(scene(), poses, time_s, progress_);
+  Picture picture = picture_of(scene(), poses, time_s,
+                               script_.progress_during_stimuli ? progress_ : SessionProgress{});
   picture.pointer = script_.gaze && ports_.gaze != nullptr && ports_.gaze->is_pointer();
   return picture;
 }

@@ -25,7 +25,7 @@ class Stimulus {
   /// Shows cross and scene; returns what interrupted it.
   Interruption show();
 
-  /// The pictures' ground alone, with the progress.
+  /// The pictures' ground alone.
   [[nodiscard]] Picture blank() const { return with_pointer({}, 0.0); }
 
   /// Keeps the clicks since the last call, where clicks are asked for.

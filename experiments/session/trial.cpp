@@ -65,7 +65,9 @@ class Attempt {
  private:
   bool show_interval() {
     ports_.display.restart_grid();
-    if (!show_blank(script_.timing.interval_ms)) {
+    Picture between_trials = stimuli_.front().blank();
+    between_trials.progress = progress_;
+    if (!show_for(script_.timing.interval_ms, between_trials)) {
       return false;
     }
     progress_.gaze_was_lost = false;  // the mark is gone when the trial begins
@@ -73,10 +75,10 @@ class Attempt {
     return true;
   }
 
-  bool show_blank(double duration_ms) {
+  bool show_for(double duration_ms, const Picture& picture) {
     const std::int64_t frames = whole_frames(duration_ms / 1e3, ports_.display.refresh_hz());
     for (std::int64_t frame = 0; frame < frames; ++frame) {
-      const Flip flip = ports_.display.show(stimuli_.front().blank());
+      const Flip flip = ports_.display.show(picture);
       result_.record.late_untimed_frames += flip.late() ? 1 : 0;
       result_.interruption = ports_.input.interruption();
       if (result_.interruption != Interruption::kNone) {
@@ -90,7 +92,7 @@ class Attempt {
     ports_.display.restart_grid();
     for (std::size_t index = 0; index < stimuli_.size(); ++index) {
       if (index > 0) {
-        if (!show_blank(find_two_interval(script_)->between_ms())) {
+        if (!show_for(find_two_interval(script_)->between_ms(), stimuli_.front().blank())) {
           return false;
         }
         stimuli_[index - 1].take_clicks();  // a late one belongs to what was seen

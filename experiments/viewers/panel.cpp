@@ -18,7 +18,7 @@ constexpr ImU32 kPressed = IM_COL32(190, 202, 214, 255);
 constexpr ImU32 kGrab = IM_COL32(148, 170, 192, 255);  ///< a number can be read on it
 
 constexpr std::array<ColourOf, 18> kStyleColours{
-    {{ImGuiCol_ChildBg, palette::kPage},
+    {{ImGuiCol_ChildBg, palette::kLight},
      {ImGuiCol_PopupBg, palette::kSurfaceHovered},
      {ImGuiCol_Button, palette::kSurface},
      {ImGuiCol_ButtonHovered, palette::kSurfaceHovered},
@@ -33,7 +33,7 @@ constexpr std::array<ColourOf, 18> kStyleColours{
      {ImGuiCol_TextDisabled, palette::kQuietText},
      {ImGuiCol_TableBorderLight, palette::kLine},
      {ImGuiCol_TableBorderStrong, palette::kLine},
-     {ImGuiCol_ScrollbarBg, palette::kPage},
+     {ImGuiCol_ScrollbarBg, palette::kLight},
      {ImGuiCol_ScrollbarGrabHovered, palette::kQuietText},
      {ImGuiCol_ScrollbarGrabActive, palette::kAccent}}};
 

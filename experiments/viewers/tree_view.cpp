@@ -93,7 +93,7 @@ class TreeScreen final : public ViewerScreen {
     const int keys_px = static_cast<int>(keys_height());
     painter_.paint(look_, orbit_,
                    {0, keys_px, picture_width(), canvas_.window.height_px() - keys_px},
-                   palette::kPageGrey);
+                   palette::kLightGrey);
   }
 
   void draw() override {

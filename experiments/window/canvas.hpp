@@ -25,8 +25,10 @@ struct Canvas {
 
   [[nodiscard]] PixelArea whole() const { return {0, 0, window.width_px(), window.height_px()}; }
 
-  /// The ground of every page.
-  void fill_page() { painter.fill(whole(), palette::kPageGrey); }
+  /// The ground of a page; light where it is a researcher's.
+  void fill_page(bool light = true) {
+    painter.fill(whole(), light ? palette::kLightGrey : palette::kPictureGrey);
+  }
 
   /// Draws the photodiode patch's code over all else; nothing where there is no patch.
   void paint_patch(std::int64_t code) {

@@ -121,11 +121,11 @@ void Window::warm_up() {
     canvas_->painter.paint(with_mesh, canvas_->whole());
     canvas_->painter.paint(crowd, canvas_->whole());
     canvas_->painter.paint(picture, canvas_->whole());
-    canvas_->fill_page();
+    canvas_->fill_page(/*light=*/false);
     canvas_->gui.begin();
-    draw_progress(canvas_->gui, picture.progress, Ground::kPage);
+    draw_progress(canvas_->gui, picture.progress, BarPlace::kPage);
     canvas_->gui.end();
-    canvas_->fill_page();
+    canvas_->fill_page(/*light=*/false);
     static_cast<void>(canvas_->deadlines.flip());
   }
   canvas_->events.discard();
@@ -140,7 +140,7 @@ Flip Window::show(const Picture& picture) {
     if (picture.target) {
       draw_fixation_target(canvas_->gui, geometry_, *picture.target);
     }
-    draw_progress(canvas_->gui, picture.progress, Ground::kPicture);
+    draw_progress(canvas_->gui, picture.progress, BarPlace::kPicture);
     canvas_->gui.end();
     canvas_->paint_patch(picture.patch_code);
     flip = canvas_->deadlines.flip();

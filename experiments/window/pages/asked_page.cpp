@@ -128,7 +128,7 @@ class PageTurn {
   }
 
   std::optional<std::size_t> draw_and_flip() {
-    canvas_.fill_page();
+    canvas_.fill_page(page_.progress.light_ground);
     canvas_.gui.begin();
     if (page_.timeout_ms > 0.0 && answer_.shown_ns > 0) {
       view_.tell_time_left(1.0 - elapsed_ms() / page_.timeout_ms);

@@ -158,12 +158,14 @@ struct Colours {
   ImU32 label;
 };
 
-Colours colours_on(Ground ground) {
-  return ground == Ground::kPicture
-             ? Colours{IM_COL32(118, 118, 118, 255), IM_COL32(92, 92, 92, 255),
-                       IM_COL32(82, 82, 82, 255)}
-             : Colours{IM_COL32(186, 186, 186, 255), IM_COL32(128, 128, 130, 255),
-                       IM_COL32(84, 84, 88, 255)};
+Colours colours_on(BarPlace place, bool light_ground) {
+  if (place == BarPlace::kPicture) {
+    return {IM_COL32(118, 118, 118, 255), IM_COL32(92, 92, 92, 255), IM_COL32(82, 82, 82, 255)};
+  }
+  return light_ground ? Colours{IM_COL32(186, 186, 186, 255), IM_COL32(128, 128, 130, 255),
+                                palette::kQuietText}
+                      : Colours{IM_COL32(114, 114, 114, 255), IM_COL32(74, 74, 76, 255),
+                                palette::kQuietText};
 }
 
 /// Quiet, for the experimenter: a ring, and what it means in two words.
@@ -274,11 +276,11 @@ float progress_height(const Gui& gui) {
   return bar_height(gui) + std::round(1.7F * gui.fonts().small->FontSize);
 }
 
-void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground) {
+void draw_progress(const Gui& gui, const SessionProgress& progress, BarPlace place) {
   if (progress.total <= 0 && progress.label.empty()) {
     return;
   }
-  const Colours colours = colours_on(ground);
+  const Colours colours = colours_on(place, progress.light_ground);
   const double share =
       progress.total > 0 ? static_cast<double>(progress.done) / static_cast<double>(progress.total)
                          : 0.0;

@@ -39,13 +39,14 @@ std::optional<std::size_t> draw_choices(const Gui& gui, const Page& page, const 
 /// points.
 void draw_point_map(const Gui& gui, const PointMap& map, const Language& language);
 
-/// What is under the bar: its colours must stay quiet on it.
-enum class Ground { kPage, kPicture };
-
 /// Height at the bottom that the bar and its label take.
 [[nodiscard]] float progress_height(const Gui& gui);
 
+/// What is under the bar: on pages its words are to be read, on pictures its colours must stay
+/// quiet.
+enum class BarPlace { kPage, kPicture };
+
 /// Draws within the present frame; nothing when there is neither total nor label.
-void draw_progress(const Gui& gui, const SessionProgress& progress, Ground ground);
+void draw_progress(const Gui& gui, const SessionProgress& progress, BarPlace place);
 
 }  // namespace impetus::inline window

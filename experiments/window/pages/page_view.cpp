@@ -43,7 +43,7 @@ std::optional<std::size_t> PageView::draw() {
   content_px_ = ImGui::GetCursorScreenPos().y - top;
   ImGui::PopFont();
   draw_reading_hint();
-  draw_progress(gui_, page_.progress, Ground::kPage);
+  draw_progress(gui_, page_.progress, BarPlace::kPage);
   return clicked;
 }
 
@@ -170,8 +170,9 @@ void PageView::draw_reading_hint() const {
   }
   const float bottom = gui_.height() - progress_height(gui_);
   const float height = 2.0F * gui_.fonts().small->FontSize;
-  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(0, bottom - height),
-                                            ImVec2(gui_.width(), gui_.height()), palette::kPage);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      ImVec2(0, bottom - height), ImVec2(gui_.width(), gui_.height()),
+      page_.progress.light_ground ? palette::kLight : palette::kPicture);
   ImGui::SetCursorScreenPos(ImVec2(0, bottom - 0.7F * height));
   const Language& language = page_.progress.language;
   const bool waits = page_.choice_at_end && !end_was_seen_;

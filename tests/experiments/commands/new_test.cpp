@@ -36,10 +36,34 @@ TEST(New, EveryTemplateRunsAsItComes) {
 
 TEST(New, EveryQuestionCanBeAsked) {
   const TemporaryFolder folder;
-  for (const auto& offered : offered_questions()) {
-    SCOPED_TRACE(offered.first);
-    expect_runs(folder, {"--ask", offered.first, "--vary", "restitution=.2,.8"});
+  for (const OfferedQuestion& offered : offered_questions("two-balls")) {
+    SCOPED_TRACE(offered.name);
+    expect_runs(folder, {"--ask", offered.name, "--vary", "restitution=.2,.8"});
   }
+}
+
+TEST(New, LevelsAreChosenByWhatIsAnswered) {
+  const TemporaryFolder folder;
+  for (const char* rule : {"staircase", "quest"}) {
+    for (const char* ask : {"detection", "two-interval"}) {
+      SCOPED_TRACE(std::string(rule) + " " + ask);
+      expect_runs(folder, {"--vary", "gap_arcmin", "--ask", ask, "--levels", rule});
+    }
+  }
+}
+
+TEST(New, WhoFollowsTheGazeSaysSoBeforeConsent) {
+  const auto protocol_of = [](const char* shown) {
+    return nlohmann::json::parse(
+        make_study({"mine", shown, {}, "click", "", "en"}).at("protocol.json"));
+  };
+  const nlohmann::json followed = protocol_of("blocks-by-gaze");
+  EXPECT_TRUE(followed.contains("gaze"));
+  EXPECT_NE(followed["session"]["consent"].dump().find("Where you look is recorded"),
+            std::string::npos);
+  const nlohmann::json not_followed = protocol_of("blocks-in-a-cube");
+  EXPECT_FALSE(not_followed.contains("gaze"));
+  EXPECT_EQ(not_followed.dump().find("look is recorded"), std::string::npos);
 }
 
 TEST(New, EveryFactorThatIsOfferedCanBeVaried) {
@@ -57,10 +81,10 @@ TEST(New, EveryFactorThatIsOfferedCanBeVaried) {
 TEST(New, AStudyIsInTheLanguageOfItsParticipants) {
   for (const auto& language : shipped_languages()) {
     for (const StudyTemplate& shown : study_templates()) {
-      for (const auto& asked : offered_questions()) {
-        SCOPED_TRACE(language.first + " " + shown.name + " " + asked.first);
-        StudyChoices choices{"mine", shown.name, {}, asked.first, "", language.first};
-        const std::string study = make_study(choices).at("protocol.json").dump();
+      for (const OfferedQuestion& asked : offered_questions(shown.name)) {
+        SCOPED_TRACE(language.first + " " + shown.name + " " + asked.name);
+        StudyChoices choices{"mine", shown.name, {}, asked.name, "", language.first};
+        const std::string study = make_study(choices).at("protocol.json");
         for (const char* open : {"THINGS", "SEES", "DOES"}) {
           EXPECT_EQ(study.find(open), std::string::npos) << open;
         }
@@ -111,18 +135,31 @@ TEST(New, RefusesInASentenceAndLeavesNothing) {
     return made.errors;
   };
   EXPECT_EQ(refused({"--template", "three-balls"}),
-            "impetus: --template: expected one of two-balls, two-blocks, blocks-in-a-cube, got "
+            "impetus: --template: expected one of two-balls, two-blocks, two-figures, "
+            "blocks-in-a-cube, blocks-by-gaze, got "
             "three-balls\n");
   EXPECT_EQ(refused({"--template", "study"}),
-            "impetus: --template: expected one of two-balls, two-blocks, blocks-in-a-cube, got "
+            "impetus: --template: expected one of two-balls, two-blocks, two-figures, "
+            "blocks-in-a-cube, blocks-by-gaze, got "
             "study\n");
   EXPECT_EQ(refused({"--ask", "maybe"}),
-            "impetus: --ask: expected one of yes-no, rating, two-interval, click, got maybe\n");
+            "impetus: --ask: expected one of yes-no, detection, rating, two-interval, click, got "
+            "maybe\n");
   EXPECT_EQ(refused({"--vary", "weight=1,2"}),
             "impetus: --vary: expected one of restitution, angle_deg, speed_deg_s, delay_ms, "
             "gap_arcmin, offset_deg, or a JSON Pointer into the scene, got weight\n");
   EXPECT_EQ(refused({"--vary", "restitution=1"}),
             "impetus: --vary: expected restitution= and two levels or more, got restitution=1\n");
+  EXPECT_EQ(
+      refused({"--levels", "quest"}),
+      "impetus: --levels quest: expected --ask detection or two-interval, whose answers become "
+      "right as levels rise, got yes-no\n");
+  EXPECT_EQ(refused({"--levels", "some"}),
+            "impetus: --levels: expected all, staircase or quest, got some\n");
+  EXPECT_EQ(
+      refused({"--levels", "quest", "--ask", "detection", "--vary", "speed_deg_s"}),
+      "impetus: --levels: to choose from, expected four numbers or more of speed_deg_s, rising "
+      "from hard to easy, got [5,10]\n");
   const std::string beyond = refused({"--vary", "restitution=.5,2"});
   EXPECT_NE(beyond.find("; nothing was written\n"), std::string::npos) << beyond;
   EXPECT_EQ(beyond.find("partial"), std::string::npos) << beyond;

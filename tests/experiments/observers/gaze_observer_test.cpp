@@ -285,4 +285,8 @@ TEST(GazeObserver, BringsItsEyeAndTheOthersHaveNone) {
   EXPECT_EQ(make_observer(causality, {1, "S01", clock, clock})->eye(), nullptr);
 }
 
+TEST(GazeObserver, ItsEyeIsTheOneThatOthersHave) {
+  EXPECT_EQ(static_cast<const EyeParameters&>(shipped()), usual_eye());
+}
+
 }  // namespace impetus::gaze_observer_test
