@@ -19,6 +19,21 @@ people_words <- function(path, protocol, sessions) {
       sprintf("; the data of %d were excluded", out))
 }
 
+# How bright the screen was, and the mid-grey (128 of 255) that stimuli and pages stand on.
+luminance_words <- function(sessions) {
+  measured <- sessions[!is.na(sessions$screen_gamma), ]
+  if (nrow(measured) == 0) return(NULL)
+  black <- measured$screen_black_cd_m2
+  white <- measured$screen_white_cd_m2
+  ground <- black + (white - black) * (128 / 255)^measured$screen_gamma
+  words <- unique(sprintf(
+    "from %.3g to %.3g cd/m² (gamma %.3g), that of the ground %.3g cd/m²",
+    black, white, measured$screen_gamma, ground))
+  unmeasured <- nrow(sessions) - nrow(measured)
+  sprintf("The screen's luminance was %s%s.", paste(words, collapse = "; or "),
+    if (unmeasured == 0) "" else sprintf("; it was not measured in %s", count_of(unmeasured, "sitting")))
+}
+
 # The screens, the refresh, the machines and the program, each said once.
 apparatus_words <- function(sessions) {
   if (nrow(sessions) == 0) return("No sitting has begun.")
@@ -33,6 +48,7 @@ apparatus_words <- function(sessions) {
     if (any(sessions$screen_measured == 0)) sprintf(
       "Size and distance of the screen were assumed, not measured, in %s.",
       count_of(sum(sessions$screen_measured == 0), "sitting")),
+    luminance_words(sessions),
     sprintf("Machine: %s. Display: %s.", each(sessions$machine), each(sessions$display)),
     if (any(synced)) sprintf(paste("Before a sitting the display's timing was tested: intervals",
       "between flips of %s ms with standard deviations of at most %.3g ms."),

@@ -66,6 +66,23 @@ void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
   }
 }
 
+void print_luminance(const ScreenLight& light, const Pixels& picture) {
+  double darkest = light.white_cd_m2;
+  double brightest = light.black_cd_m2;
+  double sum = 0.0;
+  for (std::size_t at = 0; at + 2 < picture.rgb.size(); at += 3) {
+    const auto value = [&](std::size_t primary) {
+      return static_cast<float>(picture.rgb[at + primary]) / 255.0F;
+    };
+    const double here = luminance_cd_m2(light, {value(0), value(1), value(2)});
+    darkest = std::min(darkest, here);
+    brightest = std::max(brightest, here);
+    sum += here;
+  }
+  std::printf("on this screen from %.4g to %.4g cd/m², %.4g on average\n", darkest, brightest,
+              3.0 * sum / static_cast<double>(picture.rgb.size()));
+}
+
 void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
   require_new_file(options.picture);
   const ScreenGeometry screen = chosen_screen(options.screen_file);
@@ -84,8 +101,12 @@ void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
     throw InputError(text);
   }
   const SteadyClock clock;
-  write_png(still_picture(std::move(staged), options.at_s, size, clock), options.picture);
+  const Pixels picture = still_picture(std::move(staged), options.at_s, size, clock);
+  write_png(picture, options.picture);
   std::printf("written to %s\n", options.picture.c_str());
+  if (const auto light = chosen_light(options.screen_file)) {
+    print_luminance(*light, picture);
+  }
 }
 
 /// What takes long, before a window opens.

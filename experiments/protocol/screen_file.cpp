@@ -25,10 +25,32 @@ const json& screen_schema() {
       "width_cm": {"type": "number", "minimum": 10, "maximum": 300},
       "height_cm": {"type": "number", "minimum": 10, "maximum": 200},
       "viewing_distance_cm": {"type": "number", "minimum": 20, "maximum": 300},
-      "square_pixels": {"type": "boolean"}
+      "square_pixels": {"type": "boolean"},
+      "light": {
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["black_cd_m2", "white_cd_m2", "gamma"],
+        "properties": {
+          "black_cd_m2": {"type": "number", "minimum": 0, "maximum": 1000},
+          "white_cd_m2": {"type": "number", "exclusiveMinimum": 0, "maximum": 10000},
+          "gamma": {"type": "number", "minimum": 0.5, "maximum": 5}
+        }
+      }
     }
   })");
   return schema;
+}
+
+ScreenLight light_of(const JsonDocument& document) {
+  const json& light = document.value["light"];
+  const ScreenLight read{light["black_cd_m2"].get<double>(), light["white_cd_m2"].get<double>(),
+                         light["gamma"].get<double>()};
+  if (read.white_cd_m2 <= read.black_cd_m2) {
+    refuse(document, "/light/white_cd_m2",
+           "expected more than black, " + light["black_cd_m2"].dump() + ", got " +
+               light["white_cd_m2"].dump());
+  }
+  return read;
 }
 
 }  // namespace
@@ -53,6 +75,9 @@ LabScreen load_screen(const std::filesystem::path& path) {
   screen.geometry.height_m = document.value["height_cm"].get<double>() / 100.0;
   screen.geometry.viewing_distance_m = document.value["viewing_distance_cm"].get<double>() / 100.0;
   screen.square_pixels = document.value.value("square_pixels", true);
+  if (document.value.contains("light")) {
+    screen.light = light_of(document);
+  }
   return screen;
 }
 
@@ -81,6 +106,11 @@ void save_screen(const LabScreen& screen, const std::filesystem::path& path) {
                 {"viewing_distance_cm", centimetres(size.viewing_distance_m)}};
   if (!screen.square_pixels) {
     document["square_pixels"] = false;
+  }
+  if (screen.light) {
+    document["light"] = {{"black_cd_m2", screen.light->black_cd_m2},
+                         {"white_cd_m2", screen.light->white_cd_m2},
+                         {"gamma", screen.light->gamma}};
   }
   std::error_code failed;
   std::filesystem::create_directories(path.parent_path(), failed);

@@ -19,6 +19,22 @@ bool is_same_length(double a_m, double b_m) { return std::abs(a_m - b_m) < 1e-6;
 
 }  // namespace
 
+double luminance_cd_m2(const ScreenLight& light, const std::array<float, 3>& colour) {
+  constexpr std::array<double, 3> kShares{0.2126, 0.7152, 0.0722};
+  double of_white = 0.0;
+  for (std::size_t primary = 0; primary < 3; ++primary) {
+    of_white += kShares[primary] * std::pow(colour[primary], light.gamma);
+  }
+  return light.black_cd_m2 + (light.white_cd_m2 - light.black_cd_m2) * of_white;
+}
+
+std::string light_words(const ScreenLight& light) {
+  char text[100];
+  std::snprintf(text, sizeof text, "black %.4g, white %.4g cd/m², gamma %.4g", light.black_cd_m2,
+                light.white_cd_m2, light.gamma);
+  return text;
+}
+
 bool has_square_pixels(const ScreenGeometry& screen) {
   const double width_m = pixel_width_m(screen);
   const double height_m = pixel_height_m(screen);

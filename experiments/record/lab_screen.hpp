@@ -1,18 +1,38 @@
-// The lab's screen as it was entered, and whether its pixels are square: where they are taken for
-// what they are not, balls become eggs and visual angles differ across and down.
+// The lab's screen as it was entered: how large, how bright, and whether its pixels are square.
+// Where they are taken for what they are not, balls become eggs and visual angles differ across and
+// down.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "engine/scheduling/viewer.hpp"
 
 namespace impetus::inline record {
 
+/// How bright the screen is, by a photometer before it:
+///
+///   luminance = black + (white − black) · vᵞ,   v: a grey's value, from 0 to 1
+struct ScreenLight {
+  double black_cd_m2{0.0};
+  double white_cd_m2{0.0};
+  double gamma{2.2};  ///< γ
+};
+
+/// What a colour of these values, sRGB from 0 to 1, sends out in cd/m², each primary by its share
+/// of white (ITU-R BT.709).
+double luminance_cd_m2(const ScreenLight& light, const std::array<float, 3>& colour);
+
+/// "black 0.3, white 120 cd/m², gamma 2.2".
+std::string light_words(const ScreenLight& light);
+
 /// What was measured, and what was said about it.
 struct LabScreen {
   ScreenGeometry geometry;
   bool square_pixels{true};  ///< false: somebody said that this screen's pixels are not square
+  std::optional<ScreenLight> light{};
 };
 
 /// Whether width and height of a pixel are at most 1 % apart.

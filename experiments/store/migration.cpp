@@ -11,6 +11,7 @@
 #include "experiments/store/embedded_migration_4_5.hpp"
 #include "experiments/store/embedded_migration_5_6.hpp"
 #include "experiments/store/embedded_migration_6_7.hpp"
+#include "experiments/store/embedded_migration_7_8.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 #include "experiments/store/rows.hpp"
@@ -96,6 +97,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 7) {
     database.exec(kMigrationFrom6To7Sql);
+  }
+  if (version < 8) {
+    database.exec(kMigrationFrom7To8Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

@@ -89,7 +89,10 @@ CREATE TABLE session (
                                       -- that clock was set back
   first_slot INTEGER,                 -- the planned trial it began with; NULL too: none was left
   gaze_source TEXT,                   -- NULL: gaze not followed
-  photodiode_patch TEXT               -- its corner, 'bottom left', ...; NULL: none
+  photodiode_patch TEXT,              -- its corner, 'bottom left', ...; NULL: none
+  screen_black_cd_m2 REAL CHECK (screen_black_cd_m2 >= 0),  -- luminance; NULL: not measured
+  screen_white_cd_m2 REAL CHECK (screen_white_cd_m2 > screen_black_cd_m2),  -- NULL: not measured
+  screen_gamma REAL CHECK (screen_gamma > 0)  -- of the greys between; NULL: not measured
 ) STRICT;
 
 CREATE TABLE trial (

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/record/record.hpp"
 #include "experiments/session/resumption.hpp"
 #include "experiments/session/timing_check.hpp"
@@ -35,6 +36,7 @@ struct SessionFacts {
   std::string observer;  ///< JSON; "" for a person
   ScreenGeometry screen;
   bool screen_measured{false};
+  std::optional<ScreenLight> screen_light{};  ///< none: not measured
   double refresh_hz{0.0};
   bool rounding_allowed{false};
   SyncTest sync;

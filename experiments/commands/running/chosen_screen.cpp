@@ -55,4 +55,9 @@ ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& windo
 }
 #endif
 
+std::optional<ScreenLight> chosen_light(const std::string& file) {
+  const auto entered = screen_file(file);
+  return entered ? load_screen(*entered).light : std::nullopt;
+}
+
 }  // namespace impetus::inline commands

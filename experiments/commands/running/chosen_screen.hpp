@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "engine/scheduling/viewer.hpp"
+#include "experiments/record/lab_screen.hpp"
 #ifdef IMPETUS_WINDOW
 #include "experiments/window/window.hpp"
 #endif
@@ -21,5 +22,8 @@ ScreenGeometry chosen_screen(const std::string& file);
 /// std::runtime_error when there is no display.
 ScreenGeometry chosen_screen(const std::string& file, const WindowOptions& window);
 #endif
+
+/// The light of the same file's screen; none: there is none, or it was not measured.
+std::optional<ScreenLight> chosen_light(const std::string& file);
 
 }  // namespace impetus::inline commands

@@ -96,6 +96,7 @@ class WindowLaboratory final : public Laboratory {
   SyncTest sync_test() override { return window_.sync_test(); }
   [[nodiscard]] std::string description() const override { return window_.description(); }
   [[nodiscard]] bool screen_measured() const override { return measured_; }
+  [[nodiscard]] std::optional<ScreenLight> screen_light() const override { return light_; }
 
  private:
   /// From the file; asked for once and kept when there is none yet. What a simulated participant
@@ -116,6 +117,7 @@ class WindowLaboratory final : public Laboratory {
       }
       save_screen(*entered, file);
     }
+    light_ = load_screen(file).light;
     return load_screen_of(file, window_.width_px(), window_.height_px());
   }
 
@@ -123,6 +125,7 @@ class WindowLaboratory final : public Laboratory {
   Window window_;
   std::unique_ptr<ShownObserver> observer_;
   bool measured_{false};
+  std::optional<ScreenLight> light_;
 };
 
 #endif

@@ -43,6 +43,8 @@ class Laboratory {
   virtual SyncTest sync_test() = 0;
   [[nodiscard]] virtual std::string description() const = 0;
   [[nodiscard]] virtual bool screen_measured() const = 0;
+  /// How bright the screen is; none where that was not measured.
+  [[nodiscard]] virtual std::optional<ScreenLight> screen_light() const { return std::nullopt; }
 };
 
 /// Frames per second that the laboratory will have, found without opening it. Throws InputError

@@ -48,6 +48,7 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.observer = lab.observer ? lab.observer->document.value.dump() : "";
   facts.screen = laboratory.display().geometry();
   facts.screen_measured = laboratory.screen_measured();
+  facts.screen_light = laboratory.screen_light();
   facts.refresh_hz = laboratory.display().refresh_hz();
   facts.rounding_allowed = options.allow_rounding;
   facts.sync = sync;

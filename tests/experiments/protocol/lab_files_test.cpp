@@ -113,6 +113,27 @@ TEST(ScreenFile, WhatIsSavedIsLoadedAgain) {
   EXPECT_DOUBLE_EQ(loaded.viewing_distance_m, screen.viewing_distance_m);
 }
 
+TEST(ScreenFile, KeepsTheLightThatWasMeasured) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "screen.json";
+  LabScreen screen{{0.376, 0.301, 0, 0, 0.57}};
+  save_screen(screen, path);
+  EXPECT_FALSE(load_screen(path).light);
+  screen.light = ScreenLight{0.3, 120.0, 2.2};
+  save_screen(screen, path);
+  const std::optional<ScreenLight> loaded = load_screen(path).light;
+  ASSERT_TRUE(loaded);
+  EXPECT_EQ(light_words(*loaded), "black 0.3, white 120 cd/m², gamma 2.2");
+  EXPECT_NEAR(luminance_cd_m2(*loaded, {0.0F, 0.0F, 0.0F}), 0.3, 1e-9);
+  EXPECT_NEAR(luminance_cd_m2(*loaded, {1.0F, 1.0F, 1.0F}), 120.0, 1e-9);
+  EXPECT_NEAR(luminance_cd_m2(*loaded, {0.5F, 0.5F, 0.5F}), 0.3 + 119.7 * std::pow(0.5, 2.2), 1e-9);
+  EXPECT_NEAR(luminance_cd_m2(*loaded, {0.0F, 1.0F, 0.0F}), 0.3 + 119.7 * 0.7152, 1e-9);
+  screen.light->white_cd_m2 = 0.2;
+  save_screen(screen, path);
+  EXPECT_EQ(refusal([&] { load_screen(path); }),
+            path.string() + ":/light/white_cd_m2: expected more than black, 0.3, got 0.2");
+}
+
 TEST(ScreenFile, PixelsThatAreNotSquareAreRefusedUnlessItSaysSo) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "screen.json";

@@ -264,17 +264,36 @@ TEST(Session, AClosedDisplayEndsItWithTheAttemptKept) {
   EXPECT_EQ(lab.recorder.notes.back().kind, "display closed");
 }
 
-TEST(Session, ProgressIsVisibleOnEveryPictureAndPage) {
+TEST(Session, ProgressIsVisibleOnPagesAndBetweenTrialsAndOffStimuli) {
   TestLab lab;
   lab.input.on_page = [](const Page& page) {
     EXPECT_GT(page.progress.total, 0) << page.title;
+    EXPECT_FALSE(page.progress.light_ground) << page.title;
+    return Answer{};
+  };
+  run(lab, short_plan(lab.protocol, 1));
+  int between = 0;
+  for (const Picture& picture : lab.display.pictures) {
+    const bool of_stimulus = picture.fixation_cross || !picture.bodies.empty();
+    ASSERT_EQ(picture.progress.label.empty(), of_stimulus);
+    between += of_stimulus ? 0 : 1;
+  }
+  EXPECT_GT(between, 0);
+  EXPECT_EQ(lab.display.pictures.front().progress.label, "Practice 1 of 2");
+}
+
+TEST(Session, ProgressAndLightPagesAreThereWhereTheProtocolAsks) {
+  TestLab lab;
+  lab.protocol.script.progress_during_stimuli = true;
+  lab.protocol.script.light_pages = true;
+  lab.input.on_page = [](const Page& page) {
+    EXPECT_TRUE(page.progress.light_ground) << page.title;
     return Answer{};
   };
   run(lab, short_plan(lab.protocol, 1));
   for (const Picture& picture : lab.display.pictures) {
     ASSERT_FALSE(picture.progress.label.empty());
   }
-  EXPECT_EQ(lab.display.pictures.front().progress.label, "Practice 1 of 2");
   EXPECT_EQ(lab.display.pictures.back().progress.label, "Trial 1 of 1");
 }
 
