@@ -172,6 +172,41 @@ Picture enclosed(const Window& window, double azimuth_deg, double half_edge_m) {
   return picture;
 }
 
+/// Two lights, shadows, and a texture on every body.
+Appearance all_lit(double floor_m, SurfaceTexture texture) {
+  Appearance appearance;
+  appearance.ground_colour = {0.62F, 0.62F, 0.6F};
+  appearance.check_m = 0.02;
+  appearance.floor_m = floor_m;
+  appearance.lights = {{Vector3(-0.5, 1.0, 0.4).normalized(), 0.8},
+                       {Vector3(0.8, 0.6, 0.5).normalized(), 0.4}};
+  appearance.cast_shadows = appearance.contact_shadows = 0.6;
+  appearance.contact_reach_m = kRadiusM;
+  appearance.shadow_reach_m = 0.3;
+  appearance.texture = texture;
+  return appearance;
+}
+
+/// Two balls on a ground, seen from above.
+Picture on_ground(const Window& window, double time_s) {
+  constexpr double kRaised_deg = 15.0;
+  Picture picture = two_balls(window, 2.0 + time_s, 0.0);
+  picture.viewer = viewer_at(lab_screen(window), 0.0, kRaised_deg);
+  Appearance appearance = all_lit(-kRadiusM, SurfaceTexture::kMarble);
+  appearance.ground = GroundPattern::kChecks;
+  picture.appearance = std::make_shared<const Appearance>(appearance);
+  return picture;
+}
+
+/// The closed cube, its bodies of wood and with their shadows.
+Picture enclosed_and_lit(const Window& window, double azimuth_deg) {
+  constexpr double kHalfEdge_m = 0.12;
+  Picture picture = enclosed(window, azimuth_deg, kHalfEdge_m);
+  picture.appearance =
+      std::make_shared<const Appearance>(all_lit(-kHalfEdge_m, SurfaceTexture::kWood));
+  return picture;
+}
+
 /// 27 tumbling L-blocks in a closed cube, at a size that fits the screen.
 StagedScene preview_scene(const Window& window) {
   constexpr double kHalfEdgeM = 0.11;
@@ -312,6 +347,10 @@ const std::map<std::string, Screen>& screens() {
        showing(60, [](const Window& w, double t) { return enclosed(w, 30.0 + 5.0 * t, 0.12); })},
       {"enclosure round the eye",
        showing(60, [](const Window& w, double) { return enclosed(w, 20.0, 0.6); })},
+      {"enclosure lit",
+       showing(60, [](const Window& w, double) { return enclosed_and_lit(w, 0.0); })},
+      {"ground", showing(60, [](const Window& w, double) { return on_ground(w, 0.0); })},
+      {"ground moving", showing(5, on_ground)},
       {"fixation", showing(60,
                            [](const Window& w, double) {
                              Picture picture = two_balls(w, 2.0, 0.0);
