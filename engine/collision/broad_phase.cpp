@@ -163,7 +163,8 @@ SweptIntervals::Ends SweptIntervals::from(std::size_t index) const {
           {&across_greatest_[0][index], &across_greatest_[1][index]}};
 }
 
-std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first, LaneWidth width) const {
+std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first,
+                                      [[maybe_unused]] LaneWidth width) const {
   const Ends one = from(index);
   const Ends others = from(first);
 #ifdef IMPETUS_EIGHT_LANES

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/numerics/random_stream.hpp"
 
+#include <bit>
 #include <cassert>
 
 namespace impetus::inline numerics {

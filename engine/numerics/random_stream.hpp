@@ -10,11 +10,12 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "engine/numerics/bits.hpp"
 
 namespace impetus::inline numerics {
 
@@ -34,7 +35,7 @@ constexpr std::uint64_t fold_bits(std::uint64_t hash, std::uint64_t word) {
 
 /// The bits of `x`, with both zeros as +0: they compare equal, so they hash equal.
 constexpr std::uint64_t canonical_bits(double x) {
-  return x == 0.0 ? 0 : std::bit_cast<std::uint64_t>(x);
+  return x == 0.0 ? 0 : bit_cast<std::uint64_t>(x);
 }
 
 /// One stream of random numbers.
@@ -50,12 +51,14 @@ class RandomStream {
 
   /// Uniform integer in [0, count), without bias; `count` must be positive.
   std::uint64_t below(std::uint64_t count);
+  /// The same as the place of one of `count` things.
+  std::size_t place_below(std::size_t count) { return static_cast<std::size_t>(below(count)); }
 
   /// Fisher–Yates: every order equally likely.
   template <typename T>
   void shuffle(std::vector<T>& items) {
-    for (std::uint64_t left = items.size(); left > 1; --left) {
-      const std::uint64_t chosen = below(left);
+    for (std::size_t left = items.size(); left > 1; --left) {
+      const std::size_t chosen = place_below(left);
       std::swap(items[left - 1], items[chosen]);
     }
   }

@@ -42,17 +42,20 @@ Core block_core(const Vector3& centre, const Matrix3& axes, const Vector3& half_
 
 bool comes_after(const CoredVolume& a, const CoredVolume& b) {
   const auto compared = [](const auto& of_a, const auto& of_b) {
-    return std::lexicographical_compare_three_way(of_a.data(), of_a.data() + of_a.size(),
-                                                  of_b.data(), of_b.data() + of_b.size());
+    std::partial_ordering order = std::partial_ordering::equivalent;
+    for (Eigen::Index i = 0; order == 0 && i < of_a.size(); ++i) {
+      order = of_a.data()[i] <=> of_b.data()[i];
+    }
+    return order;
   };
   std::partial_ordering order = compared(a.core.centre, b.core.centre);
-  if (std::is_eq(order)) {
+  if (order == 0) {
     order = compared(a.core.half_m, b.core.half_m);
   }
-  if (std::is_eq(order)) {
+  if (order == 0) {
     order = compared(a.core.axes, b.core.axes);
   }
-  return std::is_eq(order) ? a.radius_m > b.radius_m : std::is_gt(order);
+  return order == 0 ? a.radius_m > b.radius_m : order > 0;
 }
 
 double bounding_radius_m(const Core& core) { return core.half_m.norm(); }

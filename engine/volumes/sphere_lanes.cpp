@@ -166,7 +166,7 @@ void SphereArrays::add(const Sphere& sphere) {
 }
 
 std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLanes& b, int columns,
-                                LaneWidth width) {
+                                [[maybe_unused]] LaneWidth width) {
   assert(rows >= 1 && rows <= kLanes && columns >= 1 && columns <= kLanes);
 #ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
@@ -180,7 +180,7 @@ std::uint64_t overlaps_of_block(const SphereLanes& a, int rows, const SphereLane
 }
 
 void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincident,
-                      TouchPoint* touches, LaneWidth width) {
+                      TouchPoint* touches, [[maybe_unused]] LaneWidth width) {
 #ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
     return touches_by_eight(pairs, normal_if_coincident, touches);
@@ -193,7 +193,7 @@ void touches_of_pairs(const SpherePairs& pairs, const Vector3& normal_if_coincid
 }
 
 void place_block(const SphereLanes& own, const Pose& pose, const CentreLanes& placed,
-                 LaneWidth width) {
+                 [[maybe_unused]] LaneWidth width) {
 #ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
     return place_by_eight(own, pose, placed);

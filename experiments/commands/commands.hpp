@@ -20,6 +20,7 @@ using Command = std::function<int()>;
 /// Each adds a subcommand to `app`; parsing that subcommand puts its action into `chosen`.
 void add_run(CLI::App& app, Command& chosen);
 void add_check(CLI::App& app, Command& chosen);
+void add_collect(CLI::App& app, Command& chosen);
 void add_exclude(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_extremes(CLI::App& app, Command& chosen);
@@ -28,6 +29,7 @@ void add_new(CLI::App& app, Command& chosen);
 void add_observers(CLI::App& app, Command& chosen);
 void add_power(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
+void add_publish(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_report(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   impetus::Command chosen;
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);
+  impetus::add_collect(app, chosen);
   impetus::add_exclude(app, chosen);
   impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
@@ -53,6 +54,7 @@ int main(int argc, char** argv) {
   impetus::add_observers(app, chosen);
   impetus::add_power(app, chosen);
   impetus::add_preview(app, chosen);
+  impetus::add_publish(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_report(app, chosen);
   impetus::add_screen(app, chosen);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 
 namespace impetus::inline commands {

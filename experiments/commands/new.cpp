@@ -13,6 +13,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/exports/whole_output.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/new_study.hpp"
 #include "experiments/protocol/observer_file.hpp"

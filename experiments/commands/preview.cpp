@@ -9,7 +9,8 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"

@@ -12,7 +12,7 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/sentences.hpp"
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/named_shape.hpp"
 #include "experiments/models/readable_file.hpp"

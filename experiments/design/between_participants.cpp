@@ -44,7 +44,7 @@ Condition draw_group(const Design& design, const PlanKey& key,
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return count(a) < count(b); }));
   std::erase_if(all, [&](const Condition& group) { return count(group) > fewest; });
   RandomStream stream(key.seed, "between participants/" + key.protocol + "/" + key.participant);
-  return all[stream.below(all.size())];
+  return all[stream.place_below(all.size())];
 }
 
 Condition with_group(const Condition& condition, const Condition& group, const Design& design) {

@@ -2,8 +2,8 @@
 #include "experiments/design/design.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+
+#include "experiments/tables/number_text.hpp"
 
 namespace impetus::inline design {
 
@@ -53,9 +53,7 @@ std::string to_text(const LevelValue& value) {
   if (const auto* flag = std::get_if<bool>(&value)) {
     return *flag ? "true" : "false";
   }
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.begin(), digits.end(), std::get<double>(value));
-  return {digits.begin(), end.ptr};
+  return exact_number(std::get<double>(value));
 }
 
 }  // namespace impetus::inline design

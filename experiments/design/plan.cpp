@@ -49,7 +49,7 @@ std::vector<PlannedTrial> with_catch_trials(const std::vector<PlannedTrial>& mai
   for (std::size_t stretch = 0; stretch < caught.size(); ++stretch) {
     const std::size_t begin = stretch * places / caught.size();
     const std::size_t end = (stretch + 1) * places / caught.size();
-    const std::size_t place = begin + (end > begin ? stream.below(end - begin) : 0);
+    const std::size_t place = begin + (end > begin ? stream.place_below(end - begin) : 0);
     while (next < place) {
       merged.push_back(main[next++]);
     }

@@ -117,7 +117,7 @@ bool draw_one_by_one(std::vector<PlannedTrial>& block, Tallies& tallies, RandomS
   for (std::size_t place = 0; place < block.size(); ++place) {
     bool found = false;
     for (std::size_t end = block.size(); !found && end > place; --end) {
-      std::swap(block[place + stream.below(end - place)], block[end - 1]);
+      std::swap(block[place + stream.place_below(end - place)], block[end - 1]);
       if (auto next = after(tallies, block[end - 1])) {
         tallies = std::move(*next);
         std::swap(block[place], block[end - 1]);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/enclosure_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {

@@ -1,30 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/gl_parts.hpp"
 
-#include <epoxy/gl.h>
-
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "experiments/drawing/gl.hpp"
 
 namespace impetus::inline drawing {
 namespace {
 
 /// OpenGL's functions that make and remove what GlName::Kind lists, in its order. The library finds
-/// them at their first call, so they are variables.
+/// them at their first call, so they are looked up in a function each.
 struct Calls {
-  PFNGLGENBUFFERSPROC* make;
-  PFNGLDELETEBUFFERSPROC* remove;
+  void (*make)(unsigned* name);
+  void (*remove)(unsigned* name);
 };
-constexpr std::array<Calls, 5> kCalls{{{&glGenBuffers, &glDeleteBuffers},
-                                       {&glGenVertexArrays, &glDeleteVertexArrays},
-                                       {&glGenFramebuffers, &glDeleteFramebuffers},
-                                       {&glGenRenderbuffers, &glDeleteRenderbuffers},
-                                       {&glGenTextures, &glDeleteTextures}}};
+constexpr std::array<Calls, 5> kCalls{{{[](unsigned* name) { glGenBuffers(1, name); },
+                                        [](unsigned* name) { glDeleteBuffers(1, name); }},
+                                       {[](unsigned* name) { glGenVertexArrays(1, name); },
+                                        [](unsigned* name) { glDeleteVertexArrays(1, name); }},
+                                       {[](unsigned* name) { glGenFramebuffers(1, name); },
+                                        [](unsigned* name) { glDeleteFramebuffers(1, name); }},
+                                       {[](unsigned* name) { glGenRenderbuffers(1, name); },
+                                        [](unsigned* name) { glDeleteRenderbuffers(1, name); }},
+                                       {[](unsigned* name) { glGenTextures(1, name); },
+                                        [](unsigned* name) { glDeleteTextures(1, name); }}}};
 
 unsigned compiled_shader(GLenum kind, std::initializer_list<const char*> parts) {
   const unsigned shader = glCreateShader(kind);
-  glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.begin(), nullptr);
+  std::vector<const char*> whole{kShaderHead};
+  whole.insert(whole.end(), parts.begin(), parts.end());
+  glShaderSource(shader, static_cast<GLsizei>(whole.size()), whole.data(), nullptr);
   glCompileShader(shader);
   int good = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
@@ -42,9 +50,9 @@ constexpr int kUsualBits = 8;
 // Drivers may refuse to average into another format than the picture's own.
 GLenum format_of_window() {
   int red_bits = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_BACK_LEFT,
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, kBackBuffer,
                                         GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &red_bits);
-  return red_bits > kUsualBits ? GL_RGB10_A2 : GL_RGBA8;
+  return red_bits > kUsualBits ? GL_RGB10_A2 : kUsualFormat;
 }
 
 void reserve(unsigned buffer, GLenum format, int width, int height) {
@@ -54,10 +62,8 @@ void reserve(unsigned buffer, GLenum format, int width, int height) {
 
 }  // namespace
 
-GlName::GlName(Kind kind) : kind_(kind) {
-  (*kCalls[static_cast<std::size_t>(kind)].make)(1, &name_);
-}
-GlName::~GlName() { (*kCalls[static_cast<std::size_t>(kind_)].remove)(1, &name_); }
+GlName::GlName(Kind kind) : kind_(kind) { kCalls[static_cast<std::size_t>(kind)].make(&name_); }
+GlName::~GlName() { kCalls[static_cast<std::size_t>(kind_)].remove(&name_); }
 
 ShaderProgram::ShaderProgram(std::initializer_list<const char*> vertex,
                              std::initializer_list<const char*> fragment)

@@ -36,8 +36,8 @@ class GlName {
 /// The two shaders of a painter, compiled and linked.
 class ShaderProgram {
  public:
-  /// Each text is given in parts. Throws std::runtime_error with the driver's words when it
-  /// refuses.
+  /// Each text is given in parts, without the version of the language. Throws std::runtime_error
+  /// with the driver's words when it refuses.
   ShaderProgram(std::initializer_list<const char*> vertex,
                 std::initializer_list<const char*> fragment);
   ~ShaderProgram();
@@ -84,7 +84,7 @@ enum class LitBy { kUsualLight, kSceneLights };
 /// How any surface is lit, in the shaders' own language: put in front of a shader's text.
 /// light(normal, towards_eye, colour): unit vectors as the viewer sees them, colour and result
 /// sRGB. kNear and the depth 1 − kNear / distance are the same for every kind of body.
-inline constexpr const char* kLightingShader = R"(#version 330 core
+inline constexpr const char* kLightingShader = R"(
 const vec3 kKeyLight = normalize(vec3(-0.55, 0.75, 0.60));  // from the viewer's upper left
 const vec3 kSky = vec3(0.34);
 const vec3 kFloor = vec3(0.17);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/ground_painter.hpp"
 
-#include <epoxy/gl.h>
-
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/palette.hpp"
 #include "experiments/drawing/picture_map.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/mesh_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/picture_map.hpp"
 #include "experiments/drawing/shaded_mesh.hpp"
 
@@ -67,7 +66,7 @@ void main() {
 }
 )";
 
-constexpr const char* kCrowdFragmentShader = R"(#version 330 core
+constexpr const char* kCrowdFragmentShader = R"(
 centroid in vec3 lit;
 out vec4 seen;
 

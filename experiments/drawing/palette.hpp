@@ -4,31 +4,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <imgui.h>
+#include <cstdint>
 
 namespace impetus::inline drawing::palette {
 
+/// A colour in 32 bits: red in the lowest byte, then green and blue, and nothing shines through.
+constexpr std::uint32_t opaque(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+  return red | green << 8U | blue << 16U | 0xff000000U;
+}
+
 inline constexpr float kLightGrey = 202.0F / 255.0F;  ///< sRGB
 inline constexpr float kPictureGrey = 0.5F;
-inline constexpr ImU32 kLight = IM_COL32(202, 202, 202, 255);
-inline constexpr ImU32 kPicture = IM_COL32(128, 128, 128, 255);
-inline constexpr ImU32 kText = IM_COL32(12, 12, 12, 255);
-inline constexpr ImU32 kQuietText = IM_COL32(24, 24, 26, 255);
-inline constexpr ImU32 kSurface = IM_COL32(226, 226, 226, 255);  ///< buttons, fields
-inline constexpr ImU32 kSurfaceHovered = IM_COL32(238, 238, 238, 255);
-inline constexpr ImU32 kLine = IM_COL32(146, 146, 148, 255);
-inline constexpr ImU32 kAccent = IM_COL32(12, 44, 80, 255);  ///< focus, what is chosen
-inline constexpr ImU32 kOnAccent = IM_COL32(245, 245, 245, 255);
-inline constexpr ImU32 kWarning = IM_COL32(64, 0, 0, 255);
+inline constexpr std::uint32_t kLight = opaque(202, 202, 202);
+inline constexpr std::uint32_t kPicture = opaque(128, 128, 128);
+inline constexpr std::uint32_t kText = opaque(12, 12, 12);
+inline constexpr std::uint32_t kQuietText = opaque(24, 24, 26);
+inline constexpr std::uint32_t kSurface = opaque(226, 226, 226);  ///< buttons, fields
+inline constexpr std::uint32_t kSurfaceHovered = opaque(238, 238, 238);
+inline constexpr std::uint32_t kLine = opaque(146, 146, 148);
+inline constexpr std::uint32_t kAccent = opaque(12, 44, 80);  ///< focus, what is chosen
+inline constexpr std::uint32_t kOnAccent = opaque(245, 245, 245);
+inline constexpr std::uint32_t kWarning = opaque(64, 0, 0);
 
-inline constexpr ImU32 kContact = IM_COL32(160, 40, 32, 255);
-inline constexpr ImU32 kHold = IM_COL32(196, 142, 42, 255);
-inline constexpr ImU32 kFineCollision = IM_COL32(40, 96, 168, 255);
-inline constexpr ImU32 kCoarseCollision = IM_COL32(204, 92, 20, 255);
-inline constexpr ImU32 kClick = IM_COL32(28, 28, 30, 255);
-inline constexpr ImU32 kResponse = IM_COL32(30, 110, 62, 255);
-inline constexpr ImU32 kLateFrame = IM_COL32(106, 62, 136, 255);
-inline constexpr ImU32 kGazeLost = IM_COL32(120, 120, 124, 255);
-inline constexpr ImU32 kParting = IM_COL32(200, 30, 120, 255);
+inline constexpr std::uint32_t kContact = opaque(160, 40, 32);
+inline constexpr std::uint32_t kHold = opaque(196, 142, 42);
+inline constexpr std::uint32_t kFineCollision = opaque(40, 96, 168);
+inline constexpr std::uint32_t kCoarseCollision = opaque(204, 92, 20);
+inline constexpr std::uint32_t kClick = opaque(28, 28, 30);
+inline constexpr std::uint32_t kResponse = opaque(30, 110, 62);
+inline constexpr std::uint32_t kLateFrame = opaque(106, 62, 136);
+inline constexpr std::uint32_t kGazeLost = opaque(120, 120, 124);
+inline constexpr std::uint32_t kParting = opaque(200, 30, 120);
 
 }  // namespace impetus::inline drawing::palette

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/scene_lights.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {
@@ -21,7 +20,7 @@ constexpr double kBlurShare = 0.4;
 /// Beyond a body's ball: what softens a shadow reaches no further.
 constexpr double kPartMargin_m = 0.004;
 
-constexpr const char* kCasterVertexShader = R"(#version 330 core
+constexpr const char* kCasterVertexShader = R"(
 layout(location = 0) in vec3 vertex;  // in the body's frame
 layout(location = 2) in vec3 place;   // of the body, from the eye
 layout(location = 3) in vec4 turn;    // from the body's frame to the viewer's, a unit quaternion
@@ -38,12 +37,12 @@ void main() {
 }
 )";
 
-constexpr const char* kDepthOnlyShader = R"(#version 330 core
+constexpr const char* kDepthOnlyShader = R"(
 void main() {}
 )";
 
 /// One triangle that covers all.
-constexpr const char* kCoveringVertexShader = R"(#version 330 core
+constexpr const char* kCoveringVertexShader = R"(
 out vec2 at;
 void main() {
   at = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0;
@@ -52,7 +51,7 @@ void main() {
 )";
 
 /// A Gaussian in one direction, to two and a half of its deviations.
-constexpr const char* kBlurFragmentShader = R"(#version 330 core
+constexpr const char* kBlurFragmentShader = R"(
 const int kHalf = 5;  // looks to either side, half a deviation apart
 in vec2 at;
 uniform sampler2D source;
@@ -164,22 +163,22 @@ void SceneLights::reserve_maps(std::size_t lights) {
                static_cast<GLsizei>(lights), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   reserve_flat(floor_map_, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT);
-  reserve_flat(half_blurred_, GL_R16, GL_RED);
-  reserve_flat(closed_, GL_R16, GL_RED);
+  reserve_flat(half_blurred_, kGreyFormat, GL_RED);
+  reserve_flat(closed_, kGreyFormat, GL_RED);
 }
 
 void SceneLights::draw_depths(const MapView& view, int side_px,
                               const std::function<void()>& draw_bodies) const {
-  glDrawBuffer(GL_NONE);
+  draw_to(GL_NONE);
   glReadBuffer(GL_NONE);
   glViewport(0, 0, side_px, side_px);
   glClear(GL_DEPTH_BUFFER_BIT);
   caster_.use(viewer_);
   set_matrix(caster_, "to_this_map", view.from_eye);
   glEnable(GL_DEPTH_TEST);
-  glEnable(GL_DEPTH_CLAMP);  // what is nearer than a map begins is in the way all the same
+  clamp_depths(true);  // what is nearer than a map begins is in the way all the same
   draw_bodies();
-  glDisable(GL_DEPTH_CLAMP);
+  clamp_depths(false);
   glDisable(GL_DEPTH_TEST);
 }
 
@@ -217,7 +216,7 @@ void SceneLights::blur_floor() const {
   const double deviation = kBlurShare * appearance_.contact_reach_m;
   const auto apart = static_cast<float>(0.5 * deviation / (2.0 * appearance_.shadow_reach_m));
   glBindFramebuffer(GL_FRAMEBUFFER, blurs_);
-  glDrawBuffer(GL_COLOR_ATTACHMENT0);
+  draw_to(GL_COLOR_ATTACHMENT0);
   glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
   blur_.use(viewer_);
   glUniform1i(blur_.uniform("source"), 0);

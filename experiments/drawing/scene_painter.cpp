@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/scene_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/shapes/solids/ball_meshes.hpp"
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/palette.hpp"
 
 namespace impetus::inline drawing {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/sphere_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
+#include "experiments/drawing/gl.hpp"
+
 namespace impetus::inline drawing {
 namespace {
 
 /// One rectangle on the glass per sphere; lengths in metres, the eye at the origin.
-constexpr const char* kSphereVertexShader = R"(#version 330 core
+constexpr const char* kSphereVertexShader = R"(
 layout(location = 0) in vec4 bounds;  // left, right, bottom, top on the glass
 layout(location = 1) in vec4 sphere;  // centre, radius
 layout(location = 2) in vec3 colour;  // sRGB

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/tree_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+
+#include "experiments/drawing/gl.hpp"
 
 namespace impetus::inline drawing {
 namespace {

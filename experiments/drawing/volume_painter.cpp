@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/drawing/volume_painter.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cstddef>
 
+#include "experiments/drawing/gl.hpp"
 #include "experiments/drawing/picture_map.hpp"
 
 namespace impetus::inline drawing {

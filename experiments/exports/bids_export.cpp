@@ -12,11 +12,12 @@
 #include "experiments/exports/embedded_bids_events.hpp"
 #include "experiments/exports/embedded_bids_words.hpp"
 #include "experiments/exports/export_table.hpp"
+#include "experiments/exports/gzip.hpp"
 #include "experiments/exports/row_query.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/tables/csv_line.hpp"
-#include "experiments/tables/gzip.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline exports {

@@ -10,6 +10,7 @@
 #include "experiments/exports/row_query.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/tables/csv_line.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline exports {

@@ -49,11 +49,11 @@ TriangleMesh take_mesh(ByteReader& bytes, const MeshCounts& counts) {
                             " triangles, got " + std::to_string(bytes.left()));
   }
   TriangleMesh mesh;
-  mesh.vertices.reserve(counts.vertices);
+  mesh.vertices.reserve(static_cast<std::size_t>(counts.vertices));
   for (std::uint64_t vertex = 0; vertex < counts.vertices; ++vertex) {
     mesh.vertices.push_back(take_place(bytes, vertex));
   }
-  mesh.triangles.resize(counts.triangles);
+  mesh.triangles.resize(static_cast<std::size_t>(counts.triangles));
   for (auto& triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) {
       corner = bytes.take<std::uint32_t>();

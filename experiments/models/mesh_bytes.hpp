@@ -5,7 +5,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "engine/numerics/bits.hpp"
 #include "engine/shapes/triangle_mesh.hpp"
 
 namespace impetus::inline models {
@@ -25,7 +25,7 @@ using BitsOf = std::conditional_t<sizeof(T) == 1, std::uint8_t,
 template <typename T>
 void append_number(std::string& bytes, T number) {
   static_assert(sizeof(T) == 1 || sizeof(T) == 4 || sizeof(T) == 8);
-  const auto bits = std::bit_cast<BitsOf<T>>(number);
+  const auto bits = bit_cast<BitsOf<T>>(number);
   for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
     bytes.push_back(static_cast<char>(static_cast<unsigned char>(bits >> (8 * byte))));
   }
@@ -55,7 +55,7 @@ class ByteReader {
       bits = static_cast<BitsOf<T>>(static_cast<std::uint64_t>(bits) << 8U |
                                     static_cast<unsigned char>(bytes[byte]));
     }
-    return std::bit_cast<T>(bits);
+    return bit_cast<T>(bits);
   }
 
   [[nodiscard]] std::size_t left() const { return rest_.size(); }

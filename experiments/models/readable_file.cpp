@@ -77,7 +77,7 @@ std::string file_bytes(const fs::path& file, std::uintmax_t most_bytes) {
     throw std::runtime_error(problem);
   }
   std::ifstream stream(file, std::ios::binary);
-  std::string bytes(fs::file_size(file), '\0');
+  std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
   if (!stream.is_open() || stream.bad()) {

@@ -267,7 +267,7 @@ std::string_view unsealed(std::string_view bytes, const std::string& name) {
 
 StoredTree parsed(ByteReader& bytes) {
   const auto length = bytes.take<std::uint64_t>();
-  TreeHeader header = tree_header_from(bytes.take_bytes(length));
+  TreeHeader header = tree_header_from(bytes.take_bytes(static_cast<std::size_t>(length)));
   VolumeTree tree = take_tree(bytes, header);
   TriangleMesh mesh = take_mesh(bytes, header.mesh);
   if (bytes.left() > 0) {

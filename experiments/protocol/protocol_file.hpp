@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,13 +50,16 @@ struct Protocol {
   std::shared_ptr<ShapeLibrary> shapes{std::make_shared<ShapeLibrary>()};
 };
 
-/// Reads the protocol and the scene beside it. Throws InputError naming file, place, what was
-/// expected and what was there.
-Protocol load_protocol(const std::filesystem::path& path);
+/// What was read becomes a protocol of this scene, checked. Throws InputError.
+Protocol with_scene(Protocol protocol, JsonDocument scene);
 
-/// The same from texts, as a study file keeps them; `shapes` may be shared with other protocols.
+/// A protocol from texts, as a study file keeps them, checked; `shapes` may be shared with other
+/// protocols. Throws InputError naming document, place, what was expected and what was there.
 Protocol make_protocol(JsonDocument document, JsonDocument scene,
                        std::shared_ptr<ShapeLibrary> shapes = std::make_shared<ShapeLibrary>());
+
+/// The same without a check, of texts that were checked when they were published.
+Protocol trusted_protocol(JsonDocument document, JsonDocument scene);
 
 /// The scene with the levels of `condition` put in. `condition` names factors of the protocol.
 nlohmann::json scene_under(const Protocol& protocol, const Condition& condition);

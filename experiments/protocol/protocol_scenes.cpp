@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "experiments/design/between_participants.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"

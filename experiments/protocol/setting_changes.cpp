@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/settings/input_error.hpp"

@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/scene_meshes.hpp"
 
-#include <exception>
 #include <stdexcept>
-#include <string_view>
 
 #include "experiments/models/base64.hpp"
 #include "experiments/models/mesh_bytes.hpp"
-#include "experiments/models/mesh_file.hpp"
-#include "experiments/models/mesh_report.hpp"
-#include "experiments/models/readable_file.hpp"
 
 namespace impetus::inline scenes {
-namespace {
-
-using nlohmann::json;
-
-json content_of(const TriangleMesh& mesh) {
-  std::string bytes;
-  append_mesh(bytes, mesh);
-  return {{"vertices", mesh.vertices.size()},
-          {"triangles", mesh.triangles.size()},
-          {"hash", content_hash(mesh)},
-          {"base64", base64(bytes)}};
-}
-
-}  // namespace
 
 std::vector<MeshFile> named_mesh_files(const Scene& scene) {
   std::vector<MeshFile> files;
@@ -47,27 +28,6 @@ std::vector<MeshFile> named_mesh_files(const Scene& scene) {
     }
   }
   return files;
-}
-
-std::string hold_mesh(json& scene, const std::string& file, const std::filesystem::path& folder) {
-  if (scene.contains("meshes") && scene["meshes"].contains(file)) {
-    return "";
-  }
-  std::string misplaced = problem_of_place(file, folder);
-  if (!misplaced.empty()) {
-    return misplaced;
-  }
-  try {
-    const TriangleMesh mesh = load_mesh(folder / file);
-    const std::string problem = refusal(report_mesh(mesh));
-    if (!problem.empty()) {
-      return "expected a closed mesh, but " + (folder / file).string() + " " + problem;
-    }
-    scene["meshes"][file] = content_of(mesh);
-  } catch (const std::exception& error) {
-    return std::string("expected a mesh file, but ") + error.what();
-  }
-  return "";
 }
 
 TriangleMesh mesh_content(const Meshes& meshes, const std::string& file) {

@@ -9,8 +9,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -27,12 +25,6 @@ struct MeshFile {
 
 /// Those that the scene names, in its order, and those that the figures it holds name.
 std::vector<MeshFile> named_mesh_files(const Scene& scene);
-
-/// Puts the content of `file` into the scene's "meshes", unless it is there; `folder` is the
-/// scene's. Returns what is wrong in words, "" when nothing is: the path leaves the folder, the
-/// file cannot be read, or the mesh cannot be simulated.
-std::string hold_mesh(nlohmann::json& scene, const std::string& file,
-                      const std::filesystem::path& folder);
 
 /// The mesh that `meshes` holds for a file, in the file's own units. Throws std::runtime_error
 /// (expected ..., got ...) when the content is not what it says.

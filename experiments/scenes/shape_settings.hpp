@@ -5,10 +5,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <compare>
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "experiments/scenes/scene_problems.hpp"
@@ -50,7 +50,19 @@ struct ShapeSettings {
   [[nodiscard]] bool is_swept() const {
     return kind == ShapeKind::kLineSwept || kind == ShapeKind::kRectangleSwept;
   }
-  friend auto operator<=>(const ShapeSettings&, const ShapeSettings&) = default;
+
+ private:
+  [[nodiscard]] auto members() const {
+    return std::tie(kind, file, size, radius, width, height, depth, arm, thickness, tube, length,
+                    resolution, sphere_first, deeper);
+  }
+
+ public:
+  friend bool operator==(const ShapeSettings&, const ShapeSettings&) = default;
+  /// Any order, for containers.
+  friend bool operator<(const ShapeSettings& a, const ShapeSettings& b) {
+    return a.members() < b.members();
+  }
 };
 
 /// A number of a shape that grows with it.

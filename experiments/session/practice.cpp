@@ -66,9 +66,9 @@ std::vector<std::string> missing_in_practice(const PracticeRule& rule, const Scr
 }
 
 std::int64_t right_of_last(std::int64_t of, const std::vector<PracticeResult>& results) {
-  const auto most = static_cast<std::ptrdiff_t>(results.size());
-  const auto last = std::min<std::ptrdiff_t>(of, most);
-  return std::count_if(results.end() - last, results.end(),
+  const auto most = static_cast<std::int64_t>(results.size());
+  const auto last = std::min(of, most);
+  return std::count_if(results.end() - static_cast<std::ptrdiff_t>(last), results.end(),
                        [](const PracticeResult& trial) { return trial.right.value_or(false); });
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/tables/csv_line.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline tables {
@@ -31,10 +30,7 @@ std::string csv_number(double value) {
     return "";
   }
   constexpr int kDigits = 9;
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::general, kDigits);
-  return {text.data(), end.ptr};
+  return rounded_number(value, kDigits);
 }
 
 std::string csv_text(std::string_view text) {
@@ -43,12 +39,6 @@ std::string csv_text(std::string_view text) {
     cell += letter == '"' ? "\"\"" : std::string(1, letter);
   }
   return cell + "\"";
-}
-
-std::string exact_number(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
 }
 
 std::string bits_text(std::int64_t value) {

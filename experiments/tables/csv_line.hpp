@@ -19,9 +19,6 @@ std::string csv_number(double value);
 /// Always in quotes, so that an empty text differs from a cell that is empty.
 std::string csv_text(std::string_view text);
 
-/// The fewest digits that read back as the same double; "inf", "-inf" or "nan" when not finite.
-std::string exact_number(double value);
-
 /// The letter x and the 64 bits as 16 hexadecimal digits: no program takes it for a number that it
 /// would round to a double.
 std::string bits_text(std::int64_t value);

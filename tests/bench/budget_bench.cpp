@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "engine/scheduling/deadline_work.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/bench/bench_options.hpp"

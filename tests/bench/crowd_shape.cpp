@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 #include "experiments/models/named_shape.hpp"
 #include "experiments/models/tree_cache.hpp"
 

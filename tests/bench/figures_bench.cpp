@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "engine/scheduling/deadline_work.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/shape_library.hpp"

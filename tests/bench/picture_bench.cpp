@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "experiments/drawing/scene_painter.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"

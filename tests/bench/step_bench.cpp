@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
+#include "experiments/files/protocol_files.hpp"
 #include "tests/experiments/fakes.hpp"
 
 namespace impetus {

@@ -14,7 +14,7 @@
 #include "engine/shapes/mass_properties.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/level_quality.hpp"
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 #include "experiments/models/named_shape.hpp"
 
 namespace impetus {

@@ -1,6 +1,6 @@
 // Mesh files that are no files, or claim what cannot be: each is refused before its reader tries.
 // SPDX-License-Identifier: MIT
-#include "experiments/models/mesh_claims.hpp"
+#include "experiments/files/mesh_claims.hpp"
 
 #include <sys/stat.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/models/child_process.hpp"
+#include "experiments/files/child_process.hpp"
 #include "tests/engine/mesh_files.hpp"
 
 namespace impetus::mesh_claims_test {

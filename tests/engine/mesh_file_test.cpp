@@ -1,6 +1,6 @@
 // Mesh files: every format gives the same welded surface, and every refusal says what was wrong.
 // SPDX-License-Identifier: MIT
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 
 #include <string>
 #include <utility>

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 
 namespace impetus {
 

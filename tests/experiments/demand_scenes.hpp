@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/numerics/elementary_functions.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 

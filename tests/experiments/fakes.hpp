@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "experiments/files/scene_files.hpp"
 #include "tests/experiments/figure_scenes.hpp"
 
 namespace impetus::figure_refusals_test {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/scenes/scene_meshes.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/engine/builders.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/elementary_functions.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "tests/experiments/refusals.hpp"

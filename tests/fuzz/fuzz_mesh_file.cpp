@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 #include "experiments/models/mesh_report.hpp"
 #include "tests/fuzz/targets.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/dynamics/finite_states.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/json_document.hpp"

@@ -145,7 +145,8 @@ std::uint64_t near_by_four(const NearBlock& near, const TurningBodies& bodies) {
 }
 #endif
 
-std::uint64_t near_of_block(const NearBlock& near, const TurningBodies& bodies, LaneWidth width) {
+std::uint64_t near_of_block(const NearBlock& near, const TurningBodies& bodies,
+                            [[maybe_unused]] LaneWidth width) {
 #ifdef IMPETUS_EIGHT_LANES
   if (width == LaneWidth::kEight) {
     return near_by_eight(near, bodies);
@@ -190,7 +191,7 @@ void NearSpheres::place(const Pose& a, const Pose& b) {
 }
 
 std::uint64_t NearSpheres::within(double time, double hair_m, const SphereBlock& block,
-                                  BlockTurning& turning, LaneWidth width) const {
+                                  BlockTurning& turning, [[maybe_unused]] LaneWidth width) const {
   const std::uint64_t near =
       near_of_block({block, time, hair_m, margin_m(time), time * velocity_, turning},
                     {centre_a_, centre_b_, turn_a_, turn_b_}, width);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "experiments/design/between_participants.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"

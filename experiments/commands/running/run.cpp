@@ -19,6 +19,7 @@
 #include "experiments/commands/running/session_warnings.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
 #include "experiments/commands/shipped_file.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"

@@ -10,6 +10,7 @@
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/protocol_language.hpp"

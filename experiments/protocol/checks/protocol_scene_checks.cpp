@@ -7,7 +7,7 @@
 #include <set>
 
 #include "experiments/design/between_participants.hpp"
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"

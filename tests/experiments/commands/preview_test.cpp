@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "experiments/files/scene_files.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/run/preview_run.hpp"
 #include "tests/experiments/preview_scenes.hpp"

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/observers/causality_observer.hpp"
 #include "tests/experiments/fakes.hpp"
 

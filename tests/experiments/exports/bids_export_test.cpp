@@ -1,8 +1,8 @@
 // An export as BIDS keeps the rules of version 1.11 that concern it, and says what was measured.
 // SPDX-License-Identifier: MIT
 #include "experiments/exports/bids_session.hpp"
+#include "experiments/exports/gzip.hpp"
 #include "experiments/tables/csv_line.hpp"
-#include "experiments/tables/gzip.hpp"
 #include "tests/experiments/bids_rules.hpp"
 
 namespace impetus::bids_export_test {

@@ -1,6 +1,7 @@
 // The languages that come with the program, a lab's own, and single texts in a protocol.
 // SPDX-License-Identifier: MIT
 #include "experiments/languages/language_file.hpp"
+#include "experiments/files/protocol_files.hpp"
 
 #include <regex>
 #include <set>

@@ -4,9 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
+#include "experiments/files/protocol_files.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/models/readable_file.hpp"
-#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/series_file.hpp"
 #include "tests/engine/mesh_files.hpp"
 #include "tests/experiments/command_lines.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/run/replay.hpp"
 #include "experiments/session/trial.hpp"

@@ -1,5 +1,6 @@
 // What a valid protocol becomes: its design, its hash, its conditions, its frames.
 // SPDX-License-Identifier: MIT
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/design_words.hpp"

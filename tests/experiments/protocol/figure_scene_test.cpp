@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "engine/volumes/volume.hpp"
+#include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "tests/experiments/figure_scenes.hpp"

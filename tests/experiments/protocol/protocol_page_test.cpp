@@ -1,6 +1,7 @@
 // The page that explains a protocol is made of the file, and says all of it.
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_page.hpp"
+#include "experiments/files/protocol_files.hpp"
 
 #include <filesystem>
 

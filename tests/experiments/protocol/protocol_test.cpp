@@ -1,5 +1,6 @@
 // What a protocol and its scene must be: every refusal, word for word.
 // SPDX-License-Identifier: MIT
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/observer_file.hpp"

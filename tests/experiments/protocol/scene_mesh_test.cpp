@@ -4,9 +4,11 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/files/protocol_files.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/models/base64.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/scene_file.hpp"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "tests/places/places.hpp"

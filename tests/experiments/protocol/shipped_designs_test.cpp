@@ -6,6 +6,7 @@
 #include <map>
 
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "tests/experiments/fakes.hpp"

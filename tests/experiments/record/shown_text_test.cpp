@@ -1,6 +1,7 @@
 // What a protocol has the screens say: texts of a size, without control characters, in letters that
 // the screens have. Everything else is refused before a window opens.
 // SPDX-License-Identifier: MIT
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/record/shown_letters.hpp"
 #include "tests/experiments/refusals.hpp"
 

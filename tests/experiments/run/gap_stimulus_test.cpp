@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/shapes/solids/block_meshes.hpp"
+#include "experiments/files/protocol_files.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/run/live_run.hpp"
 #include "tests/experiments/fakes.hpp"

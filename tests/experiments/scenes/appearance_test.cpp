@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/run/live_run.hpp"
 #include "tests/experiments/test_scenes.hpp"

@@ -10,6 +10,7 @@
 
 #include "experiments/exports/codebook.hpp"
 #include "experiments/store/schema_words.hpp"
+#include "experiments/tables/number_text.hpp"
 #include "experiments/tables/plain_text.hpp"
 #include "tests/experiments/csv_reading.hpp"
 
@@ -25,7 +26,12 @@ TEST(CsvCell, AnyFiniteDoubleReadsBackToTheBit) {
     if (value - value == 0.0) {  // finite
       EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(exact_number(value).c_str(), nullptr)),
                 bits);
+      EXPECT_EQ(exact_number_by_trial(value), exact_number(value));
     }
+  }
+  for (const double value : {0.0, -0.0, 1.0, 100000.0, 1e5 + 0.5, 1e21, 1e22, 5e-324, 0.0001, 1e-5,
+                             123456789012345678901.0, std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(exact_number_by_trial(value), exact_number(value));
   }
   EXPECT_EQ(exact_number(0.1), "0.1");
   EXPECT_EQ(exact_number(60.0), "60");

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/text_table.hpp"
 #include "experiments/trade/impacts/scene_pairs.hpp"

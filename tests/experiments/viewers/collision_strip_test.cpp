@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 #include "experiments/run/level_collision.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"

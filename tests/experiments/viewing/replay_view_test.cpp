@@ -1,12 +1,12 @@
 // What the viewer of replays shows of a trial, without its window.
 // SPDX-License-Identifier: MIT
+#include "experiments/files/scene_files.hpp"
 #include "experiments/viewing/replay_simulation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "experiments/protocol/scene_loading.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"

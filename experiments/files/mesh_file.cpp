@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/models/mesh_file.hpp"
+#include "experiments/files/mesh_file.hpp"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/importerdesc.h>
@@ -21,12 +21,12 @@
 #include <string>
 #include <utility>
 
-#include "experiments/models/child_process.hpp"
+#include "experiments/files/child_process.hpp"
+#include "experiments/files/mesh_claims.hpp"
 #include "experiments/models/mesh_bytes.hpp"
-#include "experiments/models/mesh_claims.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 namespace {
 
 // ---------------------------------------------------------------- assimp, and what it may not do
@@ -305,4 +305,4 @@ TriangleMesh load_mesh(const std::filesystem::path& file) {
   return take_mesh(reader, {vertices, reader.take<std::uint64_t>()});
 }
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/models/child_process.hpp"
+#include "experiments/files/child_process.hpp"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 namespace {
 
 void limit(int what, rlim_t most) {
@@ -117,4 +117,4 @@ std::optional<std::string> done_by_child(const std::function<std::string()>& wor
   return bytes;
 }
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

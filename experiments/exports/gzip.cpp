@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/tables/gzip.hpp"
+#include "experiments/exports/gzip.hpp"
 
 #define ZLIB_CONST  // what is read is not changed
 #include <zlib.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace impetus::inline tables {
+namespace impetus::inline exports {
 
 std::string gzip(std::string_view bytes) {
   constexpr int kGzipWindow = 15 + 16;  // 16: a gzip header, which zlib leaves without a time
@@ -37,4 +37,4 @@ std::string gzip(std::string_view bytes) {
   return result;
 }
 
-}  // namespace impetus::inline tables
+}  // namespace impetus::inline exports

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 
 /// Throws std::runtime_error, in one sentence that names the file. Precondition: it can be read.
 void refuse_false_claims(const std::filesystem::path& file);
@@ -28,4 +28,4 @@ class FalseClaim : public std::runtime_error {
 /// or the nodes place the same mesh without end. Textures are not read.
 void check_gltf(std::string_view bytes, const std::filesystem::path& folder);
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

@@ -1,11 +1,8 @@
-// A scene file as read and checked, for whoever stages it: a protocol, or a scene by itself.
+// A scene that was read, held against its schema and its rules, for whoever stages it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/json_document.hpp"
@@ -13,27 +10,16 @@
 
 namespace impetus::inline protocol {
 
-/// The scene in the file, valid by its schema and its own rules. Throws InputError with one
-/// sentence, "file:/pointer: expected ..., got ...".
-JsonDocument load_scene(const std::filesystem::path& path);
-
 /// Whether a file is a protocol, by its design, where a scene may be meant.
 inline bool is_protocol(const JsonDocument& document) {
   return document.value.is_object() && document.value.contains("design");
 }
 
-/// Files that something beside a scene puts into it: a protocol's factors and demonstrations.
-struct MoreFiles {
-  std::vector<std::string> meshes;
-  std::vector<std::string> figures;
-};
-
-/// The scene in the file, valid by its schema alone, holding its meshes and figures and those that
-/// `more` names: what load_scene() goes on to check. Throws InputError.
-JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more = {});
-
 /// The first place at which a scene breaks its schema, or a figure that it holds breaks its own.
 std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene);
+
+/// Throws InputError unless the scene, and each figure that it holds, is valid by its schema.
+void require_scene_schema(const JsonDocument& scene);
 
 /// Throws InputError unless the scene is valid by its schema and its own rules.
 /// `shapes` builds what it is made of.

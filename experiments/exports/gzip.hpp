@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace impetus::inline tables {
+namespace impetus::inline exports {
 
 /// Throws std::runtime_error when there is no memory for it.
 std::string gzip(std::string_view bytes);
 
-}  // namespace impetus::inline tables
+}  // namespace impetus::inline exports

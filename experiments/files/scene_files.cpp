@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/protocol/scene_loading.hpp"
+#include "experiments/files/scene_files.hpp"
 
+#include <exception>
+#include <optional>
+
+#include "experiments/files/mesh_file.hpp"
+#include "experiments/models/base64.hpp"
+#include "experiments/models/mesh_bytes.hpp"
+#include "experiments/models/mesh_report.hpp"
 #include "experiments/models/readable_file.hpp"
+#include "experiments/protocol/checked_scene.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
 
-namespace impetus::inline protocol {
-
+namespace impetus::inline files {
 namespace {
 
-void require_schema(const JsonDocument& scene) {
-  if (const auto problem = find_scene_schema_problem(scene.value)) {
-    refuse(scene, problem->pointer, problem->message);
-  }
+using nlohmann::json;
+
+json content_of(const TriangleMesh& mesh) {
+  std::string bytes;
+  append_mesh(bytes, mesh);
+  return {{"vertices", mesh.vertices.size()},
+          {"triangles", mesh.triangles.size()},
+          {"hash", content_hash(mesh)},
+          {"base64", base64(bytes)}};
 }
 
 /// Puts the content of `file` into the scene, unless it is there; `pointer` is where it is named.
@@ -62,35 +74,30 @@ void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesyste
 
 }  // namespace
 
-void require_scene(const JsonDocument& scene, ShapeLibrary& shapes) {
-  require_schema(scene);
-  for (const SceneProblem& problem : scene_problems(scene.value, shapes)) {
-    refuse(scene, problem.pointer, problem.message);
+std::string hold_mesh(json& scene, const std::string& file, const std::filesystem::path& folder) {
+  if (scene.contains("meshes") && scene["meshes"].contains(file)) {
+    return "";
   }
-}
-
-void require_scene(const JsonDocument& scene) {
-  ShapeLibrary shapes;
-  require_scene(scene, shapes);
-}
-
-std::optional<SchemaProblem> find_scene_schema_problem(const nlohmann::json& scene) {
-  if (auto problem = find_schema_problem(scene_schema(), scene)) {
-    return problem;
+  std::string misplaced = problem_of_place(file, folder);
+  if (!misplaced.empty()) {
+    return misplaced;
   }
-  const nlohmann::json figures = scene.value("figure_files", nlohmann::json::object());
-  for (auto figure = figures.begin(); figure != figures.end(); ++figure) {
-    if (auto problem = find_schema_problem(figure_schema(), figure.value())) {
-      problem->pointer = figure_place(figure.key()) + problem->pointer;
-      return problem;
+  try {
+    const TriangleMesh mesh = load_mesh(folder / file);
+    const std::string problem = refusal(report_mesh(mesh));
+    if (!problem.empty()) {
+      return "expected a closed mesh, but " + (folder / file).string() + " " + problem;
     }
+    scene["meshes"][file] = content_of(mesh);
+  } catch (const std::exception& error) {
+    return std::string("expected a mesh file, but ") + error.what();
   }
-  return std::nullopt;
+  return "";
 }
 
 JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more) {
   JsonDocument scene = read_json(path);
-  require_schema(scene);
+  require_scene_schema(scene);
   hold_files(scene, more, path.parent_path());
   return scene;
 }
@@ -101,4 +108,4 @@ JsonDocument load_scene(const std::filesystem::path& path) {
   return scene;
 }
 
-}  // namespace impetus::inline protocol
+}  // namespace impetus::inline files

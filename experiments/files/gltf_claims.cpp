@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/files/mesh_claims.hpp"
 #include "experiments/models/mesh_bytes.hpp"
-#include "experiments/models/mesh_claims.hpp"
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 namespace {
 
 using nlohmann::json;
@@ -249,4 +249,4 @@ void check_gltf(std::string_view bytes, const fs::path& folder) {
   }
 }
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

@@ -13,7 +13,7 @@
 
 #include "engine/shapes/triangle_mesh.hpp"
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 
 /// All surfaces of the file as one mesh, in the file's own units taken as metres. Positions are
 /// single precision (assimp's). Throws std::runtime_error, in one sentence that names the file,
@@ -21,4 +21,4 @@ namespace impetus::inline models {
 /// not finite. Defects of the surface are not errors here: see report_mesh().
 TriangleMesh load_mesh(const std::filesystem::path& file);
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

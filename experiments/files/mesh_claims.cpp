@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/models/mesh_claims.hpp"
+#include "experiments/files/mesh_claims.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@
 
 #include "experiments/models/readable_file.hpp"
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 namespace {
 
 // ---------------------------------------------------------------- lines, words and numbers, taken
@@ -301,4 +301,4 @@ void refuse_false_claims(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

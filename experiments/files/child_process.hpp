@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace impetus::inline models {
+namespace impetus::inline files {
 
 /// What a copy of the process may use.
 struct ChildLimits {
@@ -21,4 +21,4 @@ struct ChildLimits {
 std::optional<std::string> done_by_child(const std::function<std::string()>& work,
                                          const ChildLimits& limits);
 
-}  // namespace impetus::inline models
+}  // namespace impetus::inline files

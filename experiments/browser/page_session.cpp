@@ -1,0 +1,141 @@
+// A session in a page: what `impetus run` is in a lab.
+//
+//   /study.json  what was published   ─┐
+//   /facts.json  who, which screen     ├─> refresh, plan ─> run_session ─> lines
+//   /trees       trees that take long ─┘
+//
+// The page puts these files into the program's own, empty file system before it calls run_page().
+// SPDX-License-Identifier: MIT
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <exception>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "experiments/browser/page_laboratory.hpp"
+#include "experiments/browser/the_page.hpp"
+#include "experiments/lines/published_study.hpp"
+#include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/participant_code.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/session.hpp"
+
+namespace impetus::inline browser {
+namespace {
+
+using nlohmann::json;
+
+/// What the page knows of the participant and of itself.
+struct Facts {
+  std::string participant;
+  std::uint64_t seed{1};
+  std::string machine;
+  std::string display;
+  int width_px{0};
+  int height_px{0};
+};
+
+Facts facts_from(const json& said) {
+  Facts facts{said.at("participant").get<std::string>(),
+              said.at("seed").get<std::uint64_t>(),
+              said.at("machine").get<std::string>(),
+              said.at("display").get<std::string>(),
+              said.at("width_px").get<int>(),
+              said.at("height_px").get<int>()};
+  if (!is_participant_code(facts.participant)) {
+    throw std::runtime_error("this link has no code that can stand in a study: " +
+                             facts.participant);
+  }
+  return facts;
+}
+
+/// On the page's canvas; opaque, and smoothed by the painters alone.
+void make_context() {
+  EmscriptenWebGLContextAttributes wanted;
+  emscripten_webgl_init_context_attributes(&wanted);
+  wanted.majorVersion = 2;
+  wanted.alpha = EM_FALSE;
+  wanted.antialias = EM_FALSE;
+  wanted.preserveDrawingBuffer = EM_TRUE;
+  const auto context = emscripten_webgl_create_context("#picture", &wanted);
+  if (context <= 0 || emscripten_webgl_make_context_current(context) != EMSCRIPTEN_RESULT_SUCCESS) {
+    throw std::runtime_error("this browser does not draw with WebGL 2, which the study needs");
+  }
+  emscripten_webgl_enable_extension(context, "EXT_color_buffer_float");
+}
+
+SessionRecord session_record(const Facts& facts, const Protocol& protocol,
+                             const PageLaboratory& page, const SyncTest& sync,
+                             const PublishedStudy& study) {
+  SessionRecord session;
+  session.participant = facts.participant;
+  session.seed = facts.seed;
+  session.protocol_hash = protocol.hash;
+  session.build = study.build;
+  session.machine = facts.machine;
+  session.display = facts.display;
+  session.screen = page.geometry();
+  session.refresh_hz = page.refresh_hz();
+  session.sync = sync;
+  session.gaze_source = protocol.script.gaze ? page.source() : "";
+  return session;
+}
+
+void hand_over_session(const SessionRecord& session, const Plan& plan) {
+  hand_over(line_of(session));
+  for (const PlannedTrial& trial : plan) {
+    hand_over(line_of(trial));
+  }
+}
+
+/// What a page says of how a session ended.
+const char* name_of(SessionEnding ending) {
+  switch (ending) {
+    case SessionEnding::kFinished:
+      return "finished";
+    case SessionEnding::kDeclined:
+      return "declined";
+    default:
+      return "quit";
+  }
+}
+
+std::string run() {
+  const PublishedStudy study = published_study_from(read_json("/study.json").value);
+  const Facts facts = facts_from(read_json("/facts.json").value);
+  const Protocol protocol = protocol_of(study, std::make_shared<ShapeLibrary>(TreeCache("/trees")));
+  make_context();
+  const SteadyClock clock;
+  PageLaboratory page(assumed_screen(facts.width_px, facts.height_px), clock);
+  const SyncTest sync = page.measure_refresh();
+  check_frames(protocol, page.refresh_hz(), /*allow_rounding=*/false);
+  const Plan plan = plan_of(study, protocol, facts.participant, facts.seed);
+  hand_over_session(session_record(facts, protocol, page, sync, study), plan);
+  const ProtocolScenes scenes(protocol, kUnroundedHold);
+  PageRecorder recorder;
+  const GazePaths no_paths;
+  const Ports ports{page, page, scenes, recorder, &page, &clock, &clock, &no_paths};
+  const SessionResult result =
+      run_session(protocol.script, plan, SessionHistory{}, ports, protocol.design);
+  return name_of(result.ending);
+}
+
+}  // namespace
+}  // namespace impetus::inline browser
+
+/// Runs a session to its end; says in the page why it cannot. Returns "finished", "declined",
+/// "quit" or "failed", to be read before the next call.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* run_page() {
+  static std::string ending;
+  try {
+    ending = impetus::run();
+  } catch (const std::exception& error) {
+    impetus::tell(error.what());
+    ending = "failed";
+  }
+  return ending.c_str();
+}

@@ -1,0 +1,70 @@
+// `impetus collect`: sessions that came back from a published study, into a study file.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "experiments/commands/build_name.hpp"
+#include "experiments/commands/commands.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/settings/json_document.hpp"
+#include "experiments/site/returned_session.hpp"
+
+namespace impetus::inline commands {
+namespace {
+
+/// What `impetus collect` was asked for.
+struct CollectOptions {
+  std::string folder;
+  std::string site;
+  std::string database;
+};
+
+PublishedStudy published_study(const std::filesystem::path& site) {
+  const JsonDocument document = read_json(site / "study.json");
+  try {
+    return published_study_from(document.value);
+  } catch (const std::exception& error) {
+    throw InputError(document.name + ": " + error.what());
+  }
+}
+
+/// Each session by itself: one that is refused keeps none of the others out.
+int collect(const CollectOptions& options) {
+  const PublishedStudy published = published_study(options.site);
+  const Protocol protocol = make_protocol(parse_json("the protocol", published.protocol_json),
+                                          parse_json("its scene", published.scene_json));
+  const std::vector<ReturnedFiles> sessions = returned_files(options.folder);
+  StudyFile study = StudyFile::open_for_writing(options.database, build_name());
+  std::size_t taken = 0;
+  for (const ReturnedFiles& files : sessions) {
+    try {
+      const ReturnedSession session = proved_session(files, published, protocol);
+      write_session(session, protocol, study);
+      ++taken;
+      std::printf("%s: %zu records, %lld steps simulated again, 0 divergent%s\n",
+                  session.name.c_str(), session.records.size(),
+                  static_cast<long long>(session.steps), session.finished ? "" : "; not finished");
+    } catch (const InputError& refused) {
+      std::fprintf(stderr, "refused: %s\n", refused.what());
+    }
+  }
+  std::printf("%s: %zu of %zu sessions taken\n", options.database.c_str(), taken, sessions.size());
+  return taken == sessions.size() ? kDone : kFound;
+}
+
+}  // namespace
+
+void add_collect(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<CollectOptions>();
+  CLI::App* command =
+      app.add_subcommand("collect", "Take sessions of a published study into a study file");
+  command->add_option("folder", options->folder, "Folder of what came back (.jsonl)")->required();
+  command->add_option("--site", options->site, "Folder that `impetus publish` wrote")->required();
+  command->add_option("--into", options->database, "Study file; made when it does not exist")
+      ->required();
+  command->callback([options, &chosen] { chosen = [options] { return collect(*options); }; });
+}
+
+}  // namespace impetus::inline commands

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/files/protocol_files.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checks/participant_checks.hpp"
+#include "experiments/protocol/protocol_language.hpp"
+#include "experiments/protocol/protocol_rows.hpp"
+#include "experiments/questions/two_interval.hpp"
+#include "experiments/settings/named_file.hpp"
+
+namespace impetus::inline files {
+namespace {
+
+/// The mesh and figure files that factors and demonstrations put into the scene.
+MoreFiles files_of_design(const Protocol& protocol) {
+  MoreFiles files;
+  const auto add = [&](const std::string& pointer, const LevelValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    if (name != nullptr && pointer.ends_with("/shape/file")) {
+      files.meshes.push_back(*name);
+    }
+    if (name != nullptr && pointer.ends_with("/figure")) {
+      files.figures.push_back(*name);
+    }
+  };
+  std::vector<Condition> beside;  // what is shown besides the design's own levels
+  for (const CatchTrials& kind : protocol.design.catch_trials) {
+    beside.push_back(kind.condition);
+  }
+  if (const TwoIntervalQuestion* question = find_two_interval(protocol.script)) {
+    beside.push_back(question->standard_levels());
+  }
+  for (const Factor& factor : protocol.design.factors) {
+    for (const LevelValue& level : factor.levels) {
+      add(factor.pointer, level);
+    }
+    for (const Condition& condition : beside) {
+      for (const FactorLevel& level : condition) {
+        if (level.factor == factor.name) {
+          add(factor.pointer, level.value);
+        }
+      }
+    }
+  }
+  for (const Demonstration& demonstration : protocol.script.demonstrations) {
+    for (const auto& [pointer, value] : demonstration.set) {
+      add(pointer, value);
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+Protocol load_protocol(const std::filesystem::path& path) {
+  JsonDocument document = read_json(path);
+  hold_language(document, path);
+  Protocol protocol = read_protocol(std::move(document));
+  check_texts(protocol);
+  const std::filesystem::path file = named_file(protocol.document, path, "/scene", "a file");
+  JsonDocument scene = read_scene(file, files_of_design(protocol));
+  return with_scene(std::move(protocol), std::move(scene));
+}
+
+}  // namespace impetus::inline files

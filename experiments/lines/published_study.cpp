@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/lines/published_study.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/design/between_participants.hpp"
+#include "experiments/protocol/checks/protocol_checks.hpp"
+#include "experiments/questions/level_value.hpp"
+
+namespace impetus::inline lines {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFormat = 1;
+
+json solved_json(const SolvedFor& solved) {
+  json values = json::object();
+  for (const SolvedValue& value : solved.values) {
+    values[value.pointer] = value.value;
+  }
+  return {{"condition", to_json(solved.condition)}, {"values", values}};
+}
+
+SolvedFor solved_from(const json& solved) {
+  SolvedFor result;
+  for (const auto& [factor, level] : solved.at("condition").items()) {
+    result.condition.push_back({factor, level_value(level)});
+  }
+  for (const auto& [pointer, value] : solved.at("values").items()) {
+    result.values.push_back({pointer, value.get<double>()});
+  }
+  return result;
+}
+
+}  // namespace
+
+json to_json(const PublishedStudy& study) {
+  json solved = json::array();
+  for (const SolvedFor& each : study.solved) {
+    solved.push_back(solved_json(each));
+  }
+  return {{"format", kFormat},
+          {"build", study.build},
+          {"protocol", study.protocol_json},
+          {"scene", study.scene_json},
+          {"solved", solved}};
+}
+
+PublishedStudy published_study_from(const json& document) {
+  if (!document.is_object() || document.value("format", 0) != kFormat) {
+    throw std::runtime_error("expected a study that was published in format " +
+                             std::to_string(kFormat));
+  }
+  PublishedStudy study;
+  study.build = document.at("build").get<std::string>();
+  study.protocol_json = document.at("protocol").get<std::string>();
+  study.scene_json = document.at("scene").get<std::string>();
+  for (const json& each : document.at("solved")) {
+    study.solved.push_back(solved_from(each));
+  }
+  return study;
+}
+
+Protocol protocol_of(const PublishedStudy& study, std::shared_ptr<ShapeLibrary> shapes) {
+  Protocol protocol = trusted_protocol(parse_json("the protocol", study.protocol_json),
+                                       parse_json("its scene", study.scene_json));
+  protocol.shapes = std::move(shapes);
+  return protocol;
+}
+
+Plan plan_of(const PublishedStudy& study, const Protocol& protocol, const std::string& participant,
+             std::uint64_t seed) {
+  const Condition group = draw_group(protocol.design, {protocol.name, participant, seed}, {});
+  Plan plan = plan_for(protocol, participant, seed, group);
+  put_solved(study.solved, plan);
+  return plan;
+}
+
+}  // namespace impetus::inline lines

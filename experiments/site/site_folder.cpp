@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/site/site_folder.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <vector>
+
+#include "experiments/exports/whole_output.hpp"
+#include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/protocol/screen_file.hpp"
+#include "experiments/scenes/scene_file.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/site/embedded_page.hpp"
+
+namespace impetus::inline site {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kMark = "site.json";
+constexpr const char* kProgramFiles[] = {"impetus.js", "impetus.wasm"};
+
+/// "https://host:port" of a link; "" where it is none that a page may use: but for this machine's
+/// own, what is sent must be sealed.
+std::string origin_of(const std::string& link) {
+  static const std::regex usable(
+      R"((https://[A-Za-z0-9.-]+(:[0-9]+)?|http://(localhost|127\.0\.0\.1)(:[0-9]+)?)(/[^\s"'<>;,]*)?)");
+  std::smatch parts;
+  return std::regex_match(link, parts, usable) ? parts[1].str() : "";
+}
+
+void require_link(const std::string& option, const std::string& link) {
+  if (!link.empty() && origin_of(link).empty()) {
+    throw InputError(option + ": expected a link that begins with https://, got " + link);
+  }
+}
+
+/// The page asks nothing of other origins than its own and the drop's.
+std::string policy_of(const SiteOptions& options) {
+  return "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
+         "img-src data:; base-uri 'none'; form-action 'none'; connect-src 'self' " +
+         origin_of(options.drop_url);
+}
+
+std::string with_policy(std::string page, const SiteOptions& options) {
+  const std::string place = "<meta charset=\"utf-8\">\n";
+  page.insert(
+      page.find(place) + place.size(),
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" + policy_of(options) + "\">\n");
+  return page;
+}
+
+/// Builds the shapes of all conditions with a cache in the folder; returns the files that it kept.
+std::vector<std::string> write_trees(const Protocol& protocol, const fs::path& folder) {
+  const auto shapes = std::make_shared<ShapeLibrary>(TreeCache(folder));
+  ProtocolScenes(protocol, kUnroundedHold, shapes).build_shapes(assumed_screen());
+  std::vector<std::string> files;
+  if (fs::exists(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      files.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+json site_json(const Protocol& protocol, const SiteOptions& options,
+               const std::vector<std::string>& trees) {
+  const json language = protocol.document.value.value("language", json("en"));
+  json site{{"title", protocol.title},  {"language", language.is_string() ? language : json("")},
+            {"phones", options.phones}, {"completion", options.completion},
+            {"trees", trees},           {"drop", nullptr}};
+  if (!options.drop_url.empty()) {
+    site["drop"] = {{"url", options.drop_url}, {"experiment", options.experiment}};
+  }
+  return site;
+}
+
+void require_program(const fs::path& program) {
+  for (const char* file : kProgramFiles) {
+    if (!fs::is_regular_file(program / file)) {
+      throw InputError(
+          "expected " + (program / file).string() +
+          ", the program that runs in a page, but there is none; `cmake --preset browser && cmake "
+          "--build build-browser --target impetus_page` makes it, with emscripten");
+    }
+  }
+}
+
+}  // namespace
+
+void require_publishable(const Protocol& protocol) {
+  if (!protocol.has_participants) {
+    refuse(protocol.document, "/participants",
+           "expected a protocol in which somebody takes part, got none");
+  }
+  if (protocol.script.gaze && protocol.script.gaze->yoked_to) {
+    refuse(protocol.document, "/gaze/yoked_to",
+           "expected none in a page, which does not know the gaze of others");
+  }
+}
+
+void require_links(const SiteOptions& options) {
+  require_link("--drop", options.drop_url);
+  require_link("--completion", options.completion);
+  if (options.drop_url.empty() != options.experiment.empty()) {
+    throw InputError("--drop and --experiment: expected both or neither");
+  }
+}
+
+void write_site(const PublishedStudy& study, const Protocol& protocol, const SiteOptions& options,
+                const fs::path& program, const fs::path& folder) {
+  require_program(program);
+  WholeFolder whole(folder, [&](const fs::path& target) {
+    if (!options.replace || !fs::exists(target / kMark)) {
+      throw InputError(target.string() + ": expected a new folder, got one that holds files" +
+                       (options.replace ? " that are no site" : "; --force replaces a site"));
+    }
+  });
+  for (const EmbeddedFile& file : kPageFiles) {
+    const std::string name = file.name;
+    write_output_file(whole.path() / name,
+                      name == "index.html" ? with_policy(file.text, options) : file.text);
+  }
+  for (const char* file : kProgramFiles) {
+    fs::copy_file(program / file, whole.path() / file);
+  }
+  write_output_file(whole.path() / "study.json", to_json(study).dump());
+  const std::vector<std::string> trees = write_trees(protocol, whole.path() / "trees");
+  write_output_file(whole.path() / kMark, site_json(protocol, options, trees).dump(2) + "\n");
+  whole.put_in_place();
+}
+
+}  // namespace impetus::inline site

@@ -1,0 +1,215 @@
+// Sessions that come back from pages: what a page hands over becomes a study like any other, the
+// same states as the program's own; what was changed on the way is refused by name.
+// SPDX-License-Identifier: MIT
+#include "experiments/site/returned_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "experiments/study/stored_plan.hpp"
+#include "tests/experiments/program.hpp"
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus::returned_session_test {
+
+using nlohmann::json;
+
+constexpr std::uint64_t kSeed = 7;
+constexpr const char* kName = "P01_20260102T030405006Z";
+
+PublishedStudy published() {
+  json protocol = json::parse(text_of(source_file("protocols/causality.json")));
+  protocol["design"]["repetitions"] = 1;
+  return {protocol.dump(), text_of(source_file("stimuli/two-spheres.json")), {}, "this test"};
+}
+
+/// What a page does with a record: a line each.
+class LineRecorder final : public Recorder {
+ public:
+  void save(AttemptRecord attempt) override { keep(std::move(attempt)); }
+  void save(QuestionRecord answer) override { keep(std::move(answer)); }
+  void save(NoteRecord note) override { keep(std::move(note)); }
+  void save(ChosenLevel chosen) override { keep(std::move(chosen)); }
+  void save(CalibrationRecord calibration) override { keep(std::move(calibration)); }
+  void mark_finished() override { keep(FinishedRecord{}); }
+  void await_saved() override {}
+  void keep(AnyRecord record) { lines.push_back(line_of(record)); }
+
+  std::vector<std::string> lines;
+};
+
+/// The lines of a whole session of P01, as its page would hand them over.
+const std::vector<std::string>& session_lines() {
+  static const std::vector<std::string> lines = [] {
+    const PublishedStudy study = published();
+    TestLab lab(60.0, protocol_of(study, std::make_shared<ShapeLibrary>()));
+    LineRecorder recorder;
+    SessionRecord session;
+    session.participant = "P01";
+    session.seed = kSeed;
+    session.protocol_hash = lab.protocol.hash;
+    session.build = study.build;
+    session.machine = "a browser";
+    session.screen = assumed_screen();
+    session.refresh_hz = 60.0;
+    session.sync.passed = true;
+    recorder.keep(session);
+    const Plan plan = plan_of(study, lab.protocol, session.participant, session.seed);
+    for (const PlannedTrial& trial : plan) {
+      recorder.keep(trial);
+    }
+    const Ports ports{lab.display, lab.input, lab.scenes, recorder};
+    run_session(lab.protocol.script, plan, {}, ports, lab.protocol.design);
+    return recorder.lines;
+  }();
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + "\n";
+  }
+  return text;
+}
+
+/// The place of the n-th line of a kind.
+std::size_t line_of_kind(const std::string& kind, std::size_t number = 0) {
+  const std::vector<std::string>& lines = session_lines();
+  for (std::size_t at = 0; at < lines.size(); ++at) {
+    if (json::parse(lines[at])["kind"] == kind && number-- == 0) {
+      return at;
+    }
+  }
+  ADD_FAILURE() << "no such line";
+  return 0;
+}
+
+/// The sentence with which a session is refused one of whose lines was changed.
+std::string refusal_of(std::size_t at, const std::function<void(json& line)>& change) {
+  std::vector<std::string> lines = session_lines();
+  json line = json::parse(lines[at]);
+  change(line);
+  lines[at] = line.dump();
+  const TemporaryFolder folder;
+  folder.write(std::string(kName) + ".jsonl", joined(lines));
+  const PublishedStudy study = published();
+  const Protocol protocol = protocol_of(study, std::make_shared<ShapeLibrary>());
+  return sentence_of(
+      [&] { proved_session(returned_files(folder.path()).front(), study, protocol); });
+}
+
+/// A site's study.json and a folder of what came back, in parts of ten lines.
+void write_returned(const TemporaryFolder& folder) {
+  folder.write("site/study.json", to_json(published()).dump());
+  const std::vector<std::string>& lines = session_lines();
+  for (std::size_t at = 0, part = 1; at < lines.size(); at += 10, ++part) {
+    const std::size_t end = std::min(at + 10, lines.size());
+    char number[8];
+    std::snprintf(number, sizeof number, "%04zu", part);
+    folder.write("back/" + std::string(kName) + "_" + number + ".jsonl",
+                 joined({lines.begin() + static_cast<std::ptrdiff_t>(at),
+                         lines.begin() + static_cast<std::ptrdiff_t>(end)}));
+  }
+}
+
+TEST(ReturnedSession, IsCollectedVerifiedAndReplayed) {
+  const TemporaryFolder folder;
+  write_returned(folder);
+  const ProgramResult collected =
+      run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  EXPECT_EQ(collected.status, 0) << collected.errors;
+  EXPECT_NE(collected.output.find(" steps simulated again, 0 divergent\n"), std::string::npos)
+      << collected.output;
+  EXPECT_NE(collected.output.find("a.sqlite: 1 of 1 sessions taken\n"), std::string::npos);
+  const ProgramResult replayed = run_program(folder, {"replay", "a.sqlite"});
+  EXPECT_EQ(replayed.status, 0) << replayed.output;
+  EXPECT_NE(replayed.output.find(" 0 divergent"), std::string::npos) << replayed.output;
+  const ProgramResult verified = run_program(folder, {"verify", "a.sqlite"});
+  EXPECT_EQ(verified.status, 0) << verified.output << verified.errors;
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT machine || ', ' || ending FROM session"),
+            "a browser, finished");
+}
+
+TEST(ReturnedSession, HasThePlanAndTheStatesOfTheProgramItself) {
+  const TemporaryFolder folder;
+  write_returned(folder);
+  run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  folder.write("stimuli/two-spheres.json", published().scene_json);
+  folder.write("protocols/own.json", published().protocol_json);
+  const ProgramResult own =
+      run_program(folder, {"run", "protocols/own.json", "--db", "own.sqlite", "--observer",
+                           source_file("experiments/observers/causality.json").string(),
+                           "--participant", "P01", "--seed", std::to_string(kSeed)});
+  ASSERT_EQ(own.status, 0) << own.errors;
+  const std::string sql =
+      "SELECT group_concat(slot || condition || seed || step || ':' || hash) FROM (SELECT * FROM "
+      "trial JOIN attempt ON attempt.trial_id = trial.id JOIN step ON step.attempt_id = attempt.id "
+      "ORDER BY slot, step)";
+  EXPECT_EQ(value_of(folder / "a.sqlite", sql), value_of(folder / "own.sqlite", sql));
+}
+
+TEST(ReturnedSession, IsTakenOnce) {
+  const TemporaryFolder folder;
+  write_returned(folder);
+  run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  const ProgramResult again =
+      run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.errors.find("participant P01 has finished causality already"), std::string::npos)
+      << again.errors;
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
+}
+
+TEST(ReturnedSession, OneBitOfAStateIsNamedByTrialAndStep) {
+  const std::size_t at = line_of_kind("attempt", 2);
+  const std::int64_t slot = json::parse(session_lines()[at])["slot"];
+  EXPECT_EQ(refusal_of(at,
+                       [](json& line) {
+                         json& hash = line["steps"][1 + 12][4];
+                         hash = hash.get<std::uint64_t>() ^ 1U;
+                       }),
+            std::string(kName) + ": line " + std::to_string(at + 1) +
+                ": expected the states that these inputs lead to, got others from trial " +
+                std::to_string(slot) + ", step 12 on");
+}
+
+TEST(ReturnedSession, AnotherPlanSeedProtocolOrTrialIsRefused) {
+  const std::string start = std::string(kName) + ": line ";
+  EXPECT_NE(refusal_of(1, [](json& line) { line["seed"] = 1; })
+                .find("expected the trials that code and seed lead to, got others"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(0, [](json& line) { line["seed"] = 1; })
+                .find("expected the trials that code and seed lead to, got others"),
+            std::string::npos);
+  EXPECT_EQ(refusal_of(0, [](json& line) { line["protocol_hash"] = "0"; })
+                .find(start + "1: expected a session of causality ("),
+            0U);
+  const std::size_t attempt = line_of_kind("attempt");
+  EXPECT_EQ(refusal_of(attempt, [](json& line) { line["slot"] = 99; }),
+            start + std::to_string(attempt + 1) + ": expected a trial of the plan, got 99");
+  EXPECT_EQ(refusal_of(attempt + 1, [](json& line) { line["kind"] = "prize"; }).find(start), 0U);
+}
+
+TEST(ReturnedSession, ACollisionOfNoBodyIsRefused) {
+  const std::size_t at = line_of_kind("attempt", 8);
+  EXPECT_NE(refusal_of(at, [](json& line) { line["body_names"] = json::array({"alone"}); })
+                .find(": expected collisions of its bodies, got one of others"),
+            std::string::npos);
+}
+
+TEST(ReturnedSession, AFolderWithoutSessionsIsRefused) {
+  const TemporaryFolder folder;
+  folder.write("site/study.json", to_json(published()).dump());
+  folder.write("back/readme.txt", "");
+  const ProgramResult result =
+      run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.errors,
+            "impetus: back: expected a folder with sessions that came back (.jsonl), got one "
+            "without\n");
+}
+
+}  // namespace impetus::returned_session_test
