@@ -3,6 +3,8 @@ impetus_room(drawing USES impetus_run)
 file(GLOB page_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/browser/*.cpp)
 add_executable(impetus_page ${page_sources})
 target_link_libraries(impetus_page PRIVATE impetus_lines impetus_drawing)
+target_compile_definitions(impetus_page PRIVATE
+  "IMPETUS_PAGE_COMPILER=\"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} of emscripten ${EMSCRIPTEN_VERSION}\"")
 target_compile_options(impetus_page PRIVATE -Wno-gnu-zero-variadic-macro-arguments
   -Wno-dollar-in-identifier-extension)  # of emscripten's own macros
 target_link_options(impetus_page PRIVATE -O3 -sASYNCIFY=1 -sASYNCIFY_STACK_SIZE=65536

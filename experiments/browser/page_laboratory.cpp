@@ -59,7 +59,9 @@ json field_json(const Field& field) {
 }
 
 json progress_json(const SessionProgress& progress) {
-  return {{"done", progress.done}, {"total", progress.total}, {"label", progress.label},
+  return {{"done", progress.done},
+          {"total", progress.total},
+          {"label", progress.label},
           {"light", progress.light_ground}};
 }
 
@@ -159,7 +161,9 @@ Answer PageLaboratory::ask(const Page& page) {
   answer.timed_out = said.at("timed_out").get<bool>();
   answer.interruption =
       said.at("pause").get<bool>() ? Interruption::kPauseRequested : Interruption::kNone;
-  static_cast<void>(take_events());  // what was pressed on the page was for it alone
+  take_what_happened();
+  static_cast<void>(take_clicks());  // what was pressed on the page was for it alone
+  samples_.clear();
   pause_requested_ = false;
   return answer;
 }
@@ -189,6 +193,9 @@ void PageLaboratory::take_what_happened() {
   }
   if (events.at("away").get<bool>()) {
     pointer_.reset();
+  }
+  for (const json& absence : events.at("absences")) {
+    hand_over(line_of(NoteRecord{absence[0].get<std::string>(), absence[1].get<std::string>()}));
   }
   pause_requested_ = pause_requested_ || events.at("pause").get<bool>();
 }

@@ -75,7 +75,7 @@ SessionRecord session_record(const Facts& facts, const Protocol& protocol,
   session.participant = facts.participant;
   session.seed = facts.seed;
   session.protocol_hash = protocol.hash;
-  session.build = study.build;
+  session.build = study.build + "; in a page: WebAssembly, " IMPETUS_PAGE_COMPILER;
   session.machine = facts.machine;
   session.display = facts.display;
   session.screen = page.geometry();

@@ -11,6 +11,7 @@
 #include "experiments/lines/replayed_attempt.hpp"
 #include "experiments/models/readable_file.hpp"
 #include "experiments/protocol/participant_code.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/session_rows.hpp"
 #include "experiments/store/study_writer.hpp"
@@ -127,7 +128,14 @@ class Proof {
     return found->second;
   }
 
-  void choose(const ChosenLevel& chosen) { trial_at(chosen.slot).condition = chosen.condition; }
+  void choose(const ChosenLevel& chosen) {
+    const std::vector<Condition> shown = cells(protocol_.design);
+    if (std::find(shown.begin(), shown.end(), chosen.condition) == shown.end()) {
+      refuse_line("trial " + std::to_string(chosen.slot) +
+                  ": expected a level of the design, got " + to_json(chosen.condition).dump());
+    }
+    trial_at(chosen.slot).condition = chosen.condition;
+  }
 
   void prove(AttemptRecord& attempt) {
     const std::string trial = "trial " + std::to_string(attempt.slot);

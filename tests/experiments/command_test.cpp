@@ -14,8 +14,9 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, exclude, export, extremes, merge, new, observers, "
-      "power, preview, replay, report, screen, sessions, timing, verify, mesh, tree, trade, got ";
+      "expected one of the commands run, check, collect, exclude, export, extremes, merge, new, "
+      "observers, power, preview, publish, replay, report, screen, sessions, timing, verify, mesh, "
+      "tree, trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
   expect_refused(folder, {"--fast"}, expected + "--fast");

@@ -119,6 +119,7 @@ let moves = [];
 let clicks = [];
 let pauseAsked = false;
 let away = false;
+let absences = [];
 let step_ms = 1;
 
 const kKeyNames = {' ': 'space', Enter: 'enter', Escape: 'escape'};
@@ -142,7 +143,24 @@ function listen() {
     if (event.key === 'Escape') pauseAsked = true;
   });
   addEventListener('visibilitychange', () => { pauseAsked ||= document.hidden; });
+  noteAbsences('page hidden', () => document.hidden, ['visibilitychange']);
+  noteAbsences('page without focus', () => !document.hasFocus(), ['focus', 'blur']);
   addEventListener('beforeunload', (event) => { if (!finished) event.preventDefault(); });
+}
+
+/** Whenever the page is not before the participant's eyes or under their hands: for how long. */
+function noteAbsences(kind, isAbsent, events) {
+  let since = null;
+  for (const event of events) {
+    addEventListener(event, () => {
+      if (isAbsent()) {
+        since ??= performance.now();
+      } else if (since !== null) {
+        absences.push([kind, `for ${((performance.now() - since) / 1000).toFixed(1)} s`]);
+        since = null;
+      }
+    });
+  }
 }
 
 let finished = false;
@@ -305,7 +323,8 @@ function asksOf(keeper) {
     awaitSaved: () => keeper.keep(),
     handOver: (line) => keeper.add(line),
     takeEvents: () => {
-      const events = JSON.stringify({moves, clicks, away, pause: pauseAsked});
+      const events = JSON.stringify({moves, clicks, away, absences, pause: pauseAsked});
+      absences = [];
       moves = [];
       clicks = [];
       pauseAsked = false;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/numerics/random_stream.hpp"
 #include "experiments/lines/replayed_attempt.hpp"
 #include "tests/experiments/golden_study.hpp"
 
@@ -120,6 +121,19 @@ TEST(RecordLines, WhatIsNoRecordIsRefusedInWords) {
             "\"interval\"], got [\"device\"]");
   line["clicks"] = 3;
   EXPECT_EQ(sentence_of(line), "clicks: expected a list, got 3");
+}
+
+TEST(RecordLines, AnyChangeOfALetterIsReadOrRefused) {
+  const std::string line = line_of(full_attempt(), Digests::kKept);
+  RandomStream letters(20'26, "letters of lines");
+  for (int change = 0; change < 5000; ++change) {
+    std::string changed = line;
+    changed[letters.place_below(changed.size())] = static_cast<char>(letters.below(127));
+    const json parsed = json::parse(changed, nullptr, /*allow_exceptions=*/false);
+    if (!parsed.is_discarded()) {
+      EXPECT_NE(sentence_of(parsed), "");
+    }
+  }
 }
 
 TEST(RecordLines, GoldenAttemptsReplayAndAreGivenTheirDigestsBack) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 
+#include "engine/numerics/random_stream.hpp"
 #include "experiments/study/stored_plan.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
@@ -198,6 +199,25 @@ TEST(ReturnedSession, ACollisionOfNoBodyIsRefused) {
   EXPECT_NE(refusal_of(at, [](json& line) { line["body_names"] = json::array({"alone"}); })
                 .find(": expected collisions of its bodies, got one of others"),
             std::string::npos);
+}
+
+TEST(ReturnedSession, AnyNumberOfATrialThatIsAnotherIsProvedOrRefused) {
+  RandomStream places(20'26, "numbers of attempts");
+  for (int change = 0; change < 40; ++change) {
+    const std::string sentence =
+        refusal_of(line_of_kind("attempt", places.place_below(10)), [&](json& line) {
+          json* at = &line;
+          while (at->is_structured() && !at->empty()) {
+            auto next = at->begin();
+            std::advance(next, static_cast<std::ptrdiff_t>(places.below(at->size())));
+            at = &*next;
+          }
+          if (at->is_number()) {
+            *at = places.below(2) == 0 ? -1 : 1'000'000'000;
+          }
+        });
+    EXPECT_NE(sentence, "");
+  }
 }
 
 TEST(ReturnedSession, AFolderWithoutSessionsIsRefused) {
