@@ -52,6 +52,7 @@ const std::vector<std::string>& session_lines() {
     session.protocol_hash = lab.protocol.hash;
     session.build = study.build;
     session.machine = "a browser";
+    session.display = "a page";
     session.screen = assumed_screen();
     session.refresh_hz = 60.0;
     session.sync.passed = true;

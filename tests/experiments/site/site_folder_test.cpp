@@ -81,10 +81,11 @@ TEST(Publish, NeverOverwrites) {
   const ProgramResult result = publish(folder, {"--program", program});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.errors,
-            "impetus: site: expected a new folder, got one that holds files; --force replaces a "
-            "site\n");
+            "impetus: " + (folder / "site").string() +
+                ": expected a new folder, got one that holds files; --force replaces a site\n");
   EXPECT_EQ(publish(folder, {"--program", program, "--force"}).errors,
-            "impetus: site: expected a new folder, got one that holds files that are no site\n");
+            "impetus: " + (folder / "site").string() +
+                ": expected a new folder, got one that holds files that are no site\n");
   EXPECT_EQ(text_of(folder / "site/mine.txt"), "mine");
 }
 
