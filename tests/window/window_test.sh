@@ -67,6 +67,18 @@ await_exit() {
   [ "$status" -eq "$1" ] || fail "expected exit status $1, got $status"
 }
 
+# leave_by ACTION: repeats the action until the program has ended well. A page that is not on the
+# screen yet does not hear the first.
+leave_by() {
+  for _ in $(seq 100); do
+    kill -0 "$session" 2>/dev/null || break
+    # shellcheck disable=SC2086 # an action is a command of xdotool with its arguments
+    xdotool $1
+    sleep 0.3
+  done
+  await_exit 0
+}
+
 # protocols/short.json: the shipped study with one trial of practice and four that count; screen.json.
 make_short_study() {
   mkdir protocols
