@@ -55,7 +55,10 @@ std::optional<ScreenLight> given_light(const ScreenOptions& options) {
     return std::nullopt;
   }
   if (*options.white_cd_m2 <= *options.black_cd_m2) {
-    throw InputError("--white-cd-m2: expected more than --black-cd-m2");
+    char text[120];
+    std::snprintf(text, sizeof text, "--white-cd-m2: expected more than black, %g cd/m², got %g",
+                  *options.black_cd_m2, *options.white_cd_m2);
+    throw InputError(text);
   }
   return ScreenLight{*options.black_cd_m2, *options.white_cd_m2, *options.gamma};
 }
@@ -85,7 +88,7 @@ LabScreen entered_screen(const std::filesystem::path& file, const ScreenOptions&
 }
 
 void print_light(const ScreenLight& light) {
-  constexpr float kGround = 0.5F;
+  constexpr float kGround = 128.0F / 255.0F;  // as a screen shows the painters' mid-grey
   std::printf("%s: the ground of pages and stimuli has %.1f cd/m²\n", light_words(light).c_str(),
               luminance_cd_m2(light, {kGround, kGround, kGround}));
 }
