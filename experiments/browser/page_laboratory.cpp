@@ -206,14 +206,17 @@ ScreenPoint PageLaboratory::on_glass(double x_px, double y_px) const {
           (0.5 - (y_px + 0.5) / screen_.height_px) * screen_.height_m};
 }
 
-void PageRecorder::save(AttemptRecord attempt) { hand_over(line_of(std::move(attempt))); }
-void PageRecorder::save(QuestionRecord answer) { hand_over(line_of(std::move(answer))); }
-void PageRecorder::save(NoteRecord note) { hand_over(line_of(std::move(note))); }
-void PageRecorder::save(ChosenLevel chosen) { hand_over(line_of(std::move(chosen))); }
-void PageRecorder::save(CalibrationRecord calibration) {
-  hand_over(line_of(std::move(calibration)));
+void PageRecorder::save(AttemptRecord attempt) { keep(std::move(attempt)); }
+void PageRecorder::save(QuestionRecord answer) { keep(std::move(answer)); }
+void PageRecorder::save(NoteRecord note) { keep(std::move(note)); }
+void PageRecorder::save(ChosenLevel chosen) { keep(std::move(chosen)); }
+void PageRecorder::save(CalibrationRecord calibration) { keep(std::move(calibration)); }
+void PageRecorder::mark_finished() { keep(FinishedRecord{}); }
+void PageRecorder::await_saved() { await_kept(to_json(standing_, design_)); }
+
+void PageRecorder::keep(AnyRecord record) {
+  hand_over(line_of(record));
+  add(record, standing_);
 }
-void PageRecorder::mark_finished() { hand_over(line_of(FinishedRecord{})); }
-void PageRecorder::await_saved() { await_kept(); }
 
 }  // namespace impetus::inline browser

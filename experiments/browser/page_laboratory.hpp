@@ -14,10 +14,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/drawing/scene_painter.hpp"
 #include "experiments/lines/record_lines.hpp"
+#include "experiments/lines/standing.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/session/timing_check.hpp"
 
@@ -63,9 +65,13 @@ class PageLaboratory final : public Display, public Input, public Gaze {
   bool pause_requested_{false};
 };
 
-/// Hands over all that a session records.
+/// Hands over all that a session records, and with it where its participant stands.
 class PageRecorder final : public Recorder {
  public:
+  /// `design` must outlive this. `standing`: when the session begins.
+  PageRecorder(Standing standing, const Design& design)
+      : standing_(std::move(standing)), design_(design) {}
+
   void save(AttemptRecord attempt) override;
   void save(QuestionRecord answer) override;
   void save(NoteRecord note) override;
@@ -73,6 +79,12 @@ class PageRecorder final : public Recorder {
   void save(CalibrationRecord calibration) override;
   void mark_finished() override;
   void await_saved() override;
+
+ private:
+  void keep(AnyRecord record);
+
+  Standing standing_;
+  const Design& design_;
 };
 
 /// A page as session_page.js shows it.

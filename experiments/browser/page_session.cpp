@@ -2,6 +2,7 @@
 //
 //   /study.json  what was published   ─┐
 //   /facts.json  who, which screen     ├─> refresh, plan ─> run_session ─> lines
+//   /standing.json  what was done      │
 //   /trees       trees that take long ─┘
 //
 // The page puts these files into the program's own, empty file system before it calls run_page().
@@ -17,11 +18,13 @@
 #include "experiments/browser/page_laboratory.hpp"
 #include "experiments/browser/the_page.hpp"
 #include "experiments/lines/published_study.hpp"
+#include "experiments/lines/standing.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/session/resumption.hpp"
 #include "experiments/session/session.hpp"
 
 namespace impetus::inline browser {
@@ -85,6 +88,21 @@ SessionRecord session_record(const Facts& facts, const Protocol& protocol,
   return session;
 }
 
+/// Where the participant stands: at the beginning, or where an earlier page was left.
+Standing standing_of(const json& said, const Plan& plan, const Protocol& protocol) {
+  if (said.is_null()) {
+    return {plan, {}};
+  }
+  const ResumeRule& rule = protocol.script.resume;
+  const double age_h = said.at("age_s").get<double>() / 3600.0;
+  if (rule.refuse_after_h > 0.0 && age_h > rule.refuse_after_h) {
+    throw std::runtime_error("this study was left too long ago to go on with it");
+  }
+  Standing standing = standing_from(said.at("standing"), plan, protocol.design);
+  resume(rule, standing.plan, standing.history);
+  return standing;
+}
+
 void hand_over_session(const SessionRecord& session, const Plan& plan) {
   hand_over(line_of(session));
   for (const PlannedTrial& trial : plan) {
@@ -116,11 +134,12 @@ std::string run() {
   const Plan plan = plan_of(study, protocol, facts.participant, facts.seed);
   hand_over_session(session_record(facts, protocol, page, sync, study), plan);
   const ProtocolScenes scenes(protocol, kUnroundedHold);
-  PageRecorder recorder;
+  const Standing standing = standing_of(read_json("/standing.json").value, plan, protocol);
+  PageRecorder recorder(standing, protocol.design);
   const GazePaths no_paths;
   const Ports ports{page, page, scenes, recorder, &page, &clock, &clock, &no_paths};
   const SessionResult result =
-      run_session(protocol.script, plan, SessionHistory{}, ports, protocol.design);
+      run_session(protocol.script, standing.plan, standing.history, ports, protocol.design);
   return name_of(result.ending);
 }
 

@@ -9,7 +9,8 @@
 EM_ASYNC_JS(double, page_next_frame, (), { return await Module.page.nextFrame(); });
 EM_ASYNC_JS(char*, page_ask, (const char* page),
             { return allocateUTF8(await Module.page.ask(UTF8ToString(page))); });
-EM_ASYNC_JS(void, page_await_saved, (), { await Module.page.awaitSaved(); });
+EM_ASYNC_JS(void, page_await_saved, (const char* standing),
+            { await Module.page.awaitSaved(UTF8ToString(standing)); });
 EM_JS(void, page_hand_over, (const char* line), { Module.page.handOver(UTF8ToString(line)); });
 EM_JS(char*, page_take_events, (), { return allocateUTF8(Module.page.takeEvents()); });
 EM_JS(void, page_show_progress, (const char* words),
@@ -36,7 +37,7 @@ nlohmann::json ask_of_participant(const nlohmann::json& page) {
   return nlohmann::json::parse(taken(page_ask(page.dump().c_str())));
 }
 
-void await_kept() { page_await_saved(); }
+void await_kept(const nlohmann::json& standing) { page_await_saved(standing.dump().c_str()); }
 void hand_over(const std::string& line) { page_hand_over(line.c_str()); }
 nlohmann::json take_events() { return nlohmann::json::parse(taken(page_take_events())); }
 void show_progress(const nlohmann::json& progress) { page_show_progress(progress.dump().c_str()); }

@@ -21,8 +21,9 @@ std::int64_t next_frame();
 /// Shows a page, as page_json() says it, until it is answered or left; returns what came of it.
 nlohmann::json ask_of_participant(const nlohmann::json& page);
 
-/// Waits until every line that was handed over is where it is to be kept.
-void await_kept();
+/// Waits until every line that was handed over is where it is to be kept; then the participant
+/// stands here, and a page that is opened again goes on from it.
+void await_kept(const nlohmann::json& standing);
 
 /// Hands over one line of the record.
 void hand_over(const std::string& line);

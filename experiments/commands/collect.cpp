@@ -40,12 +40,11 @@ int collect(const CollectOptions& options) {
   std::size_t taken = 0;
   for (const ReturnedFiles& files : sessions) {
     try {
-      const ReturnedSession session = proved_session(files, published, protocol);
-      write_session(session, protocol, study);
+      const TakenSession session = take_session(files, published, protocol, study);
       ++taken;
       std::printf("%s: %zu records, %lld steps simulated again, 0 divergent%s\n",
-                  session.name.c_str(), session.records.size(),
-                  static_cast<long long>(session.steps), session.finished ? "" : "; not finished");
+                  files.name.c_str(), session.records, static_cast<long long>(session.steps),
+                  session.finished ? "" : "; not finished");
     } catch (const InputError& refused) {
       std::fprintf(stderr, "refused: %s\n", refused.what());
     }

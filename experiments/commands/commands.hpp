@@ -33,6 +33,7 @@ void add_publish(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_report(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);
+void add_serve(CLI::App& app, Command& chosen);
 void add_sessions(CLI::App& app, Command& chosen);
 void add_mesh(CLI::App& app, Command& chosen);
 void add_tree(CLI::App& app, Command& chosen);

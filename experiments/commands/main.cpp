@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   impetus::add_replay(app, chosen);
   impetus::add_report(app, chosen);
   impetus::add_screen(app, chosen);
+  impetus::add_serve(app, chosen);
   impetus::add_sessions(app, chosen);
   impetus::add_timing(app, chosen);
   impetus::add_verify(app, chosen);

@@ -1,22 +1,20 @@
-// A session that came back from a page as lines: held against the study that was published,
-// simulated again, and only then written into a study file, by the writer of every session.
+// Sessions that came back from pages as files: proved, and only then written into a study file, by
+// the writer of every session.
 //
 //   CODE_TIME_0001.jsonl, CODE_TIME_0002.jsonl, ... ──> lines ──> plan as published? hashes again?
 //   CODE_TIME.jsonl (a download)                    ──┘            └─> StudyWriter ─> study.sqlite
 //
-// What is proved is that these trials were simulated from these inputs, in this order; never that a
-// person sat there.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/lines/published_study.hpp"
-#include "experiments/lines/record_lines.hpp"
+#include "experiments/site/session_proof.hpp"
 #include "experiments/store/study_file.hpp"
+#include "experiments/store/study_writer.hpp"
 
 namespace impetus::inline site {
 
@@ -26,27 +24,28 @@ struct ReturnedFiles {
   std::vector<std::filesystem::path> files;
 };
 
-/// The sessions of a folder, by name. Files that do not end in .jsonl are nobody's. Throws
-/// InputError when the folder cannot be read or holds no session.
+/// The sessions of a folder, by name, so that each participant's are in the order of time. Files
+/// that do not end in .jsonl are nobody's. Throws InputError when the folder cannot be read or
+/// holds no session.
 std::vector<ReturnedFiles> returned_files(const std::filesystem::path& folder);
 
-/// What a session came back with, as it was recorded.
-struct ReturnedSession {
-  std::string name;
-  SessionRecord session;
-  Plan plan;
-  std::vector<AnyRecord> records;  ///< in order; digests of bodies filled in
+/// What came of one.
+struct TakenSession {
+  std::size_t records{0};
+  std::int64_t steps{0};  ///< simulated again
   bool finished{false};
-  std::int64_t steps{0};  ///< compared
 };
 
-/// Reads a session and proves it. Throws InputError, naming the session, the trial and what
-/// differs.
-ReturnedSession proved_session(const ReturnedFiles& files, const PublishedStudy& study,
-                               const Protocol& protocol);
+/// Proves a session and writes it into the study as a whole: whoever is stopped on the way may
+/// begin anew. Throws InputError, naming the session, the trial and what differs, or that it is
+/// there already; StoreError.
+TakenSession take_session(const ReturnedFiles& files, const PublishedStudy& published,
+                          const Protocol& protocol, StudyFile& study);
 
-/// Writes it into a study. Throws InputError when the participant has a session there already;
-/// StoreError.
-void write_session(const ReturnedSession& returned, const Protocol& protocol, StudyFile& study);
+/// The lines of a part.
+std::vector<std::string> lines_in(const std::string& text);
+
+/// Gives a record to save, and marks with it how the session ends, where it says so.
+void save_record(const AnyRecord& record, StudyWriter& writer);
 
 }  // namespace impetus::inline site

@@ -70,12 +70,20 @@ std::vector<std::string> write_trees(const Protocol& protocol, const fs::path& f
 json site_json(const Protocol& protocol, const SiteOptions& options,
                const std::vector<std::string>& trees) {
   const json language = protocol.document.value.value("language", json("en"));
-  json site{{"title", protocol.title},  {"language", language.is_string() ? language : json("")},
-            {"phones", options.phones}, {"completion", options.completion},
-            {"trees", trees},           {"drop", nullptr}};
+  json site{{"study", protocol.hash},
+            {"title", protocol.title},
+            {"language", language.is_string() ? language : json("")},
+            {"phones", options.phones},
+            {"completion", options.completion},
+            {"trees", trees},
+            {"drop", nullptr}};
   if (!options.drop_url.empty()) {
     site["drop"] = {{"url", options.drop_url}, {"experiment", options.experiment}};
   }
+  if (options.served) {
+    site["drop"] = {{"url", "parts"}, {"experiment", ""}};
+  }
+  site["standing"] = options.served ? json("standing") : json();
   return site;
 }
 

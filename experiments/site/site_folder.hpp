@@ -1,9 +1,10 @@
 // A study as a folder that any web server serves: page, program, and all that it shows.
 //
-//   site/  index.html  session_page.css  session_page.js    what is seen
+//   site/  index.html  session_page.css  *.js                 what is seen
 //          impetus.js  impetus.wasm                          the session, as in the lab
-//          study.json  trees/                                protocol and scene; trees that take
-//          long site.json                                         how the page is to be used
+//          study.json                                        protocol and scene
+//          trees/                                            those that take long
+//          site.json                                         how the page is to be used
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -20,8 +21,9 @@ struct SiteOptions {
   std::string drop_url;    ///< to which each trial is posted; "": it is offered as a download
   std::string experiment;  ///< "experimentID", as the drop knows the study
   std::string completion;  ///< a link that participants are led to at the end; "": none
-  bool phones{false};      ///< may be used without keyboard and mouse
-  bool replace{false};     ///< an earlier site in this folder
+  bool served{false};   ///< by the program itself, which takes each trial and knows who was there
+  bool phones{false};   ///< may be used without keyboard and mouse
+  bool replace{false};  ///< an earlier site in this folder
 };
 
 /// Throws InputError where the protocol cannot be run in a page: nobody takes part, or regions

@@ -132,19 +132,25 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, int64_t enrolme
   return trials;
 }
 
+Enrolment load_enrolment(StudyFile& study, int64_t id) {
+  const auto seed =
+      load_value<std::uint64_t>(study.database(), "SELECT seed FROM enrolment WHERE id = ?", id);
+  return {id, seed.value(), load_trials(study.database(), id), load_history(study.database(), id)};
+}
+
 std::optional<Enrolment> find_enrolment(StudyFile& study, const string& pseudonym, bool simulated,
                                         const ProtocolTexts& protocol) {
   require_kind(study, pseudonym, simulated);
-  const auto found = load_rows<int64_t, std::uint64_t, string, string>(
+  const auto found = load_rows<int64_t, string, string>(
       study.database(),
-      "SELECT enrolment.id, seed, finished_utc, hash "
+      "SELECT enrolment.id, finished_utc, hash "
       "FROM enrolment JOIN participant ON participant.id = participant_id "
       "JOIN protocol ON protocol.id = protocol_id WHERE pseudonym = ? AND name = ?",
       pseudonym, protocol.name);
   if (found.empty()) {
     return std::nullopt;
   }
-  const auto& [id, seed, finished_utc, hash] = found.front();
+  const auto& [id, finished_utc, hash] = found.front();
   if (!finished_utc.empty()) {
     throw InputError(study.name() + ": participant " + pseudonym + " has finished " +
                      protocol.name + " already, at " + finished_utc);
@@ -154,7 +160,7 @@ std::optional<Enrolment> find_enrolment(StudyFile& study, const string& pseudony
                      " began with another version of " + protocol.name +
                      "; resume with the file it was, or use another name");
   }
-  return Enrolment{id, seed, load_trials(study.database(), id), load_history(study.database(), id)};
+  return load_enrolment(study, id);
 }
 
 bool has_finished(StudyFile& study, const string& pseudonym, bool simulated,

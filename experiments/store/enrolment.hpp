@@ -49,6 +49,9 @@ struct Enrolment {
 /// The plan of an enrolment, by slot. Throws SQLite::Exception.
 std::vector<StoredTrial> load_trials(SQLite::Database& database, std::int64_t enrolment_id);
 
+/// The enrolment of this id. Throws SQLite::Exception.
+Enrolment load_enrolment(StudyFile& study, std::int64_t id);
+
 /// The participant's enrolment in a protocol of this version, if there is one. Throws InputError
 /// when it is finished, was made with another version of the protocol, or when the pseudonym
 /// belongs to a participant of the other kind (simulated or not).

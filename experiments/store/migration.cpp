@@ -12,6 +12,7 @@
 #include "experiments/store/embedded_migration_5_6.hpp"
 #include "experiments/store/embedded_migration_6_7.hpp"
 #include "experiments/store/embedded_migration_7_8.hpp"
+#include "experiments/store/embedded_migration_8_9.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 #include "experiments/store/rows.hpp"
@@ -100,6 +101,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 8) {
     database.exec(kMigrationFrom7To8Sql);
+  }
+  if (version < 9) {
+    database.exec(kMigrationFrom8To9Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

@@ -92,7 +92,11 @@ CREATE TABLE session (
   photodiode_patch TEXT,              -- its corner, 'bottom left', ...; NULL: none
   screen_black_cd_m2 REAL CHECK (screen_black_cd_m2 >= 0),  -- luminance; NULL: not measured
   screen_white_cd_m2 REAL CHECK (screen_white_cd_m2 > screen_black_cd_m2),  -- NULL: not measured
-  screen_gamma REAL CHECK (screen_gamma > 0)  -- of the greys between; NULL: not measured
+  screen_gamma REAL CHECK (screen_gamma > 0),  -- of the greys between; NULL: not measured
+  page_name TEXT,                     -- of the web page it ran in, by which its parts go; NULL: none
+  page_key TEXT,                      -- who knows it may go on; NULL: no page, or nobody may
+  page_parts INTEGER CHECK (page_parts >= 0)  -- of the record that the page has handed over; NULL:
+                                      -- no page
 ) STRICT;
 
 CREATE TABLE trial (

@@ -97,10 +97,13 @@ std::int64_t insert_session(SQLite::Database& database, std::int64_t enrolment_i
        {"series", text_or_null(facts.series)},
        {"series_place", in_series ? std::optional(facts.series_place) : std::nullopt},
        {"resumed_at", if_any(facts.resumed, at_block)},
-       {"resumed_after_s", if_any(facts.resumed, [](const auto& it) { return it.after_s; })},
+       {"resumed_after_s", facts.resumed ? facts.resumed->after_s : std::nullopt},
        {"first_slot", facts.resumed ? facts.resumed->resumption.first_slot : std::nullopt},
        {"photodiode_patch", text_or_null(facts.photodiode_patch)},
-       {"gaze_source", text_or_null(facts.gaze_source)}});
+       {"gaze_source", text_or_null(facts.gaze_source)},
+       {"page_name", if_any(facts.page, [](auto& page) { return page.name; })},
+       {"page_key", facts.page ? text_or_null(facts.page->key) : std::nullopt},
+       {"page_parts", facts.page ? std::optional<std::int64_t>(0) : std::nullopt}});
   if (facts.resumed) {
     set_aside(database, enrolment_id, id, facts.resumed->resumption.set_aside);
   }
@@ -176,6 +179,42 @@ std::vector<SessionScreen> session_screens(SQLite::Database& database) {
                         not_square});
   }
   return sessions;
+}
+
+std::optional<PageSession> find_page_session(SQLite::Database& database, const std::string& name) {
+  using std::int64_t;
+  for (const auto& [id, enrolment, participant, seed, width_m, height_m, width_px, height_px,
+                    distance_m, overridden, parts, key, last] :
+       load_rows<int64_t, int64_t, std::string, std::uint64_t, double, double, int, int, double,
+                 bool, int64_t, std::string, bool>(
+           database,
+           "SELECT session.id, enrolment_id, pseudonym, seed, screen_width_m, screen_height_m, "
+           "screen_width_px, screen_height_px, viewing_distance_m, sync_overridden, page_parts, "
+           "ifnull(page_key, ''), "
+           "session.id = (SELECT max(id) FROM session AS other "
+           "WHERE other.enrolment_id = session.enrolment_id) "
+           "FROM session JOIN enrolment ON enrolment.id = enrolment_id "
+           "JOIN participant ON participant.id = participant_id WHERE page_name = ?",
+           name)) {
+    return PageSession{id,
+                       enrolment,
+                       participant,
+                       seed,
+                       {width_m, height_m, width_px, height_px, distance_m},
+                       overridden,
+                       parts,
+                       key,
+                       last};
+  }
+  return std::nullopt;
+}
+
+bool goes_on_by(SQLite::Database& database, std::int64_t enrolment_id, const std::string& key) {
+  return load_value<bool>(database,
+                          "SELECT ifnull(page_key = ?, 0) FROM session WHERE enrolment_id = ? "
+                          "ORDER BY id DESC LIMIT 1",
+                          key, enrolment_id)
+      .value_or(false);
 }
 
 }  // namespace impetus::inline store

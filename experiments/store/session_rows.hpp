@@ -22,9 +22,15 @@ namespace impetus::inline store {
 /// How a session goes on with what an earlier one left.
 struct ResumedSession {
   ResumeRule::At at{ResumeRule::At::kTrial};
-  /// By the wall clock, since anything was last recorded; < 0: it was set back.
-  double after_s{0.0};
+  /// By the wall clock, since anything was last recorded; < 0: it was set back; none: unknown.
+  std::optional<double> after_s{};
   Resumption resumption{};
+};
+
+/// The web page that a session runs in.
+struct SessionPage {
+  std::string name;   ///< by which the parts go that it hands over
+  std::string key{};  ///< whoever knows it may go on with the session; "": nobody
 };
 
 /// What a session says of itself before it begins.
@@ -46,6 +52,7 @@ struct SessionFacts {
   std::string photodiode_patch{};           ///< its corner; "": none
   std::string gaze_source{};                ///< "mouse", ...; "": gaze is not followed
   std::optional<ResumedSession> resumed{};  ///< none: the enrolment's first session
+  std::optional<SessionPage> page{};        ///< none: in a window
 };
 
 /// Begins a session of the enrolment, and sets aside what it shows again; returns its id. Throws
@@ -79,6 +86,25 @@ struct SessionScreen {
   bool said_changed{false};
   bool said_not_square{false};
 };
+
+/// A session that a page began, as far as it is kept.
+struct PageSession {
+  std::int64_t id{0};
+  std::int64_t enrolment_id{0};
+  std::string participant;
+  std::uint64_t seed{0};
+  ScreenGeometry screen;
+  bool sync_overridden{false};
+  std::int64_t parts{0};  ///< of its record that are kept
+  std::string key;        ///< with which it goes on; "": it does not
+  bool is_last{false};    ///< of its enrolment
+};
+
+/// The one that goes by this name; none: there is none.
+std::optional<PageSession> find_page_session(SQLite::Database& database, const std::string& name);
+
+/// Whether the enrolment's last session ran in a page and goes on for whoever has this key.
+bool goes_on_by(SQLite::Database& database, std::int64_t enrolment_id, const std::string& key);
 
 /// By enrolment, and in the order of time.
 std::vector<SessionScreen> session_screens(SQLite::Database& database);

@@ -8,17 +8,29 @@
 #include "experiments/store/rows.hpp"
 
 namespace impetus::inline store {
-StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
+
+StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, bool sync_overridden)
     : study_(study),
       enrolment_id_(enrolment.id),
-      sync_overridden_(facts.sync_overridden),
+      sync_overridden_(sync_overridden),
       thread_([this] { run(); }) {
   for (const StoredTrial& trial : enrolment.trials) {
     trial_ids_[trial.slot] = trial.id;
   }
+}
+
+StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, const PageSession& session)
+    : StudyWriter(study, enrolment, session.sync_overridden) {
+  session_id_ = session.id;
+}
+
+StudyWriter::StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts)
+    : StudyWriter(study, enrolment, facts.sync_overridden) {
+  whole_ = facts.page ? &held_ : nullptr;
   enqueue([this, facts = std::move(facts)](SQLite::Database& database) {
     session_id_ = insert_session(database, enrolment_id_, facts);
   });
+  whole_ = nullptr;
 }
 
 StudyWriter::~StudyWriter() {
@@ -28,6 +40,24 @@ StudyWriter::~StudyWriter() {
   }
   changed_.notify_all();
   thread_.join();
+}
+
+void StudyWriter::save_whole(const std::function<void()>& save_all) {
+  std::vector<Task> tasks = std::exchange(held_, {});
+  whole_ = &tasks;
+  save_all();
+  whole_ = nullptr;
+  enqueue([tasks = std::move(tasks)](SQLite::Database& database) {
+    for (const Task& task : tasks) {
+      task(database);
+    }
+  });
+}
+
+void StudyWriter::count_part() {
+  enqueue([this](SQLite::Database& database) {
+    execute(database, "UPDATE session SET page_parts = page_parts + 1 WHERE id = ?", session_id_);
+  });
 }
 
 void StudyWriter::save(AttemptRecord attempt) {
@@ -82,20 +112,29 @@ void StudyWriter::mark_finished() {
     execute(database,
             "UPDATE enrolment SET finished_utc = strftime('%Y-%m-%dT%H:%M:%fZ') WHERE id = ?",
             enrolment_id_);
+    execute(database, "UPDATE session SET page_key = NULL WHERE enrolment_id = ?", enrolment_id_);
   });
 }
 
-void StudyWriter::end(const std::string& ending) {
+void StudyWriter::set_ending(const std::string& ending) {
   enqueue([this, ending](SQLite::Database& database) {
     execute(
         database,
         "UPDATE session SET ended_utc = strftime('%Y-%m-%dT%H:%M:%fZ'), ending = ? WHERE id = ?",
         ending, session_id_);
   });
+}
+
+void StudyWriter::end(const std::string& ending) {
+  set_ending(ending);
   await_saved();
 }
 
 void StudyWriter::enqueue(Task task) {
+  if (whole_ != nullptr) {
+    whole_->push_back(std::move(task));
+    return;
+  }
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));

@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "experiments/record/ports.hpp"
 #include "experiments/store/enrolment.hpp"
@@ -32,9 +33,13 @@ struct FrameCount {
 /// Keeps all that a session records.
 class StudyWriter final : public Recorder {
  public:
-  /// Begins a session row. `study` and `enrolment` must outlive this. Several may write to one
-  /// study at a time. Throws StoreError.
+  /// Begins a session row; that of a session in a page is kept with the first that is saved whole.
+  /// `study` and `enrolment` must outlive this. Several may write to one study at a time. Throws
+  /// StoreError.
   StudyWriter(StudyFile& study, const Enrolment& enrolment, SessionFacts facts);
+
+  /// Goes on writing a session that a page began, whose writer is no more.
+  StudyWriter(StudyFile& study, const Enrolment& enrolment, const PageSession& session);
 
   /// Waits for what is queued. The session keeps no ending unless end() was called.
   ~StudyWriter() override;
@@ -43,6 +48,12 @@ class StudyWriter final : public Recorder {
 
   /// From now on `saved` is called, on the writing thread, as each attempt is written.
   void tell(std::function<void()> saved) { saved_ = std::move(saved); }
+
+  /// All that `save_all` gives to save is kept as one, or nothing of it.
+  void save_whole(const std::function<void()>& save_all);
+
+  /// One more part of what the session's page hands over is kept.
+  void count_part();
 
   void save(AttemptRecord attempt) override;
   void save(QuestionRecord answer) override;
@@ -62,12 +73,16 @@ class StudyWriter final : public Recorder {
   /// Of the row that this began, once it is written: after await_saved() or end().
   [[nodiscard]] std::int64_t session_id() const { return session_id_; }
 
-  /// Writes how the session ended ("finished", "quit", "display closed", "failed") and waits.
+  /// Keeps how the session ended ("finished", "quit", "declined", "display closed", "failed").
+  void set_ending(const std::string& ending);
+
+  /// The same, and waits.
   void end(const std::string& ending);
 
  private:
   using Task = std::function<void(SQLite::Database&)>;
 
+  StudyWriter(StudyFile& study, const Enrolment& enrolment, bool sync_overridden);
   void enqueue(Task task);
   void run();
   void perform(const Task& task);
@@ -78,6 +93,8 @@ class StudyWriter final : public Recorder {
   bool sync_overridden_;
   std::int64_t session_id_{0};
   std::function<void()> saved_;
+  std::vector<Task> held_;             ///< until something is saved as one
+  std::vector<Task>* whole_{nullptr};  ///< while something is saved as one
   std::int64_t not_finite_attempts_{0};
   FrameCount frames_;
 

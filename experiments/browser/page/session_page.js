@@ -2,11 +2,11 @@
 // of the record taken to where they are kept. The session itself is WebAssembly (impetus.wasm), the
 // program's own; it waits for what these functions promise.
 //
-// Lines are passed on unread: their numbers have 64 bits.
+
+import {Keeper} from './keeper.js';
 
 const $ = (id) => document.getElementById(id);
 const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
-const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 function element(name, properties, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -17,16 +17,6 @@ function element(name, properties, ...children) {
 // ---------------------------------------------------------------- what this page is told
 
 const link = new URLSearchParams(location.search);
-
-function randomCode() {
-  const bytes = crypto.getRandomValues(new Uint8Array(8));
-  return 'W' + [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-}
-
-/** Of the link, by whichever name a service gives it; else one that nobody can guess. */
-const code = link.get('participant') || link.get('PROLIFIC_PID') || link.get('workerId') ||
-  link.get('SESSION_ID') || randomCode();
-const beganAt = new Date().toISOString().replace(/[-:.]/g, '');
 
 /** The step of the page's clock: what stamps of events can tell apart at best. */
 function clockStep() {
@@ -49,44 +39,6 @@ function rendererName() {
   return name;
 }
 
-// ---------------------------------------------------------------- lines of the record
-
-/** Takes lines to a keeper, in order, and tries again for as long as it takes. */
-class Keeper {
-  constructor(send) {
-    this.send = send;
-    this.all = [];
-    this.waiting = [];
-    this.file = 0;
-    this.going = Promise.resolve();
-  }
-
-  add(line) {
-    this.all.push(line);
-    this.waiting.push(line);
-  }
-
-  /** Sends what waits as one file; resolves when it is kept. */
-  keep() {
-    this.going = this.going.then(() => this.keepNow());
-    return this.going;
-  }
-
-  async keepNow() {
-    if (this.waiting.length === 0) return;
-    const lines = this.waiting;
-    this.waiting = [];
-    const number = String(++this.file).padStart(4, '0');
-    for (let wait_ms = 500; ; wait_ms = Math.min(2 * wait_ms, 15000)) {
-      const problem = await this.send(`${code}_${beganAt}_${number}.jsonl`, lines.join('\n') + '\n');
-      if (!problem) return showTrouble('');
-      showTrouble(`What was answered could not be sent yet (${problem}). Please keep this page open; ` +
-        'it tries again.');
-      await pause(wait_ms);
-    }
-  }
-}
-
 function showTrouble(words) {
   let trouble = $('trouble');
   if (!trouble && words) {
@@ -96,21 +48,6 @@ function showTrouble(words) {
     $('progress').hidden = false;
   }
   if (trouble) trouble.textContent = words;
-}
-
-/** Posts a file in the form that DataPipe takes; "" when it was taken, else why not. */
-async function post(drop, filename, data) {
-  try {
-    const answer = await fetch(drop.url, {
-      method: 'POST',
-      headers: {'Content-Type': 'application/json', Accept: '*/*'},
-      body: JSON.stringify({experimentID: drop.experiment, filename, data}),
-    });
-    // One that it has already was kept, though its answer was lost.
-    return answer.ok || answer.status === 409 ? '' : `the server answered ${answer.status}`;
-  } catch (error) {
-    return 'there is no connection';
-  }
 }
 
 // ---------------------------------------------------------------- what the program asks
@@ -320,7 +257,7 @@ function asksOf(keeper) {
   return {
     nextFrame: frame,
     ask: async (text) => JSON.stringify(await ask(JSON.parse(text))),
-    awaitSaved: () => keeper.keep(),
+    awaitSaved: (standing) => keeper.keep(standing).catch(refuse),
     handOver: (line) => keeper.add(line),
     takeEvents: () => {
       const events = JSON.stringify({moves, clicks, away, absences, pause: pauseAsked});
@@ -377,19 +314,26 @@ async function prepare() {
   if (matchMedia('(pointer: coarse) and (hover: none)').matches && !site.phones) {
     throw new Error('This study needs a computer with a keyboard and a mouse: it cannot be shown on a phone.');
   }
-  const keeper = new Keeper(site.drop ? (name, data) => post(site.drop, name, data) : async () => '');
+  const keeper = new Keeper(site, link, (problem) => showTrouble(problem &&
+    `What was answered could not be sent yet (${problem}). Please keep this page open; it tries again.`));
+  const standing = await keeper.begin();
+  if (keeper.finished) {
+    tell('You have taken part in this study already', ['Thank you.'], ...await downloadsOf(keeper));
+    return null;
+  }
   const program = await createImpetus({page: asksOf(keeper)});
   program.FS.writeFile('/study.json', study);
+  program.FS.writeFile('/standing.json', JSON.stringify(standing));
   program.FS.mkdir('/trees');
   await Promise.all(site.trees.map(async (tree) => program.FS.writeFile(`/trees/${tree}`,
     new Uint8Array(await fetched(`trees/${tree}`, 'arrayBuffer')))));
   return {site, keeper, program};
 }
 
-function writeFacts(program, canvas) {
+function writeFacts(program, canvas, keeper) {
   step_ms = clockStep();
   program.FS.writeFile('/facts.json', JSON.stringify({
-    participant: code,
+    participant: keeper.code,
     seed: Number(link.get('seed') ?? 1),
     machine: navigator.userAgent,
     display: `page of ${canvas.width} x ${canvas.height} px at a pixel ratio of ${devicePixelRatio}; ` +
@@ -400,26 +344,35 @@ function writeFacts(program, canvas) {
   }));
 }
 
-/** All lines as one file, for whoever has no server to send them to, or does not trust it. */
-function downloadOf(keeper) {
-  const file = URL.createObjectURL(new Blob([keeper.all.join('\n') + '\n'], {type: 'application/jsonl'}));
-  return element('p', {}, element('a', {href: file, download: `${code}_${beganAt}.jsonl`,
-    textContent: `${code}_${beganAt}.jsonl`}));
+/** What is kept in this browser alone, for the participant to hand over. */
+async function downloadsOf(keeper) {
+  return (await keeper.files()).map(([name, lines]) => {
+    const file = URL.createObjectURL(new Blob([lines], {type: 'application/jsonl'}));
+    return element('p', {}, element('a', {href: file, download: name, textContent: name}));
+  });
+}
+
+/** What was answered will not be taken: nothing more is asked. */
+function refuse(error) {
+  finished = true;
+  tell('This study cannot go on', [error.message]);
+  return new Promise(() => {});
 }
 
 async function run() {
-  const {site, keeper, program} = await prepare();
+  const prepared = await prepare();
+  if (!prepared) return;
+  const {site, keeper, program} = prepared;
   const canvas = layOut();
-  writeFacts(program, canvas);
+  writeFacts(program, canvas, keeper);
   listen();
   const ending = await program.ccall('run_page', 'string', [], [], {async: true});
-  await keeper.keep();
   finished = true;
   if (ending === 'failed') return;
   if (ending === 'finished' && site.completion) return location.assign(site.completion);
   if (!site.drop) {
-    $('page').append(downloadOf(keeper));
-    document.querySelector('#page a').click();
+    $('page').append(...await downloadsOf(keeper));
+    document.querySelectorAll('#page a').forEach((file) => file.click());
   }
   document.body.dataset.ending = ending;
 }

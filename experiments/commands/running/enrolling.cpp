@@ -2,9 +2,7 @@
 #include "experiments/commands/running/enrolling.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -183,59 +181,6 @@ GazePaths gaze_paths_of(const Plan& plan, StudyFile& study) {
     }
   }
   return paths;
-}
-
-namespace {
-
-/// "3.2 h" or "12 min".
-std::string duration(double seconds) {
-  constexpr double kMinute_s = 60.0;
-  constexpr double kHour_s = 3600.0;
-  std::ostringstream words;
-  words.precision(3);
-  if (seconds < kHour_s) {
-    words << std::ceil(seconds / kMinute_s) << " min";
-  } else {
-    words << seconds / kHour_s << " h";
-  }
-  return words.str();
-}
-
-/// Once resuming is refused after some age, that age must be known.
-void require_young(const StudyFile& study, const RunPart& part, const RunOptions& options,
-                   double age_s) {
-  const double limit_s = part.protocol.script.resume.refuse_after_h * 3600.0;
-  const std::string who = study.name() + ": participant " + options.participant;
-  if (limit_s > 0.0 && age_s < 0.0) {
-    throw InputError(who + "'s last record lies " + duration(-age_s) +
-                     " ahead of this machine's clock, so that the age after which " +
-                     part.protocol.name + " is not resumed cannot be told; set the clock right");
-  }
-  if (limit_s > 0.0 && age_s > limit_s) {
-    throw InputError(who + " left " + part.protocol.name + " " + duration(age_s) +
-                     " ago; it is resumed within " + duration(limit_s) +
-                     " (/session/resume/refuse_after_h), then no more");
-  }
-}
-
-}  // namespace
-
-std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
-                                      const RunOptions& options, const Plan& plan,
-                                      Enrolment& enrolment) {
-  const auto age_s = seconds_since_recorded(study.database(), enrolment.id);
-  if (!age_s) {
-    return std::nullopt;
-  }
-  require_young(study, part, options, *age_s);
-  if (*age_s < 0.0) {
-    std::fprintf(stderr,
-                 "warning: the last record of %s lies %s ahead of this machine's clock, which may "
-                 "have been set back; the gap is stored as it is\n",
-                 options.participant.c_str(), duration(-*age_s).c_str());
-  }
-  const ResumeRule& rule = part.protocol.script.resume;
-  return ResumedSession{rule.at, *age_s, resume(rule, plan, enrolment.history)};
 }
 
 std::string change_of_screen(StudyFile& study, const RunOptions& options,

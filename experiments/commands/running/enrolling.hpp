@@ -20,13 +20,6 @@ namespace impetus::inline commands {
 std::optional<Enrolment> find_to_resume(StudyFile& study, const RunPart& part,
                                         const RunOptions& options);
 
-/// How the session takes up the enrolment: as the protocol's rule says; its history becomes what is
-/// to be gone on from. None: there was no session yet. Warns on standard error when the clock was
-/// set back. Throws InputError when it was left too long ago.
-std::optional<ResumedSession> take_up(StudyFile& study, const RunPart& part,
-                                      const RunOptions& options, const Plan& plan,
-                                      Enrolment& enrolment);
-
 /// In words, how `screen` differs from the one of the enrolment's last session; "": it does not.
 /// Throws InputError where it does and `options` do not say so.
 std::string change_of_screen(StudyFile& study, const RunOptions& options,

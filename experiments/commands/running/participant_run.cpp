@@ -17,6 +17,7 @@
 #include "experiments/store/session_rows.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
+#include "experiments/study/taking_up.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -78,6 +79,15 @@ void tell_at_once(const std::string& sentence) {
   std::fprintf(stderr, "warning: %s\n", sentence.c_str());
 }
 
+void warn_of_clock(const std::optional<ResumedSession>& resumed, const std::string& participant) {
+  if (resumed && *resumed->after_s < 0.0) {
+    std::fprintf(stderr,
+                 "warning: the last record of %s lies %s ahead of this machine's clock, which may "
+                 "have been set back; the gap is stored as it is\n",
+                 participant.c_str(), duration_words(-*resumed->after_s).c_str());
+  }
+}
+
 /// Says how the session ended.
 void conclude(const SessionResult& result, const RunOptions& options, StudyWriter& writer) {
   const auto done = static_cast<long long>(result.completed_trials);
@@ -125,7 +135,8 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   plan_ =
       resumed ? planned(resumed->trials, part.protocol.design) : new_plan(study, part, options_);
   if (resumed) {
-    resumed_ = take_up(study, part, options_, plan_, *resumed);
+    resumed_ = take_up(study, part.protocol, options_.participant, plan_, *resumed);
+    warn_of_clock(resumed_, options_.participant);
   }
   gaze_paths_ = gaze_paths_of(plan_, study);
   if (!laboratory_) {

@@ -8,85 +8,12 @@
 #include <functional>
 
 #include "engine/numerics/random_stream.hpp"
-#include "experiments/study/stored_plan.hpp"
 #include "tests/experiments/program.hpp"
-#include "tests/experiments/test_study.hpp"
+#include "tests/experiments/site/page_session.hpp"
 
 namespace impetus::returned_session_test {
 
 using nlohmann::json;
-
-constexpr std::uint64_t kSeed = 7;
-constexpr const char* kName = "P01_20260102T030405006Z";
-
-PublishedStudy published() {
-  json protocol = json::parse(text_of(source_file("protocols/causality.json")));
-  protocol["design"]["repetitions"] = 1;
-  return {protocol.dump(), text_of(source_file("stimuli/two-spheres.json")), {}, "this test"};
-}
-
-/// What a page does with a record: a line each.
-class LineRecorder final : public Recorder {
- public:
-  void save(AttemptRecord attempt) override { keep(std::move(attempt)); }
-  void save(QuestionRecord answer) override { keep(std::move(answer)); }
-  void save(NoteRecord note) override { keep(std::move(note)); }
-  void save(ChosenLevel chosen) override { keep(std::move(chosen)); }
-  void save(CalibrationRecord calibration) override { keep(std::move(calibration)); }
-  void mark_finished() override { keep(FinishedRecord{}); }
-  void await_saved() override {}
-  void keep(AnyRecord record) { lines.push_back(line_of(record)); }
-
-  std::vector<std::string> lines;
-};
-
-/// The lines of a whole session of P01, as its page would hand them over.
-const std::vector<std::string>& session_lines() {
-  static const std::vector<std::string> lines = [] {
-    const PublishedStudy study = published();
-    TestLab lab(60.0, protocol_of(study, std::make_shared<ShapeLibrary>()));
-    LineRecorder recorder;
-    SessionRecord session;
-    session.participant = "P01";
-    session.seed = kSeed;
-    session.protocol_hash = lab.protocol.hash;
-    session.build = study.build;
-    session.machine = "a browser";
-    session.display = "a page";
-    session.screen = assumed_screen();
-    session.refresh_hz = 60.0;
-    session.sync.passed = true;
-    recorder.keep(session);
-    const Plan plan = plan_of(study, lab.protocol, session.participant, session.seed);
-    for (const PlannedTrial& trial : plan) {
-      recorder.keep(trial);
-    }
-    const Ports ports{lab.display, lab.input, lab.scenes, recorder};
-    run_session(lab.protocol.script, plan, {}, ports, lab.protocol.design);
-    return recorder.lines;
-  }();
-  return lines;
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) {
-    text += line + "\n";
-  }
-  return text;
-}
-
-/// The place of the n-th line of a kind.
-std::size_t line_of_kind(const std::string& kind, std::size_t number = 0) {
-  const std::vector<std::string>& lines = session_lines();
-  for (std::size_t at = 0; at < lines.size(); ++at) {
-    if (json::parse(lines[at])["kind"] == kind && number-- == 0) {
-      return at;
-    }
-  }
-  ADD_FAILURE() << "no such line";
-  return 0;
-}
 
 /// The sentence with which a session is refused one of whose lines was changed.
 std::string refusal_of(std::size_t at, const std::function<void(json& line)>& change) {
@@ -95,22 +22,27 @@ std::string refusal_of(std::size_t at, const std::function<void(json& line)>& ch
   change(line);
   lines[at] = line.dump();
   const TemporaryFolder folder;
-  folder.write(std::string(kName) + ".jsonl", joined(lines));
-  const PublishedStudy study = published();
-  const Protocol protocol = protocol_of(study, std::make_shared<ShapeLibrary>());
-  return sentence_of(
-      [&] { proved_session(returned_files(folder.path()).front(), study, protocol); });
+  folder.write(std::string(kPageName) + ".jsonl", joined(lines));
+  const PublishedStudy published = short_causality();
+  const Protocol protocol = protocol_of(published, std::make_shared<ShapeLibrary>());
+  StudyFile study = opened(folder / "a.sqlite");
+  const std::string sentence = sentence_of(
+      [&] { take_session(returned_files(folder.path()).front(), published, protocol, study); });
+  EXPECT_EQ(study.database().execAndGet("SELECT count(*) FROM session").getInt(),
+            sentence == "accepted" ? 1 : 0)
+      << sentence;
+  return sentence;
 }
 
 /// A site's study.json and a folder of what came back, in parts of ten lines.
 void write_returned(const TemporaryFolder& folder) {
-  folder.write("site/study.json", to_json(published()).dump());
+  folder.write("site/study.json", to_json(short_causality()).dump());
   const std::vector<std::string>& lines = session_lines();
   for (std::size_t at = 0, part = 1; at < lines.size(); at += 10, ++part) {
     const std::size_t end = std::min(at + 10, lines.size());
     char number[8];
     std::snprintf(number, sizeof number, "%04zu", part);
-    folder.write("back/" + std::string(kName) + "_" + number + ".jsonl",
+    folder.write("back/" + std::string(kPageName) + "_" + number + ".jsonl",
                  joined({lines.begin() + static_cast<std::ptrdiff_t>(at),
                          lines.begin() + static_cast<std::ptrdiff_t>(end)}));
   }
@@ -131,20 +63,22 @@ TEST(ReturnedSession, IsCollectedVerifiedAndReplayed) {
   const ProgramResult verified = run_program(folder, {"verify", "a.sqlite"});
   EXPECT_EQ(verified.status, 0) << verified.output << verified.errors;
   EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
-  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT machine || ', ' || ending FROM session"),
-            "a browser, finished");
+  EXPECT_EQ(value_of(folder / "a.sqlite",
+                     "SELECT machine || ', ' || ending || ', ' || page_name || ', ' || page_parts "
+                     "FROM session"),
+            "a browser, finished, " + std::string(kPageName) + ", 8");
 }
 
 TEST(ReturnedSession, HasThePlanAndTheStatesOfTheProgramItself) {
   const TemporaryFolder folder;
   write_returned(folder);
   run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
-  folder.write("stimuli/two-spheres.json", published().scene_json);
-  folder.write("protocols/own.json", published().protocol_json);
+  folder.write("stimuli/two-spheres.json", short_causality().scene_json);
+  folder.write("protocols/own.json", short_causality().protocol_json);
   const ProgramResult own =
       run_program(folder, {"run", "protocols/own.json", "--db", "own.sqlite", "--observer",
                            source_file("experiments/observers/causality.json").string(),
-                           "--participant", "P01", "--seed", std::to_string(kSeed)});
+                           "--participant", "P01", "--seed", std::to_string(kPageSeed)});
   ASSERT_EQ(own.status, 0) << own.errors;
   const std::string sql =
       "SELECT group_concat(slot || condition || seed || step || ':' || hash) FROM (SELECT * FROM "
@@ -160,8 +94,16 @@ TEST(ReturnedSession, IsTakenOnce) {
   const ProgramResult again =
       run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
   EXPECT_EQ(again.status, 1);
-  EXPECT_NE(again.errors.find("participant P01 has finished causality already"), std::string::npos)
-      << again.errors;
+  EXPECT_EQ(again.errors,
+            "refused: " + std::string(kPageName) +
+                ": expected a session that is not in a.sqlite yet, got one that is\n");
+  std::filesystem::rename(folder / "back", folder / "old");
+  folder.write("back/P01_20260103.jsonl", joined(session_lines()));
+  const ProgramResult renamed =
+      run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  EXPECT_NE(renamed.errors.find("participant P01 has finished causality already"),
+            std::string::npos)
+      << renamed.errors;
   EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
 }
 
@@ -173,13 +115,13 @@ TEST(ReturnedSession, OneBitOfAStateIsNamedByTrialAndStep) {
                          json& hash = line["steps"][1 + 12][4];
                          hash = hash.get<std::uint64_t>() ^ 1U;
                        }),
-            std::string(kName) + ": line " + std::to_string(at + 1) +
+            std::string(kPageName) + ": line " + std::to_string(at + 1) +
                 ": expected the states that these inputs lead to, got others from trial " +
                 std::to_string(slot) + ", step 12 on");
 }
 
 TEST(ReturnedSession, AnotherPlanSeedProtocolOrTrialIsRefused) {
-  const std::string start = std::string(kName) + ": line ";
+  const std::string start = std::string(kPageName) + ": line ";
   EXPECT_NE(refusal_of(1, [](json& line) { line["seed"] = 1; })
                 .find("expected the trials that code and seed lead to, got others"),
             std::string::npos);
@@ -223,7 +165,7 @@ TEST(ReturnedSession, AnyNumberOfATrialThatIsAnotherIsProvedOrRefused) {
 
 TEST(ReturnedSession, AFolderWithoutSessionsIsRefused) {
   const TemporaryFolder folder;
-  folder.write("site/study.json", to_json(published()).dump());
+  folder.write("site/study.json", to_json(short_causality()).dump());
   folder.write("back/readme.txt", "");
   const ProgramResult result =
       run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});

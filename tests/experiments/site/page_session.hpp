@@ -1,0 +1,102 @@
+// A whole session as a page hands it over, and the study it is of.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/lines/published_study.hpp"
+#include "experiments/lines/record_lines.hpp"
+#include "experiments/lines/standing.hpp"
+#include "tests/experiments/test_study.hpp"
+
+namespace impetus {
+
+inline constexpr std::uint64_t kPageSeed = 7;
+inline constexpr const char* kPageName = "P01_20260102T030405006Z";
+
+/// The causality study, each condition once.
+inline PublishedStudy short_causality() {
+  nlohmann::json protocol = nlohmann::json::parse(text_of(source_file("protocols/causality.json")));
+  protocol["design"]["repetitions"] = 1;
+  return {protocol.dump(), text_of(source_file("stimuli/two-spheres.json")), {}, "this test"};
+}
+
+/// What a page does with a record: a line each.
+class LineRecorder final : public Recorder {
+ public:
+  void save(AttemptRecord attempt) override { keep(std::move(attempt)); }
+  void save(QuestionRecord answer) override { keep(std::move(answer)); }
+  void save(NoteRecord note) override { keep(std::move(note)); }
+  void save(ChosenLevel chosen) override { keep(std::move(chosen)); }
+  void save(CalibrationRecord calibration) override { keep(std::move(calibration)); }
+  void mark_finished() override { keep(FinishedRecord{}); }
+  void await_saved() override {}
+  void keep(AnyRecord record) { lines.push_back(line_of(record)); }
+
+  std::vector<std::string> lines;
+};
+
+/// What a page says of itself.
+inline SessionRecord page_facts(const PublishedStudy& study, const Protocol& protocol) {
+  SessionRecord session;
+  session.participant = "P01";
+  session.seed = kPageSeed;
+  session.protocol_hash = protocol.hash;
+  session.build = study.build;
+  session.machine = "a browser";
+  session.display = "a page";
+  session.screen = assumed_screen();
+  session.refresh_hz = 60.0;
+  session.sync.passed = true;
+  return session;
+}
+
+/// The lines of P01's session from where they stand, null: from the start, as the page would hand
+/// them over.
+inline std::vector<std::string> lines_from(const PublishedStudy& study,
+                                           const nlohmann::json& standing) {
+  TestLab lab(60.0, protocol_of(study, std::make_shared<ShapeLibrary>()));
+  LineRecorder recorder;
+  recorder.keep(page_facts(study, lab.protocol));
+  const Plan plan = plan_of(study, lab.protocol, "P01", kPageSeed);
+  for (const PlannedTrial& trial : plan) {
+    recorder.keep(trial);
+  }
+  const Standing begun =
+      standing.is_null() ? Standing{plan, {}} : standing_from(standing, plan, lab.protocol.design);
+  const Ports ports{lab.display, lab.input, lab.scenes, recorder};
+  run_session(lab.protocol.script, begun.plan, begun.history, ports, lab.protocol.design);
+  return recorder.lines;
+}
+
+/// A whole session of the short causality study.
+inline const std::vector<std::string>& session_lines() {
+  static const std::vector<std::string> lines = lines_from(short_causality(), {});
+  return lines;
+}
+
+inline std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + "\n";
+  }
+  return text;
+}
+
+/// The place of the n-th line of a kind.
+inline std::size_t line_of_kind(const std::string& kind, std::size_t number = 0) {
+  const std::vector<std::string>& lines = session_lines();
+  for (std::size_t at = 0; at < lines.size(); ++at) {
+    if (nlohmann::json::parse(lines[at])["kind"] == kind && number-- == 0) {
+      return at;
+    }
+  }
+  ADD_FAILURE() << "no such line";
+  return 0;
+}
+
+}  // namespace impetus

@@ -1,0 +1,247 @@
+// `impetus serve` without its web server: what pages post is kept once, whatever happens to page,
+// program and disk, and nobody reaches what is another's.
+// SPDX-License-Identifier: MIT
+#include "experiments/site/served_study.hpp"
+
+#include "experiments/site/returned_session.hpp"
+#include "tests/experiments/program.hpp"
+#include "tests/experiments/site/page_session.hpp"
+
+namespace impetus::served_study_test {
+
+using nlohmann::json;
+
+constexpr const char* kKey = "0123456789abcdef";
+
+/// A session's lines as its page posts them: whatever came up to the end of a trial.
+std::vector<PostedPart> parts_of(const std::vector<std::string>& lines, const std::string& name) {
+  std::vector<PostedPart> parts;
+  bool open = false;
+  for (const std::string& line : lines) {
+    if (!open) {
+      parts.push_back({name, static_cast<std::int64_t>(parts.size()) + 1, "", kKey});
+    }
+    parts.back().lines += line + "\n";
+    open = json::parse(line)["kind"] != "attempt";
+  }
+  return parts;
+}
+
+const std::vector<PostedPart>& parts() {
+  static const std::vector<PostedPart> all = parts_of(session_lines(), kPageName);
+  return all;
+}
+
+/// A study that is served from a file.
+struct Served {
+  explicit Served(const std::filesystem::path& path, PublishedStudy of = short_causality())
+      : published(std::move(of)),
+        protocol(protocol_of(published, std::make_shared<ShapeLibrary>())),
+        study(opened(path)),
+        site(published, protocol, study) {}
+
+  std::string sentence_of_part(const PostedPart& part) {
+    try {
+      site.take(part);
+    } catch (const std::exception& refused) {
+      return refused.what();
+    }
+    return "taken";
+  }
+
+  std::string value(const std::string& sql) { return study.database().execAndGet(sql).getString(); }
+
+  PublishedStudy published;
+  Protocol protocol;
+  StudyFile study;
+  ServedStudy site;
+};
+
+/// Everything that was recorded, but for when it was saved.
+std::string all_of(const std::filesystem::path& path) {
+  return value_of(path,
+                  "SELECT group_concat(slot || number || outcome || onset_ns || hash || step) FROM "
+                  "(SELECT * FROM trial JOIN attempt ON attempt.trial_id = trial.id JOIN step ON "
+                  "step.attempt_id = attempt.id ORDER BY slot, number, step)") +
+         value_of(path, "SELECT group_concat(question || answer) FROM answer") +
+         value_of(path, "SELECT group_concat(kind || text) FROM note");
+}
+
+TEST(ServedStudy, AWholeSessionIsKeptVerifiedAndReplayed) {
+  const TemporaryFolder folder;
+  {
+    Served served(folder / "a.sqlite");
+    for (const PostedPart& part : parts()) {
+      EXPECT_EQ(served.sentence_of_part(part), "taken");
+      EXPECT_EQ(served.value("SELECT page_parts FROM session"), std::to_string(part.number));
+    }
+  }
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
+  EXPECT_EQ(value_of(folder / "a.sqlite",
+                     "SELECT ending || (page_key IS NULL) || (finished_utc IS NOT NULL) FROM "
+                     "session JOIN enrolment ON enrolment.id = enrolment_id"),
+            "finished11");
+  EXPECT_EQ(run_program(folder, {"verify", "a.sqlite"}).status, 0);
+  const ProgramResult replayed = run_program(folder, {"replay", "a.sqlite"});
+  EXPECT_NE(replayed.output.find(" 0 divergent"), std::string::npos) << replayed.output;
+}
+
+TEST(ServedStudy, PartsThatComeTwiceAndProgramsThatAreStartedAgainChangeNothing) {
+  const TemporaryFolder folder;
+  {
+    Served served(folder / "once.sqlite");
+    for (const PostedPart& part : parts()) {
+      served.site.take(part);
+    }
+  }
+  for (const PostedPart& part : parts()) {
+    Served served(folder / "again.sqlite");  // it has heard of none of the earlier parts
+    EXPECT_EQ(served.sentence_of_part(part), "taken");
+    EXPECT_EQ(served.sentence_of_part(part), "taken");
+    EXPECT_EQ(served.sentence_of_part(parts().front()), "taken");
+  }
+  EXPECT_EQ(all_of(folder / "again.sqlite"), all_of(folder / "once.sqlite"));
+}
+
+TEST(ServedStudy, APartThatIsWrongLeavesNothingAndTheRightOneIsTakenThen) {
+  const TemporaryFolder folder;
+  Served served(folder / "a.sqlite");
+  for (const PostedPart& part : parts()) {
+    PostedPart wrong = part;
+    wrong.lines += "{\"kind\":\"prize\"}\n";
+    EXPECT_NE(served.sentence_of_part(wrong), "taken");
+    EXPECT_EQ(served.value("SELECT ifnull(max(page_parts), 0) FROM session"),
+              std::to_string(part.number - 1));
+    EXPECT_EQ(served.sentence_of_part(part), "taken");
+  }
+  EXPECT_EQ(served.value("SELECT count(*) FROM attempt"), "33");
+}
+
+TEST(ServedStudy, APartThatIsMissingIsNamed) {
+  const TemporaryFolder folder;
+  Served served(folder / "a.sqlite");
+  served.site.take(parts()[0]);
+  EXPECT_EQ(served.sentence_of_part(parts()[2]),
+            std::string(kPageName) + ": expected part 2, got 3");
+  EXPECT_EQ(served.sentence_of_part(parts()[1]), "taken");
+}
+
+TEST(ServedStudy, WhoHasNotTheKeyNeitherReadsNorWrites) {
+  const TemporaryFolder folder;
+  Served served(folder / "a.sqlite");
+  served.site.take(parts()[0]);
+  PostedPart foreign = parts()[1];
+  foreign.key = "fedcba9876543210";
+  EXPECT_EQ(served.sentence_of_part(foreign),
+            std::string(kPageName) + ": this session goes on elsewhere, or is over");
+  EXPECT_EQ(sentence_of([&] { served.site.standing("P01", foreign.key); }),
+            "the session of P01 goes on by the link with which it began, and by no other");
+  PostedPart begun = parts()[0];
+  begun.name = "P01_20260103";
+  begun.key = foreign.key;
+  EXPECT_EQ(served.sentence_of_part(begun),
+            "the session of P01 goes on by the link with which it began, and by no other");
+  EXPECT_TRUE(served.site.standing("P02", kKey).is_null());
+  EXPECT_EQ(served.value("SELECT count(*) FROM session"), "1");
+}
+
+TEST(ServedStudy, APageThatIsOpenedAgainGoesOnAndTheOldOneIsOver) {
+  const TemporaryFolder folder;
+  {
+    Served served(folder / "a.sqlite");
+    for (std::size_t at = 0; at < 12; ++at) {
+      served.site.take(parts()[at]);
+    }
+    const json standing = served.site.standing("P01", kKey);
+    EXPECT_EQ(standing["completed"].size(), 12U);
+    const auto rest = parts_of(lines_from(served.published, standing), "P01_20260103");
+    EXPECT_EQ(rest.size(), 22U);
+    for (const PostedPart& part : rest) {
+      EXPECT_EQ(served.sentence_of_part(part), "taken");
+      EXPECT_EQ(served.sentence_of_part(parts()[12]),
+                std::string(kPageName) + ": this session goes on elsewhere, or is over");
+    }
+    EXPECT_EQ(served.site.standing("P01", kKey), json({{"finished", true}}));
+  }
+  EXPECT_EQ(value_of(folder / "a.sqlite",
+                     "SELECT count(*) || ' ' || count(DISTINCT trial_id) FROM attempt"),
+            "33 33");
+  EXPECT_EQ(value_of(folder / "a.sqlite",
+                     "SELECT group_concat(ifnull(resumed_at, '-') || ifnull(ending, '-')) FROM "
+                     "session"),
+            "--,trialfinished");
+  const ProgramResult verified = run_program(folder, {"verify", "a.sqlite"});
+  EXPECT_EQ(verified.status, 0) << verified.output;
+  EXPECT_EQ(run_program(folder, {"replay", "a.sqlite"}).status, 0);
+}
+
+/// Where its page and where the study file say that the participant stands after so many parts.
+void expect_one_standing(Served& served, const std::vector<PostedPart>& all, std::size_t count) {
+  Standing standing{plan_of(served.published, served.protocol, "P01", kPageSeed), {}};
+  for (std::size_t at = 0; at < count; ++at) {
+    served.site.take(all[at]);
+    for (const std::string& line : lines_of(all[at].lines)) {
+      const AnyRecord record = record_from(json::parse(line));
+      if (!std::holds_alternative<PlannedTrial>(record)) {
+        add(record, standing);
+      }
+    }
+  }
+  EXPECT_EQ(served.site.standing("P01", kKey), to_json(standing, served.protocol.design));
+}
+
+TEST(ServedStudy, PageAndStudyFileAgreeOnWhereTheParticipantStands) {
+  const TemporaryFolder folder;
+  Served causality(folder / "a.sqlite");
+  expect_one_standing(causality, parts(), 20);
+  Served adaptive(folder / "b.sqlite",
+                  {text_of(source_file("protocols/causality-thresholds-quest.json")),
+                   text_of(source_file("stimuli/two-spheres.json")),
+                   {},
+                   "this test"});
+  const auto all = parts_of(lines_from(adaptive.published, {}), kPageName);
+  expect_one_standing(adaptive, all, 25);
+  const auto rest =
+      parts_of(lines_from(adaptive.published, adaptive.site.standing("P01", kKey)), "P01_2027");
+  for (const PostedPart& part : rest) {
+    EXPECT_EQ(adaptive.sentence_of_part(part), "taken");
+  }
+}
+
+TEST(ServedStudy, AFullDiskIsSaidAndWhatIsSentAgainIsKeptOnce) {
+  const TemporaryFolder folder;
+  {
+    Served served(folder / "a.sqlite");
+    served.site.take(parts()[0]);
+    served.study.database().exec("PRAGMA max_page_count = 1");
+    EXPECT_NE(served.sentence_of_part(parts()[1]).find("database or disk is full"),
+              std::string::npos);
+    served.study.database().exec("PRAGMA max_page_count = 1000000");
+    for (const PostedPart& part : parts()) {
+      EXPECT_EQ(served.sentence_of_part(part), "taken");
+    }
+  }
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT count(*) FROM attempt"), "33");
+  EXPECT_EQ(run_program(folder, {"verify", "a.sqlite"}).status, 0);
+}
+
+TEST(PostedPart, WhatIsNoneIsRefusedByItsField) {
+  const auto refusal = [](const json& body) {
+    return sentence_of([&] { posted_part_from(body); });
+  };
+  const json good{{"filename", "P01_2026_0001.jsonl"}, {"data", ""}, {"key", kKey}};
+  EXPECT_EQ(posted_part_from(good).name, "P01_2026");
+  EXPECT_EQ(posted_part_from(good).number, 1);
+  json bad = good;
+  bad["filename"] = "../P01_2026_0001.jsonl";
+  EXPECT_EQ(refusal(bad),
+            "filename: expected CODE_TIME_0001.jsonl, got \"../P01_2026_0001.jsonl\"");
+  bad = good;
+  bad["key"] = "short";
+  EXPECT_EQ(refusal(bad), "key: expected 16 to 100 letters, got 5");
+  bad.erase("data");
+  EXPECT_EQ(refusal(bad).find("expected an object with texts"), 0U);
+  EXPECT_EQ(refusal(json::array()).find("expected an object with texts"), 0U);
+}
+
+}  // namespace impetus::served_study_test
