@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "experiments/browser/the_page.hpp"
@@ -35,14 +36,14 @@ double median_interval_ns(const std::vector<std::int64_t>& stamps) {
   return static_cast<double>(intervals[intervals.size() / 2]);
 }
 
-/// The usual rate within 3 % of what was measured, or what was measured.
+/// The usual rate that is nearest to what was measured, if within 4 %; else what was measured.
 double likeliest_rate(double measured_hz) {
-  for (const double usual_hz : kUsualRates_hz) {
-    if (std::abs(usual_hz / measured_hz - 1.0) < 0.03) {
-      return usual_hz;
-    }
-  }
-  return measured_hz;
+  const double nearest_hz =
+      *std::min_element(std::begin(kUsualRates_hz), std::end(kUsualRates_hz),
+                        [measured_hz](double one_hz, double other_hz) {
+                          return std::abs(one_hz - measured_hz) < std::abs(other_hz - measured_hz);
+                        });
+  return std::abs(nearest_hz / measured_hz - 1.0) < 0.04 ? nearest_hz : measured_hz;
 }
 
 json field_json(const Field& field) {

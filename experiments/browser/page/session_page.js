@@ -230,6 +230,7 @@ async function ask(page) {
         event.preventDefault();
       }
     }, listening);
+    $('page').setAttribute('aria-busy', 'false');  // it listens, until it is answered
     if (page.timeout_ms > 0) {
       const time = element('div', {className: 'time'});
       $('end').before(time);
@@ -242,6 +243,7 @@ async function ask(page) {
     const text = $(`field-${index}`).value.trim();
     return field.kind === 'number' ? text.replace(',', '.') : text;
   });
+  $('page').setAttribute('aria-busy', 'true');
   over.abort();
   observer.disconnect();
   return {...answer, fields, shown_ms, uncertainty_ms: step_ms};
