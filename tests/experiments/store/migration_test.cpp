@@ -110,7 +110,7 @@ TEST(Migration, WritingToAnOlderStudyKeepsTheOriginalBesideIt) {
   const std::filesystem::path path = old_study(folder);
   const std::string ratings = value_of(path, "SELECT group_concat(rating) FROM rating");
   { opened(path); }
-  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "8");
+  EXPECT_EQ(value_of(path, "PRAGMA user_version"), "9");
   EXPECT_EQ(value_of(path, "SELECT group_concat(rating) FROM rating"), ratings);
   const std::filesystem::path kept = folder / "old.schema-1.sqlite";
   EXPECT_EQ(value_of(kept, "PRAGMA user_version"), "1");
