@@ -34,6 +34,15 @@ luminance_words <- function(sessions) {
     if (unmeasured == 0) "" else sprintf("; it was not measured in %s", count_of(unmeasured, "sitting")))
 }
 
+# Which sittings ran in a web page, and what no page can know.
+page_words <- function(sessions) {
+  in_page <- sessions[!is.na(sessions$browser), ]
+  if (nrow(in_page) == 0) return(NULL)
+  sprintf(paste("%s ran in a web page (%s) from the same program and gave the same states; a page knows",
+    "when a frame begins, not when its light leaves the screen, one to three refreshes later."),
+    count_of(nrow(in_page), "sitting"), paste(sort(unique(in_page$browser)), collapse = ", "))
+}
+
 # The screens, the refresh, the machines and the program, each said once.
 apparatus_words <- function(sessions) {
   if (nrow(sessions) == 0) return("No sitting has begun.")
@@ -49,6 +58,7 @@ apparatus_words <- function(sessions) {
       "Size and distance of the screen were assumed, not measured, in %s.",
       count_of(sum(sessions$screen_measured == 0), "sitting")),
     luminance_words(sessions),
+    page_words(sessions),
     sprintf("Machine: %s. Display: %s.", each(sessions$machine), each(sessions$display)),
     if (any(synced)) sprintf(paste("Before a sitting the display's timing was tested: intervals",
       "between flips of %s ms with standard deviations of at most %.3g ms."),

@@ -129,13 +129,13 @@ std::string participation_table(const SessionList& list) {
 
 std::string sitting_table(const SessionList& list) {
   Rows rows{{"participant", "protocol", "session", "began", "length", "ending", "resumed", "trials",
-             "sync test", "gaze"}};
+             "sync test", "gaze", "browser"}};
   for (const Participation& one : list.participations) {
     for (const ListedSession& sitting : one.sittings) {
       rows.push_back({one.participant, one.protocol, std::to_string(sitting.session),
                       moment(sitting.started_utc), span(sitting.length_s), ending(sitting),
                       resumption(sitting), std::to_string(sitting.completed_trials),
-                      sync_test(sitting), or_none(sitting.gaze_source)});
+                      sync_test(sitting), or_none(sitting.gaze_source), or_none(sitting.browser)});
     }
   }
   return text_table(rows);
@@ -185,6 +185,7 @@ json json_of(const ListedSession& sitting) {
           {"sync_passed", sitting.sync_passed},
           {"sync_overridden", sitting.sync_overridden},
           {"gaze_source", text_or_null(sitting.gaze_source)},
+          {"browser", text_or_null(sitting.browser)},
           {"notes", std::move(notes)}};
 }
 

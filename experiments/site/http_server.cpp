@@ -59,6 +59,12 @@ HttpAnswer refusal(int status, const std::string& sentence) {
 struct HttpServer::Running {
   explicit Running(HttpSite given) : site(std::move(given)) {
     server.set_payload_max_length(kMostBytes);
+    // The library lets several programs share a port: then nobody knows who takes a trial.
+    server.set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    server.set_tcp_nodelay(true);
     server.set_read_timeout(kWait_s);
     server.set_write_timeout(kWait_s);
     server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };

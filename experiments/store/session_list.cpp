@@ -38,7 +38,8 @@ std::vector<ListedSession> load_sittings(SQLite::Database& database, std::int64_
       "SELECT id, started_utc, ended_utc, last_utc, "
       "(julianday(coalesce(ended_utc, last_utc)) - julianday(started_utc)) * 86400, ending, "
       "resumed_at, resumed_after_s, completed, sync_tries, sync_passed, sync_overridden, "
-      "coalesce(gaze_source, attempts_gaze) FROM sitting ORDER BY id");
+      "coalesce(gaze_source, attempts_gaze), "
+      "(SELECT browser FROM session_provenance WHERE session = id) FROM sitting ORDER BY id");
   query.bind(1, enrolment);
   while (query.executeStep()) {
     NextColumn next(query);
@@ -46,7 +47,7 @@ std::vector<ListedSession> load_sittings(SQLite::Database& database, std::int64_
     next >> sitting.session >> sitting.started_utc >> sitting.ended_utc >>
         sitting.last_recorded_utc >> sitting.length_s >> sitting.ending >> sitting.resumed_at >>
         sitting.resumed_after_s >> sitting.completed_trials >> sitting.sync_tries >>
-        sitting.sync_passed >> sitting.sync_overridden >> sitting.gaze_source;
+        sitting.sync_passed >> sitting.sync_overridden >> sitting.gaze_source >> sitting.browser;
     sitting.resumed = sittings.size() > 1;
     sitting.notes = load_notes(database, sitting.session);
   }

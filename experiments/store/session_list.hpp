@@ -35,6 +35,7 @@ struct ListedSession {
   bool sync_passed{false};
   bool sync_overridden{false};
   std::string gaze_source;  ///< "": not followed
+  std::string browser;      ///< "": in a window
   std::vector<NoteSummary> notes;
 };
 

@@ -393,6 +393,16 @@ SELECT participant.pseudonym AS participant,
        session.screen_black_cd_m2 AS screen_black_cd_m2,
        session.screen_white_cd_m2 AS screen_white_cd_m2,
        session.screen_gamma AS screen_gamma,
+       CASE WHEN session.page_name IS NULL THEN NULL
+            WHEN instr(session.machine, 'Firefox/') > 0 THEN
+              'Firefox ' || CAST(substr(session.machine, instr(session.machine, 'Firefox/') + 8) AS INTEGER)
+            WHEN instr(session.machine, 'Edg/') > 0 THEN
+              'Edge ' || CAST(substr(session.machine, instr(session.machine, 'Edg/') + 4) AS INTEGER)
+            WHEN instr(session.machine, 'Chrome/') > 0 THEN
+              'Chrome ' || CAST(substr(session.machine, instr(session.machine, 'Chrome/') + 7) AS INTEGER)
+            WHEN instr(session.machine, ' Version/') > 0 THEN
+              'Safari ' || CAST(substr(session.machine, instr(session.machine, ' Version/') + 9) AS INTEGER)
+            ELSE 'a browser' END AS browser,  -- that the web page ran in; NULL: none, a window
        session.page_name AS page_name,
        session.page_parts AS page_parts,
        session.refresh_hz AS refresh_hz,

@@ -45,6 +45,11 @@ SELECT count(*) ||
 SELECT count(*) || ' sessions of people before a screen whose size was assumed, not entered'
   FROM session WHERE simulated = 0 AND screen_measured = 0 HAVING count(*) > 0;
 
+SELECT count(*) || ' of ' || (SELECT count(*) FROM session) ||
+    ' sessions ran in a web page (' || group_concat(DISTINCT browser) ||
+    '), which knows when a frame begins, not when its light leaves the screen'
+  FROM session_provenance WHERE browser IS NOT NULL HAVING count(*) > 0;
+
 SELECT count(*) || ' attempts were interrupted and shown again' FROM attempt
   WHERE outcome = 'interrupted' HAVING count(*) > 0;
 

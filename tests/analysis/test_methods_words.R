@@ -11,3 +11,9 @@ test_that("luminance is said where it was measured, with that of the ground", {
   expect_match(luminance_words(screens), "; it was not measured in 1 sitting.", fixed = TRUE)
   expect_null(luminance_words(screens[3, ]))
 })
+
+test_that("what ran in a web page is named with its browsers", {
+  sessions <- data.frame(browser = c("Firefox 153", NA, "Chrome 156", "Chrome 156"))
+  expect_match(page_words(sessions), "3 sittings ran in a web page (Chrome 156, Firefox 153)", fixed = TRUE)
+  expect_null(page_words(sessions[2, , drop = FALSE]))
+})

@@ -57,6 +57,11 @@ TEST(FuzzCorpus, NoMeshFileEndsTheProgram) {
   feed_found(fuzz_mesh_file, "mesh_file");
 }
 
+TEST(FuzzCorpus, NoLinesOfAPageEndTheProgram) {
+  feed(fuzz_lines, lines_seeds(), 60);
+  feed_found(fuzz_lines, "lines");
+}
+
 TEST(FuzzCorpus, NoTreeFileEndsTheProgram) {
   feed(fuzz_tree_file, tree_seeds(), 300);
   feed_found(fuzz_tree_file, "tree_file");

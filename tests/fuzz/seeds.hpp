@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/models/mesh_bytes.hpp"
+#include "tests/experiments/site/page_session.hpp"
 #include "tests/experiments/stored_trees.hpp"
 #include "tests/fuzz/small_studies.hpp"
 #include "tests/fuzz/targets.hpp"
@@ -68,6 +69,20 @@ inline std::vector<std::string> scene_seeds() {
     seeds.push_back(texts.substr(texts.find(kPartSeparator) + 1));
   }
   return seeds;
+}
+
+/// As fuzz_lines() takes them: a session to the end of its second trial.
+inline std::vector<std::string> lines_seeds() {
+  std::string text;
+  int attempts = 0;
+  for (const std::string& line : lines_from(small_published_study(), {})) {
+    text += line + "\n";
+    attempts += nlohmann::json::parse(line)["kind"] == "attempt" ? 1 : 0;
+    if (attempts == 2) {
+      break;
+    }
+  }
+  return {text};
 }
 
 /// As fuzz_study() takes them: changes of values that a replay reads, and a whole file.

@@ -115,4 +115,10 @@ std::vector<std::string> small_protocols() {
   return texts;
 }
 
+PublishedStudy small_published_study() {
+  const std::string texts = small_protocols().front();
+  const std::size_t end = texts.find(kPartSeparator);
+  return {texts.substr(0, end), texts.substr(end + 1), {}, "a fuzzer"};
+}
+
 }  // namespace impetus

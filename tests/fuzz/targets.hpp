@@ -19,6 +19,10 @@ void fuzz_protocol(std::string_view bytes);
 /// A scene: checked, built, and stepped a few times.
 void fuzz_scene(std::string_view bytes);
 
+/// Lines of a session that came back from a page of small_published_study(): read and proved.
+inline constexpr const char* kFuzzedSession = "P01_2026";
+void fuzz_lines(std::string_view bytes);
+
 /// A study: read and replayed for a few steps. The first letter chooses one of small studies, into
 /// which the rest, statements of SQL that change rows, is put first; or the rest is the file
 /// itself.

@@ -22,6 +22,7 @@ int main(int count, char** words) {
     return 2;
   }
   const std::filesystem::path folder(words[1]);
+  write(folder / "lines", impetus::lines_seeds());
   write(folder / "mesh_file", impetus::mesh_seeds());
   write(folder / "protocol", impetus::protocol_seeds());
   write(folder / "scene", impetus::scene_seeds());

@@ -41,9 +41,10 @@ class LineRecorder final : public Recorder {
 };
 
 /// What a page says of itself.
-inline SessionRecord page_facts(const PublishedStudy& study, const Protocol& protocol) {
+inline SessionRecord page_facts(const PublishedStudy& study, const Protocol& protocol,
+                                const std::string& code) {
   SessionRecord session;
-  session.participant = "P01";
+  session.participant = code;
   session.seed = kPageSeed;
   session.protocol_hash = protocol.hash;
   session.build = study.build;
@@ -55,14 +56,15 @@ inline SessionRecord page_facts(const PublishedStudy& study, const Protocol& pro
   return session;
 }
 
-/// The lines of P01's session from where they stand, null: from the start, as the page would hand
-/// them over.
+/// The lines of a participant's session from where they stand, null: from the start, as the page
+/// would hand them over.
 inline std::vector<std::string> lines_from(const PublishedStudy& study,
-                                           const nlohmann::json& standing) {
+                                           const nlohmann::json& standing,
+                                           const std::string& code = "P01") {
   TestLab lab(60.0, protocol_of(study, std::make_shared<ShapeLibrary>()));
   LineRecorder recorder;
-  recorder.keep(page_facts(study, lab.protocol));
-  const Plan plan = plan_of(study, lab.protocol, "P01", kPageSeed);
+  recorder.keep(page_facts(study, lab.protocol, code));
+  const Plan plan = plan_of(study, lab.protocol, code, kPageSeed);
   for (const PlannedTrial& trial : plan) {
     recorder.keep(trial);
   }
@@ -77,6 +79,30 @@ inline std::vector<std::string> lines_from(const PublishedStudy& study,
 inline const std::vector<std::string>& session_lines() {
   static const std::vector<std::string> lines = lines_from(short_causality(), {});
   return lines;
+}
+
+inline constexpr const char* kPageKey = "0123456789abcdef";
+
+/// What a page posts.
+struct PagePart {
+  std::string name;
+  std::int64_t number{1};
+  std::string lines;
+};
+
+/// A session's lines as its page posts them: whatever came up to the end of a trial.
+inline std::vector<PagePart> parts_of(const std::vector<std::string>& lines,
+                                      const std::string& name) {
+  std::vector<PagePart> parts;
+  bool open = false;
+  for (const std::string& line : lines) {
+    if (!open) {
+      parts.push_back({name, static_cast<std::int64_t>(parts.size()) + 1, ""});
+    }
+    parts.back().lines += line + "\n";
+    open = nlohmann::json::parse(line)["kind"] != "attempt";
+  }
+  return parts;
 }
 
 inline std::string joined(const std::vector<std::string>& lines) {

@@ -11,24 +11,16 @@ namespace impetus::served_study_test {
 
 using nlohmann::json;
 
-constexpr const char* kKey = "0123456789abcdef";
-
-/// A session's lines as its page posts them: whatever came up to the end of a trial.
-std::vector<PostedPart> parts_of(const std::vector<std::string>& lines, const std::string& name) {
-  std::vector<PostedPart> parts;
-  bool open = false;
-  for (const std::string& line : lines) {
-    if (!open) {
-      parts.push_back({name, static_cast<std::int64_t>(parts.size()) + 1, "", kKey});
-    }
-    parts.back().lines += line + "\n";
-    open = json::parse(line)["kind"] != "attempt";
+std::vector<PostedPart> posted(const std::vector<std::string>& lines, const std::string& name) {
+  std::vector<PostedPart> all;
+  for (PagePart& part : parts_of(lines, name)) {
+    all.push_back({part.name, part.number, std::move(part.lines), kPageKey});
   }
-  return parts;
+  return all;
 }
 
 const std::vector<PostedPart>& parts() {
-  static const std::vector<PostedPart> all = parts_of(session_lines(), kPageName);
+  static const std::vector<PostedPart> all = posted(session_lines(), kPageName);
   return all;
 }
 
@@ -141,7 +133,7 @@ TEST(ServedStudy, WhoHasNotTheKeyNeitherReadsNorWrites) {
   begun.key = foreign.key;
   EXPECT_EQ(served.sentence_of_part(begun),
             "the session of P01 goes on by the link with which it began, and by no other");
-  EXPECT_TRUE(served.site.standing("P02", kKey).is_null());
+  EXPECT_TRUE(served.site.standing("P02", kPageKey).is_null());
   EXPECT_EQ(served.value("SELECT count(*) FROM session"), "1");
 }
 
@@ -152,16 +144,16 @@ TEST(ServedStudy, APageThatIsOpenedAgainGoesOnAndTheOldOneIsOver) {
     for (std::size_t at = 0; at < 12; ++at) {
       served.site.take(parts()[at]);
     }
-    const json standing = served.site.standing("P01", kKey);
+    const json standing = served.site.standing("P01", kPageKey);
     EXPECT_EQ(standing["completed"].size(), 12U);
-    const auto rest = parts_of(lines_from(served.published, standing), "P01_20260103");
+    const auto rest = posted(lines_from(served.published, standing), "P01_20260103");
     EXPECT_EQ(rest.size(), 22U);
     for (const PostedPart& part : rest) {
       EXPECT_EQ(served.sentence_of_part(part), "taken");
       EXPECT_EQ(served.sentence_of_part(parts()[12]),
                 std::string(kPageName) + ": this session goes on elsewhere, or is over");
     }
-    EXPECT_EQ(served.site.standing("P01", kKey), json({{"finished", true}}));
+    EXPECT_EQ(served.site.standing("P01", kPageKey), json({{"finished", true}}));
   }
   EXPECT_EQ(value_of(folder / "a.sqlite",
                      "SELECT count(*) || ' ' || count(DISTINCT trial_id) FROM attempt"),
@@ -187,7 +179,7 @@ void expect_one_standing(Served& served, const std::vector<PostedPart>& all, std
       }
     }
   }
-  EXPECT_EQ(served.site.standing("P01", kKey), to_json(standing, served.protocol.design));
+  EXPECT_EQ(served.site.standing("P01", kPageKey), to_json(standing, served.protocol.design));
 }
 
 TEST(ServedStudy, PageAndStudyFileAgreeOnWhereTheParticipantStands) {
@@ -199,10 +191,10 @@ TEST(ServedStudy, PageAndStudyFileAgreeOnWhereTheParticipantStands) {
                    text_of(source_file("stimuli/two-spheres.json")),
                    {},
                    "this test"});
-  const auto all = parts_of(lines_from(adaptive.published, {}), kPageName);
+  const auto all = posted(lines_from(adaptive.published, {}), kPageName);
   expect_one_standing(adaptive, all, 25);
   const auto rest =
-      parts_of(lines_from(adaptive.published, adaptive.site.standing("P01", kKey)), "P01_2027");
+      posted(lines_from(adaptive.published, adaptive.site.standing("P01", kPageKey)), "P01_2027");
   for (const PostedPart& part : rest) {
     EXPECT_EQ(adaptive.sentence_of_part(part), "taken");
   }
@@ -229,7 +221,7 @@ TEST(PostedPart, WhatIsNoneIsRefusedByItsField) {
   const auto refusal = [](const json& body) {
     return sentence_of([&] { posted_part_from(body); });
   };
-  const json good{{"filename", "P01_2026_0001.jsonl"}, {"data", ""}, {"key", kKey}};
+  const json good{{"filename", "P01_2026_0001.jsonl"}, {"data", ""}, {"key", kPageKey}};
   EXPECT_EQ(posted_part_from(good).name, "P01_2026");
   EXPECT_EQ(posted_part_from(good).number, 1);
   json bad = good;
