@@ -26,6 +26,7 @@ struct Told {
   SessionRecord session;
   PlannedTrial trial;
   std::int64_t steps{0};
+  std::chrono::duration<double> taken{0.0};  ///< by the steps, and by what is made for each trial
   bool diverged{false};
 };
 
@@ -40,8 +41,10 @@ void take_protocol(const json& line, Told& told) {
 }
 
 void take_attempt(AttemptRecord attempt, const char* file, Told& told) {
+  const auto began = std::chrono::steady_clock::now();
   const ReplayedAttempt found =
       AttemptReplay(*told.protocol, told.session).replay(told.trial, attempt);
+  told.taken += std::chrono::steady_clock::now() - began;
   told.steps += found.steps;
   if (found.divergence) {
     told.diverged = true;
@@ -67,16 +70,14 @@ void take_line(const std::string& text, const char* file, Told& told) {
 
 /// Whether every trial of the file ends each step in the state that it did.
 bool replays(const char* file) {
-  const auto began = std::chrono::steady_clock::now();
   std::ifstream lines(file);
   Told told;
   for (std::string text; std::getline(lines, text);) {
     take_line(text, file, told);
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
   if (!told.diverged) {
-    std::printf("%s: %lld steps, the same bits, %.1f s\n", file, static_cast<long long>(told.steps),
-                taken.count());
+    std::printf("%s: %lld steps, the same bits, %.2f us a step\n", file, static_cast<long long>(told.steps),
+                1e6 * told.taken.count() / static_cast<double>(told.steps));
   }
   return told.steps > 0 && !told.diverged;
 }

@@ -4,22 +4,13 @@
 #include "experiments/site/http_server.hpp"
 
 #include <atomic>
-#include <chrono>
-#include <csignal>
 #include <map>
-#include <thread>
 
-#include "tests/experiments/program.hpp"
-#include "tests/experiments/site/page_session.hpp"
-
-// Last: its macros meet nobody.
-#include <httplib.h>
+#include "tests/experiments/site/serving_program.hpp"
 
 namespace impetus::http_server_test {
 
 using nlohmann::json;
-
-constexpr const char* kJson = "application/json";
 
 /// A folder that is served; posts are answered with what they said.
 struct ServedFiles {
@@ -103,102 +94,7 @@ TEST(HttpServer, FloodsAndWhatIsTooLargeAreTurnedAway) {
   EXPECT_EQ(other.asked, 0);
 }
 
-/// The program, serving the short causality study of a folder.
-class ServingProgram {
- public:
-  explicit ServingProgram(const TemporaryFolder& folder) : folder_(folder) {
-    folder.write("protocols/short.json", short_causality().protocol_json);
-    folder.write("stimuli/two-spheres.json", short_causality().scene_json);
-    folder.write("page/impetus.js", "js");
-    folder.write("page/impetus.wasm", "wasm");
-    begin();
-  }
-  ~ServingProgram() { end(SIGTERM); }
-  ServingProgram(const ServingProgram&) = delete;
-  ServingProgram& operator=(const ServingProgram&) = delete;
-
-  void begin() {
-    std::filesystem::remove(folder_ / "stdout");  // of the one before
-    process_ = start_program(folder_, {"serve", "protocols/short.json", "--db", "a.sqlite",
-                                       "--program", "page", "--port", "0", "--links", "2"});
-    for (int wait = 0; wait < 3000 && port_of_output() == 0; ++wait) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-  }
-
-  int end(int signal) {
-    kill(process_, signal);
-    return wait_for(folder_, process_).status;
-  }
-
-  [[nodiscard]] int port_of_output() const {
-    const std::string words = text_of(folder_ / "stdout");
-    const std::size_t at = words.find("http://127.0.0.1:");
-    return at == std::string::npos || words.find('\n') == std::string::npos
-               ? 0
-               : std::atoi(words.c_str() + at + 17);
-  }
-
-  /// Posts until it is answered: the status.
-  [[nodiscard]] int post(const PagePart& part) const {
-    char number[16];
-    std::snprintf(number, sizeof number, "%04d", static_cast<int>(part.number));
-    const json body{{"experimentID", ""},
-                    {"filename", part.name + "_" + number + ".jsonl"},
-                    {"data", part.lines},
-                    {"key", kPageKey}};
-    httplib::Client client("127.0.0.1", port_of_output());
-    client.set_read_timeout(60);
-    const auto answer = client.Post("/parts", {}, body.dump(), kJson);
-    return answer ? answer->status : -1;
-  }
-
-  [[nodiscard]] json standing(const std::string& code, const std::string& key) const {
-    const auto answer =
-        httplib::Client("127.0.0.1", port_of_output())
-            .Post("/standing", {}, json{{"participant", code}, {"key", key}}.dump(), kJson);
-    return answer ? json{{"status", answer->status}, {"answer", json::parse(answer->body)}}
-                  : json();
-  }
-
- private:
-  const TemporaryFolder& folder_;
-  pid_t process_{0};
-};
-
-TEST(Serve, SeveralAtOnceAreEachKeptWhole) {
-  constexpr int kParticipants = 6;
-  std::vector<std::vector<PagePart>> sessions;
-  for (int person = 0; person < kParticipants; ++person) {
-    const std::string code = "P" + std::to_string(person);
-    sessions.push_back(parts_of(lines_from(short_causality(), {}, code), code + "_2026"));
-  }
-  const TemporaryFolder folder;
-  {
-    ServingProgram serving(folder);
-    std::atomic<int> refused{0};
-    std::vector<std::thread> people;
-    for (const std::vector<PagePart>& session : sessions) {
-      people.emplace_back([&] {
-        for (const PagePart& part : session) {
-          refused += serving.post(part) == 200 ? 0 : 1;
-        }
-      });
-    }
-    for (std::thread& person : people) {
-      person.join();
-    }
-    EXPECT_EQ(refused, 0);
-    EXPECT_EQ(serving.end(SIGINT), 0);
-    serving.begin();
-  }
-  EXPECT_EQ(value_of(folder / "a.sqlite",
-                     "SELECT count(*) || ' ' || count(DISTINCT trial_id) FROM attempt"),
-            "198 198");
-  EXPECT_EQ(run_program(folder, {"verify", "a.sqlite"}).status, 0);
-  const ProgramResult replayed = run_program(folder, {"replay", "a.sqlite"});
-  EXPECT_NE(replayed.output.find(" 0 divergent"), std::string::npos) << replayed.output;
-}
+TEST(Serve, SeveralAtOnceAreEachKeptWhole) { expect_kept_at_once(6); }
 
 TEST(Serve, AProgramThatIsKilledLosesAndDoublesNothing) {
   const std::vector<PagePart> parts = parts_of(session_lines(), kPageName);
