@@ -22,7 +22,6 @@
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
-#include "experiments/protocol/screen_file.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/resumption.hpp"
 #include "experiments/session/session.hpp"
@@ -38,17 +37,29 @@ struct Facts {
   std::uint64_t seed{1};
   std::string machine;
   std::string display;
-  int width_px{0};
-  int height_px{0};
+  ScreenGeometry screen;
+  bool screen_measured{false};
+  bool allow_failed_sync{false};
 };
+
+ScreenGeometry screen_from(const json& said) {
+  ScreenGeometry screen;
+  screen.width_m = said.at("width_m").get<double>();
+  screen.height_m = said.at("height_m").get<double>();
+  screen.width_px = said.at("width_px").get<int>();
+  screen.height_px = said.at("height_px").get<int>();
+  screen.viewing_distance_m = said.at("viewing_distance_m").get<double>();
+  return screen;
+}
 
 Facts facts_from(const json& said) {
   Facts facts{said.at("participant").get<std::string>(),
               said.at("seed").get<std::uint64_t>(),
               said.at("machine").get<std::string>(),
               said.at("display").get<std::string>(),
-              said.at("width_px").get<int>(),
-              said.at("height_px").get<int>()};
+              screen_from(said.at("screen")),
+              said.at("screen_measured").get<bool>(),
+              said.at("allow_failed_sync").get<bool>()};
   if (!is_participant_code(facts.participant)) {
     throw std::runtime_error("this link has no code that can stand in a study: " +
                              facts.participant);
@@ -82,6 +93,7 @@ SessionRecord session_record(const Facts& facts, const Protocol& protocol,
   session.machine = facts.machine;
   session.display = facts.display;
   session.screen = page.geometry();
+  session.screen_measured = facts.screen_measured;
   session.refresh_hz = page.refresh_hz();
   session.sync = sync;
   session.gaze_source = protocol.script.gaze ? page.source() : "";
@@ -128,8 +140,11 @@ std::string run() {
   const Protocol protocol = protocol_of(study, std::make_shared<ShapeLibrary>(TreeCache("/trees")));
   make_context();
   const SteadyClock clock;
-  PageLaboratory page(assumed_screen(facts.width_px, facts.height_px), clock);
+  PageLaboratory page(facts.screen, clock);
   const SyncTest sync = page.measure_refresh();
+  if (!sync.passed && !facts.allow_failed_sync) {
+    throw std::runtime_error(protocol.script.language.text("page_unsteady"));
+  }
   check_frames(protocol, page.refresh_hz(), /*allow_rounding=*/false);
   const Plan plan = plan_of(study, protocol, facts.participant, facts.seed);
   hand_over_session(session_record(facts, protocol, page, sync, study), plan);

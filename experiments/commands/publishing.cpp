@@ -33,6 +33,11 @@ void add_publish_options(CLI::App& command, PublishOptions& options) {
       ->transform([](const std::string& name) { return shipped_file(name); });
   command.add_option("--completion", options.site.completion,
                      "Link that participants are led to at the end");
+  command.add_flag("--assume-screen", options.site.assume_screen,
+                   "Do not ask for the size and distance of the screen; they are assumed");
+  command.add_flag("--in-window", options.site.in_window, "Do not fill the screen");
+  command.add_flag("--allow-failed-sync", options.site.allow_failed_sync,
+                   "Go on when the sync test fails; every trial is marked");
   command.add_flag("--phones", options.site.phones,
                    "Do not refuse what has neither keyboard nor mouse");
   command.add_option("--program", options.program,

@@ -67,6 +67,15 @@ std::vector<std::string> write_trees(const Protocol& protocol, const fs::path& f
   return files;
 }
 
+/// What the page itself says, by key.
+json texts_json(const Language& language) {
+  json texts = json::object();
+  for (std::size_t i = 0; i < kTextRows.size(); ++i) {
+    texts[std::string(kTextRows[i].key)] = language.texts()[i];
+  }
+  return texts;
+}
+
 json site_json(const Protocol& protocol, const SiteOptions& options,
                const std::vector<std::string>& trees) {
   const json language = protocol.document.value.value("language", json("en"));
@@ -75,6 +84,10 @@ json site_json(const Protocol& protocol, const SiteOptions& options,
             {"language", language.is_string() ? language : json("")},
             {"phones", options.phones},
             {"completion", options.completion},
+            {"assume_screen", options.assume_screen},
+            {"in_window", options.in_window},
+            {"allow_failed_sync", options.allow_failed_sync},
+            {"texts", texts_json(protocol.script.language)},
             {"trees", trees},
             {"drop", nullptr}};
   if (!options.drop_url.empty()) {

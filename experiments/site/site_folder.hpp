@@ -21,9 +21,12 @@ struct SiteOptions {
   std::string drop_url;    ///< to which each trial is posted; "": it is offered as a download
   std::string experiment;  ///< "experimentID", as the drop knows the study
   std::string completion;  ///< a link that participants are led to at the end; "": none
-  bool served{false};   ///< by the program itself, which takes each trial and knows who was there
-  bool phones{false};   ///< may be used without keyboard and mouse
-  bool replace{false};  ///< an earlier site in this folder
+  bool served{false};  ///< by the program itself, which takes each trial and knows who was there
+  bool assume_screen{false};      ///< its size and distance are not measured
+  bool in_window{false};          ///< the page does not fill the screen
+  bool allow_failed_sync{false};  ///< goes on where frames do not follow the refresh
+  bool phones{false};             ///< may be used without keyboard and mouse
+  bool replace{false};            ///< an earlier site in this folder
 };
 
 /// Throws InputError where the protocol cannot be run in a page: nobody takes part, or regions

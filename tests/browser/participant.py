@@ -4,6 +4,7 @@ looks where the mouse is.
 Usage: participant.py BROWSER LINK [WIDTH HEIGHT [PICTURES]]. Prints how the session ended. With PICTURES, a
 folder, every page is photographed.
 """
+import math
 import os
 import re
 import sys
@@ -16,27 +17,32 @@ from browsers import open_browser
 LOOK = """
 const place = (each) => { const box = each.getBoundingClientRect();
   return {tag: each.tagName, label: each.innerText, x: box.x + box.width / 2, y: box.y + box.height / 2}; };
-const page = document.getElementById('page');
-const target = document.getElementById('target');
-return page === null ? {ending: document.readyState === 'complete' ? location.href : ''} : {
-  ending: document.body.dataset.ending ?? '',
-  title: document.title,
-  picture: document.body.classList.contains('picture'),
+const told = document.body?.dataset.ending;
+const shown = document.querySelector('iframe')?.contentDocument ?? document;
+const page = shown.getElementById('page');
+const target = shown.getElementById('target');
+const left = (name) => shown.querySelector(name)?.getBoundingClientRect().x ?? 0;
+return page === null || told ? {ending: told ?? '', link: location.href, words: page?.innerText ?? ''} : {
+  ending: '',
+  picture: shown.body.classList.contains('picture'),
   kind: page.className,
   words: page.innerText,
-  label: document.getElementById('label').innerText,
   listens: page.getAttribute('aria-busy') === 'false',
   buttons: [...page.querySelectorAll('button')].map(place),
   fields: [...page.querySelectorAll('input, select, textarea')].map(place),
+  card: shown.querySelector('.card')?.clientWidth ?? 0,
+  apart: left('#blind-spot .cross') - left('#blind-spot .dot'),
   target: target && !target.hidden ? place(target) : null,
   width: innerWidth, height: innerHeight,
 };"""
+
+FOCUS = "return (document.querySelector('iframe')?.contentDocument ?? document).activeElement.tagName;"
 
 
 def fill(browser, count):
     """Types into every field, with the keys alone: the first has the focus already."""
     for index in range(count):
-        tag = browser.ask("return document.activeElement.tagName;")
+        tag = browser.ask(FOCUS)
         if tag == "SELECT":
             browser.press("down")
         else:
@@ -44,8 +50,21 @@ def fill(browser, count):
         browser.press("tab")
 
 
+CARD_PX = 340  # how wide a bank card is on this participant's screen
+DISTANCE_M = 0.57
+
+
+def blind_spot_px():
+    """How far from the cross a dot disappears."""
+    return DISTANCE_M * math.tan(math.radians(13.5)) * CARD_PX / 0.0856
+
+
 def answer(browser, page):
     """Does what a willing participant does with the page."""
+    if page["card"]:
+        while browser.ask(LOOK)["card"] < CARD_PX - 2:  # its borders are no part of that
+            browser.press("right")
+        return browser.press("enter")
     if page["fields"]:
         fill(browser, len(page["fields"]))
     if page["kind"] == "scale":
@@ -54,8 +73,9 @@ def answer(browser, page):
         browser.press("page down")
         return browser.press("y")
     button = page["buttons"][0]
-    browser.ask("document.querySelector('#page button').scrollIntoView({block: 'nearest'});")
-    button = browser.ask(LOOK)["buttons"][0]
+    if button["y"] > page["height"]:
+        browser.press("page down")
+        button = browser.ask(LOOK)["buttons"][0]
     browser.click(button["x"], button["y"])
 
 
@@ -65,10 +85,14 @@ def take_part(browser, link, longest_s, pictures=None):
     count, end = 0, time.time() + longest_s
     while time.time() < end:
         page = browser.ask(LOOK)
-        if page["ending"] and page["ending"] != "about:blank":
-            return page["ending"]
-        if "words" not in page:
+        if page["ending"]:
+            return page["ending"] + (": " + re.sub(r"\s+", " ", page["words"]) if page["ending"] == "failed" else "")
+        if "link" in page:  # nothing is shown yet, or a page of others
+            if page["link"].startswith("http") and not page["link"].startswith(link.split("?")[0]):
+                return page["link"]
             continue
+        if page["apart"] > blind_spot_px():
+            browser.press("space")
         if page["target"]:
             browser.move(page["target"]["x"], page["target"]["y"])
         elif page["picture"]:
@@ -81,7 +105,6 @@ def take_part(browser, link, longest_s, pictures=None):
                 print(round(time.time() - end + longest_s, 1), page["kind"], repr(page["words"][:60]), flush=True)
             answer(browser, page)
         time.sleep(0.02)
-    if pictures: browser.picture(os.path.join(pictures, "last.png")); print(page, browser.ask("return document.body.className+document.hasFocus()"))
     return "not ended: " + re.sub(r"\s+", " ", page["words"])
 
 
@@ -90,4 +113,4 @@ if __name__ == "__main__":
     width, height = (int(more[0]), int(more[1])) if len(more) > 1 else (960, 720)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         with open_browser(program, folder, width, height) as opened:
-            print(take_part(opened, link, float(os.environ.get('LONG','240')), more[2] if len(more) > 2 else None))
+            print(take_part(opened, link, 240, more[2] if len(more) > 2 else None))

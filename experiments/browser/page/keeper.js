@@ -6,6 +6,8 @@
 //
 // Lines are passed on unread: their numbers have 64 bits.
 
+import {text} from './words.js';
+
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 function random(letter, bytes) {
@@ -51,11 +53,11 @@ async function post(url, body) {
     if (answer.ok || answer.status === 409) return {answer};
     if (answer.status === 403 || answer.status === 422) {
       const words = await answer.json().catch(() => ({}));
-      return {refused: words.refused ?? `the server answered ${answer.status}`};
+      return {refused: words.refused ?? text('page_server_answered', {status: answer.status})};
     }
-    return {problem: `the server answered ${answer.status}`};
+    return {problem: text('page_server_answered', {status: answer.status})};
   } catch (error) {
-    return {problem: 'there is no connection'};
+    return {problem: text('page_no_connection')};
   }
 }
 

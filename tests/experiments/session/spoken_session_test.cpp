@@ -303,7 +303,8 @@ TEST(SpokenSession, HasNoWordThatIsNotOfItsLanguageAndUsesEveryTextOfTheTable) {
       "press_or_click", "scroll_hint", "number_within", "number_needed",  "read_to_end"};
   for (const TextRow& row : kTextRows) {
     const std::string key(row.key);
-    if (row.use != TextUse::kKey && of_the_window.count(key) == 0) {
+    const bool of_web_pages = key.starts_with("page_");
+    if (row.use != TextUse::kKey && of_the_window.count(key) == 0 && !of_web_pages) {
       EXPECT_EQ(reading.seen().count(key), 1U) << key << " is on no page";
     }
   }

@@ -49,6 +49,43 @@ TEST(Publish, WritesAllThatAPageNeeds) {
   EXPECT_EQ(protocol_of(study, std::make_shared<ShapeLibrary>()).hash, causality().hash);
 }
 
+TEST(Publish, PagesSayInTheStudysLanguageAllThatIsTheirs) {
+  const TemporaryFolder folder;
+  json protocol = json::parse(text_of(causality_file()));
+  protocol["scene"] = source_file("stimuli/two-spheres.json").string();
+  protocol["language"] = "de";
+  folder.write("german.json", protocol.dump());
+  ASSERT_EQ(publish(folder, {"--program", stand_in_program(folder)}, "german.json").status, 0);
+  const json texts = json::parse(text_of(folder / "site/site.json"))["texts"];
+  EXPECT_EQ(texts["page_cannot_go_on"], "Diese Studie kann nicht weitergehen");
+  std::string scripts = text_of(source_file("experiments/browser/page_session.cpp"));
+  for (const auto& file : std::filesystem::directory_iterator(folder / "site")) {
+    scripts += file.path().extension() == ".js" ? text_of(file.path()) : "";
+  }
+  for (const TextRow& row : kTextRows) {
+    const std::string key(row.key);
+    if (key.starts_with("page_")) {
+      EXPECT_NE(scripts.find(key), std::string::npos) << key << " is on no page";
+    }
+  }
+}
+
+TEST(Publish, AsksForTheScreenUnlessToldNotTo) {
+  const TemporaryFolder folder;
+  const std::string program = stand_in_program(folder);
+  ASSERT_EQ(publish(folder, {"--program", program}).status, 0);
+  const auto asked = [&] {
+    const json site = json::parse(text_of(folder / "site/site.json"));
+    return json{site["assume_screen"], site["in_window"], site["allow_failed_sync"]};
+  };
+  EXPECT_EQ(asked(), json({false, false, false}));
+  ASSERT_EQ(publish(folder, {"--program", program, "--force", "--assume-screen", "--in-window",
+                             "--allow-failed-sync"})
+                .status,
+            0);
+  EXPECT_EQ(asked(), json({true, true, true}));
+}
+
 TEST(Publish, TreesThatTakeLongComeWithIt) {
   const TemporaryFolder folder;
   const ProgramResult result = publish(folder, {"--program", stand_in_program(folder)},
