@@ -19,6 +19,7 @@ const kBlindSpot_deg = 13.5;
 const kTimes = 5;
 const kDotSpeed_m_s = 0.025;
 const kNearestDot_m = 0.05;  // the blind spot of an eye that is 20 cm away
+const kDeaf_ms = 500;  // to a key that is still on its way up
 const kPlausible_m = [0.2, 1.5];
 const kAssumed = {height_m: 0.301, distance_m: 0.57};  // as the program assumes them
 
@@ -74,8 +75,10 @@ async function measurePixel() {
 /** Waits for the space bar or a click, while the dot moves away from the cross; how far it came, in CSS
     pixels. A dot that has reached the edge begins again. */
 async function dotGone(dot, cross_px, pixel_m) {
+  const begun_ms = performance.now();
   let pressed = false;
   const press = (event) => {
+    if (performance.now() - begun_ms < kDeaf_ms) return;
     if (event.type === 'pointerdown' || (event.key === ' ' && !event.repeat)) pressed = true;
   };
   const over = new AbortController();
