@@ -160,7 +160,8 @@ class Firefox:
         self.screen, display = open_screen(width, height, log)
         self.process = subprocess.Popen(
             [program, "--no-remote", "--kiosk", "--width", str(width), "--height", str(height), "--marionette",
-             "--profile", profile], stdout=log, stderr=log, start_new_session=True, env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
+             "--profile", profile], stdout=log, stderr=log, start_new_session=True,
+            env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
         self.number = 0
         self.socket = self.connect(port)
         self.into = self.socket.makefile("rb")

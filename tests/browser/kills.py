@@ -21,7 +21,8 @@ chance = random.Random(7)
 
 def begin_program(port):
     """The program that serves the study; it and its port."""
-    serving = subprocess.Popen([program, "serve", protocol, "--db", study, "--port", str(port), "--program", page],
+    serving = subprocess.Popen([program, "serve", protocol, "--db", study, "--port", str(port), "--program", page,
+                                "--assume-screen", "--in-window", "--allow-failed-sync"],
                                stdout=subprocess.PIPE, text=True)
     words = serving.stdout.readline()
     return serving, int(words.split("http://127.0.0.1:")[1].split("/")[0])

@@ -122,12 +122,25 @@ async function measureDistance(pixel_m) {
 
 // ---------------------------------------------------------------- all of it
 
+/** {pixel_m, distance}, each null where it was skipped; a page that a participant loads again on the same screen
+    does not ask again. */
+async function measureOnce() {
+  const kPlace = 'impetus screen';
+  const participant = new URLSearchParams(location.search).get('participant');
+  const present = `${participant} ${screen.width} ${screen.height} ${devicePixelRatio}`;
+  const known = JSON.parse(sessionStorage.getItem(kPlace) ?? 'null');
+  if (known?.present === present) return known;
+  const pixel_m = await measurePixel();
+  const distance = pixel_m === null ? null : await measureDistance(pixel_m);
+  sessionStorage.setItem(kPlace, JSON.stringify({present, pixel_m, distance}));
+  return {pixel_m, distance};
+}
+
 /** Fills the screen and measures it as the site asks: {width_m, height_m, viewing_distance_m, measured},
     and `how`, in words. */
 export async function measureScreen(site) {
   if (!site.in_window) await fillScreen();
-  const pixel_m = site.assume_screen ? null : await measurePixel();
-  const distance = pixel_m === null ? null : await measureDistance(pixel_m);
+  const {pixel_m, distance} = site.assume_screen ? {pixel_m: null, distance: null} : await measureOnce();
   const used_m = pixel_m ?? kAssumed.height_m / innerHeight;
   return {
     width_m: innerWidth * used_m,

@@ -58,7 +58,8 @@ async function prepare() {
   document.title = site.title;
   speak(site.texts);
   requireUsable(site);
-  const keeper = new Keeper(site, link, (problem) => showTrouble(problem && text('page_not_sent', {why: problem})));
+  const keeper = new Keeper(site, link,
+    (problem) => showTrouble(problem && text('page_not_sent', {why: problem})));
   const standing = await keeper.begin();
   if (keeper.finished) {
     tell(text('page_done_already'), [text('declined_title')], ...await downloadsOf(keeper));
