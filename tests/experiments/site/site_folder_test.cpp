@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
 
@@ -51,11 +52,8 @@ TEST(Publish, WritesAllThatAPageNeeds) {
 
 TEST(Publish, PagesSayInTheStudysLanguageAllThatIsTheirs) {
   const TemporaryFolder folder;
-  json protocol = json::parse(text_of(causality_file()));
-  protocol["scene"] = source_file("stimuli/two-spheres.json").string();
-  protocol["language"] = "de";
-  folder.write("german.json", protocol.dump());
-  ASSERT_EQ(publish(folder, {"--program", stand_in_program(folder)}, "german.json").status, 0);
+  const std::string german = changed_protocol(folder, "/language", "de");
+  ASSERT_EQ(publish(folder, {"--program", stand_in_program(folder)}, german).status, 0);
   const json texts = json::parse(text_of(folder / "site/site.json"))["texts"];
   EXPECT_EQ(texts["page_cannot_go_on"], "Diese Studie kann nicht weitergehen");
   std::string scripts = text_of(source_file("experiments/browser/page_session.cpp"));
