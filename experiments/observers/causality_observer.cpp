@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/observers/causality_observer.hpp"
 
-#include <algorithm>
+#include "experiments/observers/shown_truths.hpp"
 
 namespace impetus::inline observers {
 namespace {
@@ -31,11 +31,7 @@ double CausalityObserver::seen_at(double delay_ms) const {
 }
 
 double CausalityObserver::seen(const AttemptRecord& shown, const StagedScene& /*scene*/) {
-  double delay_ms = 0.0;
-  for (const CollisionRecord& collision : shown.collisions) {
-    delay_ms = std::max(delay_ms, 1e3 * collision.report.imposed_hold_s);
-  }
-  return seen_at(delay_ms);
+  return seen_at(longest_delay_ms(shown));
 }
 
 const ObserverKind& causality_observer() {

@@ -19,8 +19,8 @@
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/design/psychometric.hpp"
 #include "experiments/observers/observer_kinds.hpp"
+#include "experiments/observers/shown_truths.hpp"
 #include "experiments/observers/simulated_eye.hpp"
-#include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
 
@@ -46,27 +46,8 @@ const CollisionRecord* first_meeting(const AttemptRecord& shown) {
   return met == shown.collisions.end() ? nullptr : &*met;
 }
 
-double gap_arcmin(const AttemptRecord& shown, const StagedScene& scene) {
-  double widest = 0.0;
-  for (const CollisionRecord& collision : shown.collisions) {
-    const BodyPair& bodies = collision.report.bodies;
-    if (!is_wall(bodies.b)) {
-      const auto& a = scene.looks[static_cast<std::size_t>(bodies.a)];
-      const auto& b = scene.looks[static_cast<std::size_t>(bodies.b)];
-      const Viewer viewer = scene.viewer_at_time(collision.time_s);
-      widest = std::max(
-          widest, measure_truth(a, collision.pose_a, b, collision.pose_b, viewer).visible_arcmin());
-    }
-  }
-  return widest;
-}
-
 double delay_ms(const AttemptRecord& shown, const StagedScene& /*scene*/) {
-  double longest_s = 0.0;
-  for (const CollisionRecord& collision : shown.collisions) {
-    longest_s = std::max(longest_s, collision.report.imposed_hold_s);
-  }
-  return 1e3 * longest_s;
+  return longest_delay_ms(shown);
 }
 
 double speed_deg_s(const AttemptRecord& shown, const StagedScene& scene) {
@@ -129,7 +110,7 @@ const std::vector<Truth>& truths() {
       {"gap_arcmin",
        "the widest gap between two bodies that collide, as seen, less its hidden share",
        {"level", "gap", "tree", "viewer", "at_deg", "schedule", "region", "budget", "shape"},
-       gap_arcmin},
+       widest_gap_arcmin},
       {"delay_ms", "the longest freeze at contact, as shown", {"contact_hold"}, delay_ms},
       {"speed_deg_s",
        "how fast the first two to meet close in",

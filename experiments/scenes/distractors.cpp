@@ -156,7 +156,8 @@ bool turn_straight_back(const Scene& scene) {
   const EngineSettings& engine = scene.engine;
   return a.shape.kind == ShapeKind::kSphere && a.shape == b.shape &&
          a.density_kg_m3 == b.density_kg_m3 && !scene.meeting->offset_deg &&
-         engine.world.restitution == 1.0 && !engine.materials && !engine.gravity_m_s2;
+         !scene.meeting->second_rests && engine.world.restitution == 1.0 && !engine.materials &&
+         !engine.gravity_m_s2;
 }
 
 }  // namespace

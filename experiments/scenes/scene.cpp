@@ -229,6 +229,10 @@ Kind<MeetingSettings> meeting_kind() {
        row("gap_arcmin", &M::gap_arcmin, number({0, 600}),
            "Of two spheres: they meet an invisible shell, and turn back with a gap between the "
            "drawn surfaces that the viewer sees under this angle. 0 when left out."),
+       row("second_rests", &M::second_rests, flag(),
+           "true: the second body waits where they meet, and the first alone approaches. false "
+           "when "
+           "left out."),
        required("lead_s", &M::lead_s, number(above(0, 60)),
                 "From onset to contact: a whole number of steps and of frames."),
        required("follow_s", &M::follow_s, number(above(0, 60)),

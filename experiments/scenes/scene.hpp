@@ -118,6 +118,7 @@ struct MeetingSettings {
   std::optional<std::array<double, 2>> offset_deg;
   std::optional<ScreenPlace> at_deg;
   double gap_arcmin{0.0};
+  bool second_rests{false};
   double lead_s{0.0};
   double follow_s{0.0};
 };

@@ -123,8 +123,9 @@ std::vector<BodyState> meeting_states(const Scene& scene, const Viewer& viewer,
   const double way_m = speed_m_s * meeting.lead_s;
   BodyState a = on_its_way(mass_of(named[0], *bodies.shapes[0]), touching.turn_a,
                            touching.along_x.a_m, way_m, speed_m_s);
-  BodyState b = on_its_way(mass_of(named[1], *bodies.shapes[1]), touching.turn_b,
-                           touching.along_x.b_m, way_m, speed_m_s);
+  BodyState b =
+      on_its_way(mass_of(named[1], *bodies.shapes[1]), touching.turn_b, touching.along_x.b_m,
+                 meeting.second_rests ? 0.0 : way_m, meeting.second_rests ? 0.0 : speed_m_s);
   const Vector3 middle = place_of(meeting, viewer, m_per_deg);
   a.pose.position += middle - 0.5 * touching.aside;
   b.pose.position += middle + 0.5 * touching.aside;

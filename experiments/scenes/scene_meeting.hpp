@@ -2,6 +2,7 @@
 //
 //        a ──────>    (  )    <────── b        at_deg: the place of the screen where they touch
 //                                              offset_deg: b's line of approach apart from a's
+//        a ──────>    (  ) b                   second_rests
 //        drawn (  ) gap (  ) drawn             gap_arcmin: spheres of half a gap more collide
 //
 // SPDX-License-Identifier: MIT

@@ -42,7 +42,7 @@ def live(link, profile, life_s):
     with open_browser(browser_program, profile, 960, 720) as browser:
         try:
             return take_part(browser, link, life_s)
-        except RuntimeError as error:  # the page was just on its way
+        except (RuntimeError, KeyError) as error:  # the page was just on its way
             return f"not ended: {error}"
         finally:
             os.killpg(browser.process.pid, signal.SIGKILL)

@@ -23,6 +23,7 @@ constexpr Recording kRecordings[] = {
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
     {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
+    {"launching", 24U},              // one of two spheres rests; delays and gaps
     {"scheduler-distribution", 7U},  // nobody takes part
 };
 

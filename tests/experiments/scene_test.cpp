@@ -7,6 +7,7 @@
 
 #include "engine/scheduling/metrics.hpp"
 #include "engine/world/starting_overlaps.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::scene_test {
@@ -22,6 +23,29 @@ TEST(Scene, FreeBodiesStartWhereAndAsFastAsTheSceneSays) {
   EXPECT_EQ(closed_cube(scene.world.settings().enclosure)->half_edge_m, 0.5 * metres_of(20.0));
   EXPECT_EQ(scene.duration_s, 2.0);
   EXPECT_NEAR(1.0 / models[1].inverse_mass, 1000.0 * 6.0 * std::pow(metres_of(1.0), 3), 1e-9);
+}
+
+TEST(Scene, ABodyThatRestsIsLaunchedByTheOneThatMeetsIt) {
+  const json launching = json::parse(shipped("stimuli/launching.json"));
+  for (const double gap_arcmin : {0.0, 60.0}) {
+    SceneRun run(built(changed(launching, "/meeting/gap_arcmin", gap_arcmin)));
+    const std::vector<BodyModel>& models = run.world().models();
+    const auto speed = [&](std::size_t body) {
+      return velocity(models[body], run.world().states()[body]).x();
+    };
+    const double start_m = run.world().states()[1].pose.position.x();
+    EXPECT_EQ(speed(1), 0.0);
+    EXPECT_NEAR(speed(0), metres_of(10.0), 1e-12);
+    for (int step = 0; step < 240; ++step) {
+      EXPECT_EQ(run.world().states()[1].pose.position.x(), start_m) << step;
+      run.step({});
+    }
+    run.step({});
+    EXPECT_NEAR(speed(0), 0.0, 1e-9);
+    EXPECT_NEAR(speed(1), metres_of(10.0), 1e-9);
+    const double apart_m = start_m - run.world().states()[0].pose.position.x();
+    EXPECT_NEAR(apart_m, metres_of(2.0 + gap_arcmin / 60.0), 0.01 * apart_m);
+  }
 }
 
 TEST(Scene, ACrowdStartsApartAndWithinItsWallsAtTheCoarsestLevel) {

@@ -1,0 +1,77 @@
+// A simulated participant who sees one body launch another (Michotte 1963): the impression that the
+// first made the second move breaks when it moves too late, or from too far away.
+//
+//   seen = 1 − (1 − Φ((τ − μ_i) / σ)) (1 − Φ((g − ν) / ω))
+//
+// τ is the freeze, g the gap, as they were really shown; μ_i belongs to the participant. What is
+// rated is the impression: the better, the less is seen.
+// SPDX-License-Identifier: MIT
+#include "experiments/observers/observer_kinds.hpp"
+#include "experiments/observers/shown_truths.hpp"
+
+namespace impetus::inline observers {
+
+const ObserverKind& launching_observer();
+
+namespace {
+
+/// What a participant of the launching study is made of.
+struct LaunchingParameters : RatingParameters {
+  double delay_threshold_ms{0.0};  ///< μ over participants
+  double delay_threshold_sd_ms{0.0};
+  double delay_width_ms{1.0};
+  double gap_threshold_arcmin{0.0};
+  double gap_width_arcmin{1.0};
+};
+
+std::vector<ParameterEntry> launching_entries(LaunchingParameters& own) {
+  return {{"delay_threshold_ms", -kAny, kAny, &own.delay_threshold_ms,
+           "The delay at contact that breaks the impression half of the time, ms."},
+          {"delay_threshold_sd_ms", 0.0, kAny, &own.delay_threshold_sd_ms,
+           "Spread of that threshold between participants."},
+          {"delay_width_ms", 1e-3, kAny, &own.delay_width_ms,
+           "How wide its function is: a standard deviation."},
+          {"gap_threshold_arcmin", -kAny, kAny, &own.gap_threshold_arcmin,
+           "The gap that breaks the impression half of the time."},
+          {"gap_width_arcmin", 1e-3, kAny, &own.gap_width_arcmin,
+           "How wide its function is: a standard deviation."}};
+}
+
+/// Judges the longest freeze and the widest gap of all that was shown.
+class LaunchingObserver final : public RatingObserver {
+ public:
+  LaunchingObserver(const LaunchingParameters& parameters, const Birth& birth)
+      : RatingObserver(parameters, birth, "launching"),
+        parameters_(parameters),
+        delay_ms_(parameters.delay_threshold_ms + parameters.delay_threshold_sd_ms * normal()) {
+    draw_traits();
+  }
+
+ private:
+  [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
+    const double late =
+        normal_cdf((longest_delay_ms(shown) - delay_ms_) / parameters_.delay_width_ms);
+    const double apart =
+        normal_cdf((widest_gap_arcmin(shown, scene) - parameters_.gap_threshold_arcmin) /
+                   parameters_.gap_width_arcmin);
+    return 1.0 - (1.0 - late) * (1.0 - apart);
+  }
+
+  LaunchingParameters parameters_;
+  double delay_ms_;
+};
+
+}  // namespace
+
+const ObserverKind& launching_observer() {
+  static const ObserverKind kind{
+      .name = "launching",
+      .words = "Sees one body launch another, unless late or from afar.",
+      .attention = {"the delay at contact and the gap there", {"contact_hold", "gap"}},
+      .parameters = list_own<LaunchingParameters, launching_entries>(),
+      .read = read_own<LaunchingParameters, launching_entries>,
+      .make = make_own<LaunchingParameters, LaunchingObserver>};
+  return kind;
+}
+
+}  // namespace impetus::inline observers

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/observers/shown_truths.hpp"
+
+#include <algorithm>
+
+#include "experiments/run/collision_truth.hpp"
+
+namespace impetus::inline observers {
+
+double longest_delay_ms(const AttemptRecord& shown) {
+  double longest_s = 0.0;
+  for (const CollisionRecord& collision : shown.collisions) {
+    longest_s = std::max(longest_s, collision.report.imposed_hold_s);
+  }
+  return 1e3 * longest_s;
+}
+
+double widest_gap_arcmin(const AttemptRecord& shown, const StagedScene& scene) {
+  double widest = 0.0;
+  for (const CollisionRecord& collision : shown.collisions) {
+    const BodyPair& bodies = collision.report.bodies;
+    if (!is_wall(bodies.b)) {
+      const auto& a = scene.looks[static_cast<std::size_t>(bodies.a)];
+      const auto& b = scene.looks[static_cast<std::size_t>(bodies.b)];
+      const Viewer viewer = scene.viewer_at_time(collision.time_s);
+      widest = std::max(
+          widest, measure_truth(a, collision.pose_a, b, collision.pose_b, viewer).visible_arcmin());
+    }
+  }
+  return widest;
+}
+
+}  // namespace impetus::inline observers
