@@ -24,7 +24,7 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
   const std::vector<Case> cases{
       {"/observer", "gaze",
        "o.json:/observer: expected one of \"causality\", \"gap\", \"gap-thresholds\", "
-       "\"gaze-contingent\", \"psychometric\", \"response\", got \"gaze\""},
+       "\"gaze-contingent\", \"launching\", \"psychometric\", \"response\", got \"gaze\""},
       {"/parameters/lapse_rate/value", 2,
        "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},
       {"/parameters/threshold_sd_ms/value", -1,
