@@ -30,8 +30,9 @@ class PostRate {
     Bucket& bucket = buckets_.try_emplace(address, Bucket{kBurst, now}).first->second;
     const double passed_s = std::chrono::duration<double>(now - bucket.filled).count();
     bucket = {std::min(kBurst, bucket.left + kPerSecond * passed_s), now};
-    bucket.left -= bucket.left >= 1.0 ? 1.0 : 0.0;
-    return bucket.left >= 1.0;
+    const bool allowed = bucket.left >= 1.0;
+    bucket.left -= allowed ? 1.0 : 0.0;
+    return allowed;
   }
 
  private:
