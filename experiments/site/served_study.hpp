@@ -55,8 +55,8 @@ class ServedStudy {
   void take(const PostedPart& part);
 
   /// Where a participant stands, for a page that is opened again; null: nothing is known of them;
-  /// {"finished": true}: all is done. Throws NotYours without their key, InputError when they stayed
-  /// away for too long.
+  /// {"finished": true}: all is done. Throws NotYours without their key, InputError when they
+  /// stayed away for too long.
   nlohmann::json standing(const std::string& participant, const std::string& key);
 
  private:

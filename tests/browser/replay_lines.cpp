@@ -76,7 +76,8 @@ bool replays(const char* file) {
     take_line(text, file, told);
   }
   if (!told.diverged) {
-    std::printf("%s: %lld steps, the same bits, %.2f us a step\n", file, static_cast<long long>(told.steps),
+    std::printf("%s: %lld steps, the same bits, %.2f us a step\n", file,
+                static_cast<long long>(told.steps),
                 1e6 * told.taken.count() / static_cast<double>(told.steps));
   }
   return told.steps > 0 && !told.diverged;

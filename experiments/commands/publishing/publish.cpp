@@ -5,7 +5,7 @@
 #include <string>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/publishing.hpp"
+#include "experiments/commands/publishing/publication.hpp"
 
 namespace impetus::inline commands {
 namespace {

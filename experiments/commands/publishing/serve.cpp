@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -11,8 +12,7 @@
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/publishing.hpp"
-#include "experiments/commands/shipped_file.hpp"
+#include "experiments/commands/publishing/publication.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/site/http_server.hpp"
 #include "experiments/site/served_study.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/publishing.hpp"
+#include "experiments/commands/publishing/publication.hpp"
 
 #include "experiments/commands/build_name.hpp"
 #include "experiments/commands/progress_line.hpp"
