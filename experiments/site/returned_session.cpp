@@ -153,8 +153,12 @@ TakenSession take_session(const ReturnedFiles& files, const PublishedStudy& publ
       proof.earlier() ? proof.earlier()->enrolment
                       : enrol(study, proof.session().participant, /*simulated=*/false,
                               texts_of(protocol), proof.session().seed, stored(proof.plan()));
+  const std::vector<AnyRecord> notes = screen_notes(proof, study);
   StudyWriter writer(study, enrolment, facts_of(proof, /*key=*/""));
   writer.save_whole([&] {
+    for (const AnyRecord& note : notes) {
+      save_record(note, writer);
+    }
     for (const AnyRecord& record : records) {
       save_record(record, writer);
     }

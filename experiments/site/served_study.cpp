@@ -149,7 +149,7 @@ void ServedStudy::keep(const PostedPart& part, Sitting& sitting) {
   }
   sitting.proof.require_plan();
   if (!sitting.writer) {
-    begin(part.key, sitting);
+    begin(part.key, sitting, records);
   }
   sitting.writer->save_whole([&] {
     for (const AnyRecord& record : records) {
@@ -179,14 +179,16 @@ void ServedStudy::require_its_page(const PostedPart& part) {
   }
 }
 
-/// What is new is kept with the first part.
-void ServedStudy::begin(const std::string& key, Sitting& sitting) {
+/// What is to be said of the session goes before its first records.
+void ServedStudy::begin(const std::string& key, Sitting& sitting, std::vector<AnyRecord>& records) {
   const SessionProof& proof = sitting.proof;
   const std::lock_guard writing(study_.transactions());
   sitting.enrolment = proof.earlier()
                           ? proof.earlier()->enrolment
                           : enrol(study_, proof.session().participant, /*simulated=*/false,
                                   texts_of(protocol_), proof.session().seed, stored(proof.plan()));
+  const std::vector<AnyRecord> notes = screen_notes(proof, study_);
+  records.insert(records.begin(), notes.begin(), notes.end());
   sitting.writer = std::make_unique<StudyWriter>(study_, sitting.enrolment, facts_of(proof, key));
 }
 

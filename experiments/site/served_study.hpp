@@ -70,7 +70,7 @@ class ServedStudy {
   void keep(const PostedPart& part, Sitting& sitting);
   void require_its_page(const PostedPart& part);
   void say_how_far(const Sitting& sitting, const std::vector<AnyRecord>& records);
-  void begin(const std::string& key, Sitting& sitting);
+  void begin(const std::string& key, Sitting& sitting, std::vector<AnyRecord>& records);
 
   const PublishedStudy& published_;
   const Protocol& protocol_;

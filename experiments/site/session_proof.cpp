@@ -6,6 +6,7 @@
 
 #include "experiments/protocol/participant_code.hpp"
 #include "experiments/questions/level_value.hpp"
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/study/stored_plan.hpp"
 
@@ -207,6 +208,22 @@ SessionFacts facts_of(const SessionProof& proof, const std::string& key) {
   facts.resumed = proof.earlier() ? proof.earlier()->resumed : std::nullopt;
   facts.page = SessionPage{proof.name(), key};
   return facts;
+}
+
+std::vector<AnyRecord> screen_notes(const SessionProof& proof, StudyFile& study) {
+  const ScreenGeometry& screen = proof.session().screen;
+  std::vector<AnyRecord> notes;
+  const auto before =
+      proof.earlier() ? last_screen(study.database(), proof.earlier()->enrolment.id) : std::nullopt;
+  if (before && !is_same_screen(*before, screen)) {
+    notes.emplace_back(
+        NoteRecord{kScreenChangedNote,
+                   screen_words(screen) + "; in the session before " + screen_words(*before)});
+  }
+  if (!has_square_pixels(screen)) {
+    notes.emplace_back(NoteRecord{kPixelsNotSquareNote, pixel_words(screen)});
+  }
+  return notes;
 }
 
 }  // namespace impetus::inline site

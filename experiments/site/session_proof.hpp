@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/lines/published_study.hpp"
 #include "experiments/lines/record_lines.hpp"
@@ -81,5 +82,9 @@ class SessionProof {
 
 /// What the session's row says of it.
 SessionFacts facts_of(const SessionProof& proof, const std::string& key);
+
+/// What a reader must know of the session's screen: that another was used before, or that its
+/// pixels are not square.
+std::vector<AnyRecord> screen_notes(const SessionProof& proof, StudyFile& study);
 
 }  // namespace impetus::inline site

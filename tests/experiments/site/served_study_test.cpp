@@ -146,7 +146,11 @@ TEST(ServedStudy, APageThatIsOpenedAgainGoesOnAndTheOldOneIsOver) {
     }
     const json standing = served.site.standing("P01", kPageKey);
     EXPECT_EQ(standing["completed"].size(), 12U);
-    const auto rest = posted(lines_from(served.published, standing), "P01_20260103");
+    std::vector<std::string> lines = lines_from(served.published, standing);
+    json session = json::parse(lines.front());
+    session["screen"][2] = session["screen"][2].get<int>() / 2;  // its width in pixels
+    lines.front() = session.dump();
+    const auto rest = posted(lines, "P01_20260103");
     EXPECT_EQ(rest.size(), 22U);
     for (const PostedPart& part : rest) {
       EXPECT_EQ(served.sentence_of_part(part), "taken");
@@ -162,8 +166,12 @@ TEST(ServedStudy, APageThatIsOpenedAgainGoesOnAndTheOldOneIsOver) {
                      "SELECT group_concat(ifnull(resumed_at, '-') || ifnull(ending, '-')) FROM "
                      "session"),
             "--,trialfinished");
+  EXPECT_EQ(value_of(folder / "a.sqlite",
+                     "SELECT group_concat(kind) FROM note WHERE session_id = 2 AND kind IN "
+                     "('screen changed', 'pixels not square')"),
+            "screen changed,pixels not square");
   const ProgramResult verified = run_program(folder, {"verify", "a.sqlite"});
-  EXPECT_EQ(verified.status, 0) << verified.output;
+  EXPECT_NE(verified.output.find("P01 sat before 2 screens"), std::string::npos) << verified.output;
   EXPECT_EQ(run_program(folder, {"replay", "a.sqlite"}).status, 0);
 }
 
