@@ -15,7 +15,8 @@ TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
       "expected one of the commands run, check, collect, exclude, export, extremes, merge, new, "
-      "observers, power, preview, publish, replay, report, screen, sessions, timing, verify, mesh, "
+      "observers, power, preview, publish, replay, report, screen, serve, sessions, timing, "
+      "verify, mesh, "
       "tree, trade, got ";
   expect_refused(folder, {}, expected + "none");
   expect_refused(folder, {"walk"}, expected + "walk");
