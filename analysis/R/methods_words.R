@@ -36,7 +36,7 @@ luminance_words <- function(sessions) {
 
 # Which sittings ran in a web page, and what no page can know.
 page_words <- function(sessions) {
-  in_page <- sessions[!is.na(sessions$browser), ]
+  in_page <- sessions[!is.na(sessions$browser), , drop = FALSE]
   if (nrow(in_page) == 0) return(NULL)
   sprintf(paste("%s ran in a web page (%s) from the same program and gave the same states; a page knows",
     "when a frame begins, not when its light leaves the screen, one to three refreshes later."),
