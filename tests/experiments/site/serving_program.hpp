@@ -56,7 +56,8 @@ class ServingProgram {
                : std::atoi(words.c_str() + at + 17);
   }
 
-  /// Posts until it is answered, and again where it was one of too many; the status.
+  /// Posts until it is answered, and again where it was one of too many, as a page does; the
+  /// status.
   [[nodiscard]] int post(const PagePart& part) const {
     char number[16];
     std::snprintf(number, sizeof number, "%04d", static_cast<int>(part.number));
@@ -66,13 +67,14 @@ class ServingProgram {
                               {"key", kPageKey}};
     httplib::Client client("127.0.0.1", port_of_output());
     client.set_read_timeout(60);
-    while (true) {
+    for (int attempt = 0; attempt < 300; ++attempt) {
       const auto answer = client.Post("/parts", {}, body.dump(), kJson);
-      if (!answer || answer->status != 429) {
-        return answer ? answer->status : -1;
+      if (answer && answer->status != 429) {
+        return answer->status;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(200));  // as a page waits
     }
+    return -1;
   }
 
   [[nodiscard]] nlohmann::json standing(const std::string& code, const std::string& key) const {
