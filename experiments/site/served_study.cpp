@@ -21,6 +21,7 @@ struct ServedStudy::Sitting {
   explicit Sitting(SessionProof proving) : proof(std::move(proving)) {}
 
   std::mutex turn;
+  bool failed{false};  ///< what was proved is no longer what is kept
   SessionProof proof;
   Enrolment enrolment;  ///< which the writer uses
   std::int64_t parts{0};
@@ -56,16 +57,28 @@ ServedStudy::ServedStudy(const PublishedStudy& published, const Protocol& protoc
     : published_(published), protocol_(protocol), study_(study) {}
 
 void ServedStudy::take(const PostedPart& part) {
-  const std::shared_ptr<Sitting> sitting = sitting_of(part);
-  const std::lock_guard turn(sitting->turn);
+  // A sitting on which another post failed while this one waited is made anew from the file.
+  for (std::shared_ptr<Sitting> sitting = sitting_of(part); !take_with(*sitting, part);) {
+    sitting = sitting_of(part);
+  }
+}
+
+/// Whether the sitting could still take anything.
+bool ServedStudy::take_with(Sitting& sitting, const PostedPart& part) {
+  const std::lock_guard turn(sitting.turn);
+  if (sitting.failed) {
+    return false;
+  }
   try {
-    keep(part, *sitting);
+    keep(part, sitting);
   } catch (...) {
     // What is kept is in the file alone: whoever posts next begins from there.
+    sitting.failed = true;
     const std::lock_guard lock(mutex_);
     sittings_.erase(part.name);
     throw;
   }
+  return true;
 }
 
 std::shared_ptr<ServedStudy::Sitting> ServedStudy::sitting_of(const PostedPart& part) {

@@ -62,6 +62,7 @@ class ServedStudy {
  private:
   struct Sitting;
 
+  bool take_with(Sitting& sitting, const PostedPart& part);
   std::shared_ptr<Sitting> sitting_of(const PostedPart& part);
   std::shared_ptr<Sitting> known_sitting(const PostedPart& part);
   std::optional<EarlierSessions> earlier_sessions(const std::string& participant,
