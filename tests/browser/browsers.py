@@ -60,12 +60,14 @@ class Chromium:
         self.out, self.into = os.fdopen(ours[0][1], "wb", 0), os.fdopen(ours[1][0], "rb")
         for end in (ours[0][0], ours[1][1], *theirs):
             os.close(end)
-        self.number, self.session, self.rest = 0, None, b""
+        self.number, self.session, self.rest, self.notices = 0, None, b"", []
         pages = [target for target in self.call("Target.getTargets")["targetInfos"] if target["type"] == "page"]
         self.session = self.call("Target.attachToTarget", targetId=pages[0]["targetId"], flatten=True)["sessionId"]
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         self.call("Emulation.setFocusEmulationEnabled", enabled=True)
         self.call("Page.enable")
+        self.call("Log.enable")
+        self.call("Network.enable", maxPostDataSize=1 << 26)
 
     def call(self, method, **parameters):
         self.number += 1
@@ -75,7 +77,9 @@ class Chromium:
         self.out.write(json.dumps(message).encode() + b"\0")
         while True:
             answer = self.next_message()
-            if answer.get("method") == "Page.javascriptDialogOpening":
+            if answer.get("method", "").startswith(("Network.", "Log.")):
+                self.notices.append(answer)
+            elif answer.get("method") == "Page.javascriptDialogOpening":
                 self.number += 1
                 self.out.write(json.dumps({"id": self.number, "method": "Page.handleJavaScriptDialog",
                                            "params": {"accept": True}, "sessionId": self.session}).encode() + b"\0")
@@ -92,6 +96,24 @@ class Chromium:
             self.rest += some
         message, self.rest = self.rest.split(b"\0", 1)
         return json.loads(message)
+
+    def heard(self):
+        """What it has told of requests and of its log; of one that was killed, to the last word."""
+        if self.process.poll() is not None:
+            with contextlib.suppress(RuntimeError):
+                while True:
+                    self.notices.append(self.next_message())
+        return self.notices
+
+    def asked(self):
+        """The links that its pages have asked for, or would have if they had been let."""
+        return [message["params"]["request"]["url"] for message in self.heard()
+                if message["method"] == "Network.requestWillBeSent"]
+
+    def complaints(self):
+        """What it wrote in its log of pages that did what their policy forbids."""
+        entries = [message["params"]["entry"] for message in self.heard() if message["method"] == "Log.entryAdded"]
+        return [entry["text"] for entry in entries if "Content Security Policy" in entry["text"]]
 
     def go(self, link):
         self.call("Page.navigate", url=link)
@@ -147,6 +169,22 @@ class Firefox:
                    "toolkit.cosmeticAnimations.enabled": False, "browser.aboutwelcome.enabled": False,
                    "full-screen-api.warning.timeout": 0}
 
+    # Notes requests of pages, not the browser's own, and complaints of a page's policy.
+    LISTEN = """
+    window.asked = [];
+    window.complaints = [];
+    window.listening = {
+      observe(subject) {
+        if (subject instanceof Ci.nsIScriptError) {
+          if (subject.category.startsWith('CSP')) window.complaints.push(subject.errorMessage);
+        } else if (subject instanceof Ci.nsIHttpChannel && subject.loadInfo.loadingPrincipal?.isContentPrincipal) {
+          window.asked.push(subject.URI.spec);
+        }
+      },
+    };
+    Services.obs.addObserver(window.listening, 'http-on-modify-request');
+    Services.console.registerListener(window.listening);"""
+
     def __init__(self, program, folder, width, height):
         profile = os.path.join(folder, "profile")
         os.makedirs(profile, exist_ok=True)
@@ -160,13 +198,14 @@ class Firefox:
         self.screen, display = open_screen(width, height, log)
         self.process = subprocess.Popen(
             [program, "--no-remote", "--kiosk", "--width", str(width), "--height", str(height), "--marionette",
-             "--profile", profile], stdout=log, stderr=log, start_new_session=True,
+             "--remote-allow-system-access", "--profile", profile], stdout=log, stderr=log, start_new_session=True,
             env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
         self.number = 0
         self.socket = self.connect(port)
         self.into = self.socket.makefile("rb")
         self.next_message()
         self.call("WebDriver:NewSession", capabilities={"alwaysMatch": {"unhandledPromptBehavior": "accept"}})
+        self.ask_browser(self.LISTEN)
 
     def connect(self, port):
         for _ in range(300):
@@ -198,6 +237,20 @@ class Firefox:
 
     def ask(self, script):
         return self.call("WebDriver:ExecuteScript", script=script, args=[])["value"]
+
+    def ask_browser(self, script):
+        """Runs a script with the rights of the browser itself."""
+        self.call("Marionette:SetContext", value="chrome")
+        try:
+            return self.ask(script)
+        finally:
+            self.call("Marionette:SetContext", value="content")
+
+    def asked(self):
+        return self.ask_browser("return window.asked;")
+
+    def complaints(self):
+        return self.ask_browser("return window.complaints;")
 
     def act(self, kind, actions, **more):
         self.call("WebDriver:PerformActions", actions=[{"type": kind, "id": kind, "actions": actions, **more}])

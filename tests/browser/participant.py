@@ -1,8 +1,8 @@
 """Somebody who takes part in a published study: reads each page, answers it with keys and mouse, and
 looks where the mouse is.
 
-Usage: participant.py BROWSER LINK [WIDTH HEIGHT [PICTURES]]. Prints how the session ended. With PICTURES, a
-folder, every page is photographed.
+Usage: participant.py BROWSER LINK [WIDTH HEIGHT [PICTURES]]. Prints how the session ended, and what the page
+asked of other origins, which is to be nothing. With PICTURES, a folder, every page is photographed.
 """
 import math
 import os
@@ -80,9 +80,9 @@ def answer(browser, page):
 
 
 def take_part(browser, link, longest_s, pictures=None):
-    """Takes part from the first page to the last; how the session ended."""
+    """Takes part for so long, from the first page to the last; how the session ended."""
     browser.go(link)
-    count, end = 0, time.time() + longest_s
+    count, begun, end = 0, False, time.time() + 120
     while time.time() < end:
         page = browser.ask(LOOK)
         if page["ending"]:
@@ -90,7 +90,13 @@ def take_part(browser, link, longest_s, pictures=None):
         if "link" in page:  # nothing is shown yet, or a page of others
             if page["link"].startswith("http") and not page["link"].startswith(link.split("?")[0]):
                 return page["link"]
+            time.sleep(0.02)
+            if page["link"].startswith("chrome-error"):  # nobody served it: it is asked for again
+                time.sleep(1)
+                browser.go(link)
             continue
+        if page["listens"] and not begun:
+            begun, end = True, time.time() + longest_s
         if page["apart"] > blind_spot_px():
             browser.press("space")
         if page["target"]:
@@ -108,9 +114,17 @@ def take_part(browser, link, longest_s, pictures=None):
     return "not ended: " + re.sub(r"\s+", " ", page["words"])
 
 
+def strays(browser, link):
+    """What the page asked of other origins than its own, and what it did against its policy."""
+    own = ("/".join(link.split("/")[:3]) + "/", "data:", "blob:")
+    return [f"the page asked for {asked}" for asked in browser.asked() if not asked.startswith(own)] + \
+        [f"the browser complained: {complaint}" for complaint in browser.complaints()]
+
+
 if __name__ == "__main__":
     program, link, *more = sys.argv[1:]
     width, height = (int(more[0]), int(more[1])) if len(more) > 1 else (960, 720)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         with open_browser(program, folder, width, height) as opened:
-            print(take_part(opened, link, 240, more[2] if len(more) > 2 else None))
+            ending = take_part(opened, link, 600, more[2] if len(more) > 2 else None)
+            print("; ".join([ending, *strays(opened, link)]))
