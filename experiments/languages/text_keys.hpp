@@ -169,6 +169,8 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"page_not_sent"},
     {"page_no_connection", TextUse::kLabel},
     {"page_server_answered", TextUse::kLabel},
+    {"page_not_taken"},
+    {"page_not_remembered"},
     {"page_done_already"},
     {"page_needs_keyboard"},
     {"page_too_small"},

@@ -52,6 +52,12 @@ function noteAbsences(kind, isAbsent, events) {
   }
 }
 
+/** What was pressed on a page was for it alone. */
+export function forgetClicks() {
+  clicks = [];
+  pauseAsked = false;
+}
+
 /** All of it since the last call. */
 export function takeEvents() {
   const events = {moves, clicks, away, absences, pause: pauseAsked};

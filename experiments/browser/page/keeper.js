@@ -4,7 +4,8 @@
 //
 //   part ──remembered──> posted until it is acknowledged ──> the new standing is remembered
 //
-// Lines are passed on unread: their numbers have 64 bits.
+// A browser that can remember nothing goes on without, as long as its page is open. What is refused for good
+// is set aside for the participant to hand over. Lines are passed on unread: their numbers have 64 bits.
 
 import {text} from './words.js';
 
@@ -35,8 +36,11 @@ async function inStore(mode, act) {
   });
 }
 
-const recall = (name) => inStore('readonly', (store) => store.get(name));
-const remember = (name, value) => inStore('readwrite', (store) => store.put(value, name));
+const recall = (name) => inStore('readonly', (store) => store.get(name)).catch(() => undefined);
+
+/** Whether it will be there when the page is opened again: a store may be full, or none. */
+const remember = (name, value) => inStore('readwrite', (store) => store.put(value, name))
+  .then((key) => key !== undefined, () => false);
 
 // ---------------------------------------------------------------- posts
 
@@ -61,13 +65,16 @@ async function post(url, body) {
   }
 }
 
+/** What was sent will never be taken; the message says why. */
+class Refused extends Error {}
+
 /** Tries until it was taken or is refused; says in between what is the matter. */
 async function postUntilTaken(url, body, showTrouble) {
   for (let wait_ms = 500; ; wait_ms = Math.min(2 * wait_ms, 15000)) {
     const {answer, refused, problem} = await post(url, body);
     showTrouble(problem ?? '');
     if (answer) return answer;
-    if (refused) throw new Error(refused);
+    if (refused) throw new Refused(refused);
     await pause(wait_ms);
   }
 }
@@ -87,14 +94,17 @@ export class Keeper {
     this.waiting = [];
     this.parts = 0;
     this.going = Promise.resolve();
+    this.forgetful = false;
+    this.held = new Map();  // what this browser's store did not take
   }
 
   /** Sends what an earlier page left on its way; returns where the participant stands, or null. */
   async begin() {
-    this.memory = await recall(this.place) ?? {key: random('', 16), files: []};
+    this.memory = {key: random('', 16), files: [], refused: [], ...await recall(this.place)};
     this.key ??= this.memory.key;
     this.memory.key = this.key;
-    if (this.memory.pending) await this.send(this.memory.pending);
+    await this.remember(this.place, this.memory);
+    if (this.memory.pending) await this.sendAgain(this.memory.pending);
     // From now on the page's address is the participant's own link, which goes on.
     const own = new URL(location.href);
     own.searchParams.set('participant', this.code);
@@ -135,20 +145,50 @@ export class Keeper {
 
   async send(part) {
     this.memory.pending = part;
-    await remember(this.place, this.memory);
+    await this.remember(this.place, this.memory);
     const {drop} = this.site;
     if (drop) {
-      const {filename, data} = part;
-      const body = {experimentID: drop.experiment, filename, data,
-        ...(this.site.standing ? {key: this.key} : {})};
-      await postUntilTaken(drop.url, body, this.showTrouble);
+      await this.post(drop, part);
     } else {
-      await remember(`${this.place}|${part.filename}`, part.data);
-      this.memory.files.push(part.filename);
+      await this.setAside(part, this.memory.files);
     }
     const {standing, finished} = part;
     Object.assign(this.memory, {pending: null, standing, finished, at: Date.now()});
-    await remember(this.place, this.memory);
+    await this.remember(this.place, this.memory);
+  }
+
+  async post(drop, part) {
+    const {filename, data} = part;
+    const body = {experimentID: drop.experiment, filename, data, ...(this.site.standing ? {key: this.key} : {})};
+    try {
+      await postUntilTaken(drop.url, body, this.showTrouble);
+    } catch (error) {
+      this.memory.pending = null;
+      await this.setAside(part, this.memory.refused);
+      await this.remember(this.place, this.memory);
+      throw error;
+    }
+  }
+
+  /** What an earlier page left on its way may be of a session that went on elsewhere: this one goes on all the
+      same, from what was taken. */
+  async sendAgain(part) {
+    try {
+      await this.send(part);
+    } catch (error) {
+      if (!(error instanceof Refused)) throw error;
+    }
+  }
+
+  async setAside({filename, data}, files) {
+    await this.remember(`${this.place}|${filename}`, data);
+    if (!files.includes(filename)) files.push(filename);
+  }
+
+  async remember(name, value) {
+    if (await remember(name, value)) return;
+    this.forgetful = true;
+    this.held.set(name, value);
   }
 
   /** What is kept in this browser alone, a file for each session: [name, lines]. */
@@ -156,8 +196,18 @@ export class Keeper {
     const sessions = new Map();
     for (const file of this.memory.files) {
       const name = file.replace(/_[0-9]+\.jsonl$/, '.jsonl');
-      sessions.set(name, (sessions.get(name) ?? '') + await recall(`${this.place}|${file}`));
+      sessions.set(name, (sessions.get(name) ?? '') + await this.linesOf(file));
     }
     return [...sessions];
+  }
+
+  /** The parts that were refused for good: [name, lines]. */
+  refused() {
+    return Promise.all(this.memory.refused.map(async (file) => [file, await this.linesOf(file)]));
+  }
+
+  async linesOf(file) {
+    const place = `${this.place}|${file}`;
+    return this.held.get(place) ?? await recall(place);
   }
 }

@@ -111,11 +111,12 @@ function build(page) {
   return buttons;
 }
 
+let shownProgress = {done: 0, total: 0, label: '', light: false};
+
 /** A page of the page's own, as the program would describe it. */
 export function ownPage(facts) {
   return {layout: 'text', paragraphs: [], statement: '', fields: [], points: [], low_anchor: '', high_anchor: '',
-    timeout_ms: 0, can_pause: false, choice_at_end: null, ...facts,
-    progress: {done: 0, total: 0, label: '', light: false}};
+    timeout_ms: 0, can_pause: false, choice_at_end: null, ...facts, progress: shownProgress};
 }
 
 /** Shows a page until it is answered; everything about it is undone afterwards. Beyond what the program
@@ -198,6 +199,7 @@ export async function ask(page) {
 
 /** How far the session has come, along the bottom edge. */
 export function showProgress(progress) {
+  shownProgress = progress;
   $('progress').hidden = progress.total === 0 && progress.label === '';
   $('done').style.width = `${progress.total > 0 ? 100 * progress.done / progress.total : 0}%`;
   $('label').textContent = progress.label;

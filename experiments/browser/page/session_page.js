@@ -4,9 +4,9 @@
 //   site.json ─> browser usable? ─> full screen, its size and distance ─> run_page() ─> the end
 
 import {clockStep_ms, rendererName, requireLargeEnough, requireUsable} from './browser_facts.js';
-import {listen, takeEvents} from './happenings.js';
+import {forgetClicks, listen, takeEvents} from './happenings.js';
 import {Keeper} from './keeper.js';
-import {$, ask, element, frame, showProgress, showTrouble, tell} from './pages.js';
+import {$, ask, element, frame, ownPage, showProgress, showTrouble, tell} from './pages.js';
 import {measureScreen, restoreFullScreen} from './screen_measure.js';
 import {speak, text} from './words.js';
 
@@ -18,7 +18,8 @@ function asksOf(keeper) {
   return {
     nextFrame: frame,
     ask: async (page) => JSON.stringify(await ask({...JSON.parse(page), answered: restoreFullScreen})),
-    awaitSaved: (standing) => keeper.keep(standing).catch(refuse),
+    awaitSaved: (standing) => keeper.keep(standing).then(() => admitForgetting(keeper),
+      (error) => giveUp(error, keeper)),
     handOver: (line) => keeper.add(line),
     takeEvents: () => JSON.stringify(takeEvents()),
     showProgress: (progress) => showProgress(JSON.parse(progress)),
@@ -91,19 +92,34 @@ function writeFacts(program, site, canvas, keeper, screen) {
   }));
 }
 
+function downloadOf([name, lines]) {
+  const file = URL.createObjectURL(new Blob([lines], {type: 'application/jsonl'}));
+  return element('p', {}, element('a', {href: file, download: name, textContent: name}));
+}
+
 /** What is kept in this browser alone, for the participant to hand over. */
 async function downloadsOf(keeper) {
-  return (await keeper.files()).map(([name, lines]) => {
-    const file = URL.createObjectURL(new Blob([lines], {type: 'application/jsonl'}));
-    return element('p', {}, element('a', {href: file, download: name, textContent: name}));
-  });
+  const refused = await keeper.refused();
+  return [...(await keeper.files()).map(downloadOf),
+    ...(refused.length > 0 ? [element('p', {textContent: text('page_not_taken')})] : []),
+    ...refused.map(downloadOf)];
 }
 
 /** What was answered will not be taken: nothing more is asked. */
-function refuse(error) {
-  tell(text('page_cannot_go_on'), [error.message]);
-  end('failed');
+async function giveUp(error, keeper) {
+  tell(text('page_cannot_go_on'), [error.message], ...await downloadsOf(keeper));
+  await end('failed', keeper);
   return new Promise(() => {});
+}
+
+let admitted = false;
+
+/** Says once that a page which is closed begins anew. */
+async function admitForgetting(keeper) {
+  if (!keeper.forgetful || admitted) return;
+  admitted = true;
+  await ask(ownPage({paragraphs: [text('page_not_remembered')], choices: [{label: text('continue'), key: 'space'}]}));
+  forgetClicks();
 }
 
 /** The window of the experiment that this page is a trial of; null: it is a page of its own. */
@@ -128,6 +144,10 @@ async function run() {
   const prepared = await prepare();
   if (!prepared) return;
   const {site, keeper, program} = prepared;
+  addEventListener('unhandledrejection', (event) => {
+    if (!finished) giveUp(event.reason, keeper);  // the program broke
+  });
+  await admitForgetting(keeper);
   const screen = await measureScreen(site);
   if (!site.phones) requireLargeEnough();
   writeFacts(program, site, layOut(), keeper, screen);
@@ -136,7 +156,7 @@ async function run() {
   finished = true;
   if (document.fullscreenElement) await document.exitFullscreen();
   if (ending === 'finished' && site.completion && !experiment()) return location.assign(site.completion);
-  if (ending !== 'failed' && !site.drop && !experiment()) {
+  if (!experiment()) {
     $('page').append(...await downloadsOf(keeper));
     document.querySelectorAll('#page a').forEach((file) => file.click());
   }
