@@ -142,15 +142,20 @@ std::string run() {
   const SteadyClock clock;
   PageLaboratory page(facts.screen, clock);
   const SyncTest sync = page.measure_refresh();
-  if (!sync.passed && !facts.allow_failed_sync) {
-    throw std::runtime_error(protocol.script.language.text("page_unsteady"));
+  const bool steady = sync.passed || facts.allow_failed_sync;
+  if (steady) {
+    check_frames(protocol, page.refresh_hz(), /*allow_rounding=*/false);
   }
-  check_frames(protocol, page.refresh_hz(), /*allow_rounding=*/false);
   const Plan plan = plan_of(study, protocol, facts.participant, facts.seed);
   hand_over_session(session_record(facts, protocol, page, sync, study), plan);
-  const ProtocolScenes scenes(protocol, kUnroundedHold);
   const Standing standing = standing_of(read_json("/standing.json").value, plan, protocol);
   PageRecorder recorder(standing, protocol.design);
+  if (!steady) {
+    recorder.save(NoteRecord{kSyncTestFailedNote, sync.verdict});
+    recorder.await_saved();
+    throw std::runtime_error(protocol.script.language.text("page_unsteady"));
+  }
+  const ProtocolScenes scenes(protocol, kUnroundedHold);
   const GazePaths no_paths;
   const Ports ports{page, page, scenes, recorder, &page, &clock, &clock, &no_paths};
   const SessionResult result =

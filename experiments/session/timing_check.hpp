@@ -13,6 +13,9 @@
 
 namespace impetus::inline session {
 
+/// A note of a session that ended where it would have begun, for its sync test failed.
+inline constexpr const char* kSyncTestFailedNote = "sync test failed";
+
 /// What the flips of a display were like, and whether they can be trusted.
 struct SyncTest {
   std::int64_t tries{0};

@@ -56,9 +56,8 @@ const char* ending_of(const AnyRecord& record) {
   if (std::holds_alternative<FinishedRecord>(record)) {
     return "finished";
   }
-  if (const auto* note = std::get_if<NoteRecord>(&record);
-      note != nullptr && note->kind == "quit") {
-    return "quit";
+  if (const auto* note = std::get_if<NoteRecord>(&record)) {
+    return note->kind == "quit" ? "quit" : note->kind == kSyncTestFailedNote ? "failed" : nullptr;
   }
   const auto* question = std::get_if<QuestionRecord>(&record);
   const bool declined =

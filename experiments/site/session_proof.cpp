@@ -49,6 +49,8 @@ std::optional<AnyRecord> SessionProof::take(const std::string& line) {
     prove(*attempt);
   } else if (const auto* chosen = std::get_if<ChosenLevel>(&record)) {
     require_level(*chosen);
+  } else if (const auto* note = std::get_if<NoteRecord>(&record)) {
+    stopped_by_sync_test_ = stopped_by_sync_test_ || note->kind == kSyncTestFailedNote;
   } else if (std::holds_alternative<SessionRecord>(record) ||
              std::holds_alternative<PlannedTrial>(record)) {
     refuse_line("expected one session and its plan once, got another");
@@ -203,7 +205,7 @@ SessionFacts facts_of(const SessionProof& proof, const std::string& key) {
   facts.refresh_hz = session.refresh_hz;
   facts.rounding_allowed = session.rounding_allowed;
   facts.sync = session.sync;
-  facts.sync_overridden = !session.sync.passed;
+  facts.sync_overridden = !session.sync.passed && !proof.stopped_by_sync_test();
   facts.gaze_source = session.gaze_source;
   facts.resumed = proof.earlier() ? proof.earlier()->resumed : std::nullopt;
   facts.page = SessionPage{proof.name(), key};

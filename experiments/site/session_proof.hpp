@@ -56,6 +56,9 @@ class SessionProof {
   [[nodiscard]] const std::optional<EarlierSessions>& earlier() const { return earlier_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }  ///< simulated again
 
+  /// Whether it ended where it would have begun, for its sync test failed.
+  [[nodiscard]] bool stopped_by_sync_test() const { return stopped_by_sync_test_; }
+
  private:
   [[noreturn]] void refuse_line(const std::string& sentence) const;
   AnyRecord read(const std::string& line) const;
@@ -76,6 +79,7 @@ class SessionProof {
   std::optional<EarlierSessions> earlier_;
   std::optional<AttemptReplay> replay_;  ///< once the session is known
   std::optional<Standing> standing_;     ///< once the plan is known
+  bool stopped_by_sync_test_{false};
   std::int64_t steps_{0};
   std::int64_t line_{0};
 };

@@ -166,7 +166,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   writer.tell(saved);
   save_screen_notes(facts.screen, screen_change_, writer);
   if (!sync_.passed && !options_.override_sync_test) {
-    writer.save(NoteRecord{"sync test failed", sync_.verdict});
+    writer.save(NoteRecord{kSyncTestFailedNote, sync_.verdict});
     writer.end("failed");
     throw InputError("the sync test failed in " + std::to_string(sync_.tries) + " tries: " +
                      sync_.verdict + "; --override-sync-test goes on and marks every trial");
