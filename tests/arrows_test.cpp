@@ -66,6 +66,7 @@ const std::vector<Room> kRooms = {
     {"experiments/exports",
      {"experiments/store", "experiments/tables"},
      {"JSON", "SQLite", "zlib"}},
+    {"experiments/fitting", {"experiments/observers"}, {"Eigen"}},
     {"experiments/power", {"experiments/settings"}, {"SQLite"}},
     {"experiments/site",
      {"experiments/lines", "experiments/study", "experiments/exports"},
@@ -78,7 +79,8 @@ const std::vector<Room> kRooms = {
     {"experiments/commands",
      {"experiments/files", "experiments/study", "experiments/store/merging",
       "experiments/viewers/replays", "experiments/trade", "experiments/timing",
-      "experiments/extremes", "experiments/exports", "experiments/power", "experiments/site"},
+      "experiments/extremes", "experiments/exports", "experiments/fitting", "experiments/power",
+      "experiments/site"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
 };
 

@@ -32,8 +32,7 @@ class CausalityObserver final : public RatingObserver {
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override;
   [[nodiscard]] double seen_at(double delay_ms) const;
 
-  double threshold_ms_;
-  double width_ms_;
+  CausalityParameters parameters_;
 };
 
 }  // namespace impetus::inline observers

@@ -52,36 +52,32 @@ double gap_threshold_arcmin(double at_rest_arcmin, double eccentricity_deg, doub
          (60.0 / visible_frequency_at(speed_deg_s));
 }
 
-GapObserver::GapObserver(const GapParameters& parameters, const Birth& birth,
-                         const std::string& study)
-    : RatingObserver(parameters, birth, study), parameters_(parameters) {
-  draw_traits();
-  if (parameters_.threshold_sd_log10 > 0.0) {
-    threshold_log10_ = parameters_.threshold_sd_log10 * normal();
-  }
+namespace {
+
+double threshold_of(const GapParameters& own, const Traits& traits, double eccentricity_deg,
+                    double speed_deg_s, double bodies) {
+  const double crowd = std::max(0.0, bodies - 2.0);
+  return gap_threshold_arcmin(own.threshold_arcmin, eccentricity_deg, speed_deg_s) *
+         std::pow(10.0, own.threshold_sd_log10 * traits.threshold) *
+         (1.0 + own.crowding_per_body * crowd);
 }
 
-double GapObserver::threshold_arcmin(double eccentricity_deg, double speed_deg_s,
-                                     std::size_t bodies) const {
-  const double crowd = std::max(0.0, static_cast<double>(bodies) - 2.0);
-  return gap_threshold_arcmin(parameters_.threshold_arcmin, eccentricity_deg, speed_deg_s) *
-         std::pow(10.0, threshold_log10_) * (1.0 + parameters_.crowding_per_body * crowd);
-}
-
-double GapObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
-                             std::size_t bodies) const {
+double seen_gap_of(const GapParameters& own, const Traits& traits, double visible_arcmin,
+                   double eccentricity_deg, double speed_deg_s, double bodies) {
   if (visible_arcmin <= 0.0) {
-    return parameters_.guess_rate;
+    return own.guess_rate;
   }
-  const double threshold = threshold_arcmin(eccentricity_deg, speed_deg_s, bodies);
-  return parameters_.guess_rate +
-         (1.0 - parameters_.guess_rate - parameters_.miss_rate) *
-             normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
+  const double threshold = threshold_of(own, traits, eccentricity_deg, speed_deg_s, bodies);
+  return own.guess_rate + (1.0 - own.guess_rate - own.miss_rate) *
+                              normal_cdf(std::log10(visible_arcmin / threshold) / own.width_log10);
 }
 
-double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
+/// The number of bodies; then of each collision of two of them the gap (minutes of arc), its
+/// eccentricity (degrees), and how fast they closed in (degrees per second).
+Percept shown_gaps(const RatingParameters& /*parameters*/, const AttemptRecord& shown,
+                   const StagedScene& scene) {
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
-  double clearest = parameters_.guess_rate;
+  Percept percept{static_cast<double>(scene.looks.size())};
   for (const CollisionRecord& collision : shown.collisions) {
     if (is_wall(collision.report.bodies.b)) {
       continue;
@@ -91,11 +87,58 @@ double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
     const CollisionTruth truth =
         measure_truth(scene.looks[a], collision.pose_a, scene.looks[b], collision.pose_b,
                       scene.viewer_at_time(collision.time_s));
-    const double speed_deg_s = collision.report.approach_m_s / m_per_deg;
-    clearest = std::max(clearest, seen_gap(truth.visible_arcmin(), collision.eccentricity_deg,
-                                           speed_deg_s, scene.looks.size()));
+    percept.insert(percept.end(), {truth.visible_arcmin(), collision.eccentricity_deg,
+                                   collision.report.approach_m_s / m_per_deg});
+  }
+  return percept;
+}
+
+/// The clearest of them.
+double clearest_gap(const RatingParameters& parameters, const Traits& traits,
+                    const Percept& percept) {
+  const auto& own = static_cast<const GapParameters&>(parameters);
+  double clearest = own.guess_rate;
+  for (std::size_t at = 1; at < percept.size(); at += 3) {
+    clearest = std::max(clearest, seen_gap_of(own, traits, percept[at], percept[at + 1],
+                                              percept[at + 2], percept[0]));
   }
   return clearest;
+}
+
+template <std::vector<ParameterEntry> (*entries)(GapParameters&)>
+AnswerModel gap_answers(std::vector<std::string> fitted, std::vector<TraitSpread> spreads) {
+  AnswerModel answers =
+      answers_of_own<GapParameters, entries>(std::move(fitted), std::move(spreads));
+  answers.percept = shown_gaps;
+  answers.seen = clearest_gap;
+  return answers;
+}
+
+}  // namespace
+
+GapObserver::GapObserver(const GapParameters& parameters, const Birth& birth,
+                         const std::string& study)
+    : RatingObserver(parameters, birth, study), parameters_(parameters) {
+  draw_traits();
+  if (parameters_.threshold_sd_log10 > 0.0) {
+    traits_.threshold = normal();
+  }
+}
+
+double GapObserver::threshold_arcmin(double eccentricity_deg, double speed_deg_s,
+                                     std::size_t bodies) const {
+  return threshold_of(parameters_, traits_, eccentricity_deg, speed_deg_s,
+                      static_cast<double>(bodies));
+}
+
+double GapObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
+                             std::size_t bodies) const {
+  return seen_gap_of(parameters_, traits_, visible_arcmin, eccentricity_deg, speed_deg_s,
+                     static_cast<double>(bodies));
+}
+
+double GapObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
+  return clearest_gap(parameters_, traits_, shown_gaps(parameters_, shown, scene));
 }
 
 std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
@@ -108,24 +151,31 @@ std::vector<ParameterEntry> gap_entries(GapParameters& gap) {
 }
 
 const ObserverKind& gap_observer() {
-  static const ObserverKind kind{.name = "gap",
-                                 .words = "Notices a gap between two bodies that collide.",
-                                 .attention = gap_attention(),
-                                 .parameters = list_own<GapParameters, gap_entries>(),
-                                 .read = read_own<GapParameters, gap_entries>,
-                                 .make = make_own<GapParameters, GapObserver>};
+  static const ObserverKind kind{
+      .name = "gap",
+      .words = "Notices a gap between two bodies that collide.",
+      .attention = gap_attention(),
+      .parameters = list_own<GapParameters, gap_entries>(),
+      .read = read_own<GapParameters, gap_entries>,
+      .make = make_own<GapParameters, GapObserver>,
+      .answers = gap_answers<gap_entries>(
+          {"threshold_arcmin", "width_log10", "guess_rate", "miss_rate"}, {})};
   return kind;
 }
 
 const ObserverKind& gap_thresholds_observer() {
-  static const ObserverKind kind{.name = kThresholds,
-                                 .words =
-                                     "Notices such a gap, less well in a crowd, by a threshold "
-                                     "of each participant's own.",
-                                 .attention = gap_attention(),
-                                 .parameters = list_own<GapParameters, thresholds_entries>(),
-                                 .read = read_own<GapParameters, thresholds_entries>,
-                                 .make = make_own<GapParameters, ThresholdsObserver>};
+  static const ObserverKind kind{
+      .name = kThresholds,
+      .words =
+          "Notices such a gap, less well in a crowd, by a threshold "
+          "of each participant's own.",
+      .attention = gap_attention(),
+      .parameters = list_own<GapParameters, thresholds_entries>(),
+      .read = read_own<GapParameters, thresholds_entries>,
+      .make = make_own<GapParameters, ThresholdsObserver>,
+      .answers = gap_answers<thresholds_entries>(
+          {"threshold_arcmin", "width_log10", "guess_rate", "miss_rate", "crowding_per_body"},
+          {{"threshold_sd_log10", &Traits::threshold}})};
   return kind;
 }
 

@@ -51,7 +51,6 @@ class GapObserver : public RatingObserver {
 
  private:
   GapParameters parameters_;
-  double threshold_log10_{0.0};  ///< t
 };
 
 /// The numbers that all who look for gaps have.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/numerics/elementary_functions.hpp"
+#include "experiments/observers/explained_clicks.hpp"
 #include "experiments/observers/gap_observer.hpp"
 #include "experiments/run/collision_truth.hpp"
 
@@ -142,6 +143,119 @@ std::shared_ptr<const RatingParameters> read_gaze(const JsonDocument& document) 
   return parameters;
 }
 
+/// Probability that a collision's gap is seen.
+double seen_gap_of(const GazeObserverParameters& own, double visible_arcmin,
+                   double eccentricity_deg, double speed_deg_s, double bodies) {
+  if (visible_arcmin <= 0.0) {
+    return 0.0;
+  }
+  const double crowd = std::max(0.0, bodies - 2.0);
+  const double threshold =
+      gap_threshold_arcmin(own.threshold_arcmin, eccentricity_deg, speed_deg_s) *
+      (1.0 + own.crowding_per_body * crowd);
+  return (1.0 - own.miss_rate) *
+         normal_cdf(std::log10(visible_arcmin / threshold) / own.width_log10);
+}
+
+/// Of the events that were seen as bad.
+double badness(const GazeObserverParameters& own, double events, double stimulus_s) {
+  return 1.0 - std::exp(-events / std::max(stimulus_s, 1e-3) / own.events_per_s);
+}
+
+/// Below this gap a body of a crowd is judged by a coarser mesh.
+double threshold_m(const GazeObserverParameters& own, const StagedScene& scene) {
+  return metres_per_degree(scene.viewer.screen.viewing_distance_m) * own.threshold_arcmin /
+         kArcminPerDegree;
+}
+
+double gaze_eccentricity_deg(const CollisionRecord& collision) {
+  return collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg);
+}
+
+double shown_for_s(const AttemptRecord& shown) {
+  return static_cast<double>(shown.frames.back().flip.flipped_ns - shown.onset_ns) / 1e9;
+}
+
+/// The stimulus's duration (s) and the number of bodies; then of each collision that a frame
+/// showed its time (s), the gap (minutes of arc), its eccentricity (degrees) and how fast they
+/// closed in (degrees per second).
+Percept shown_collisions(const RatingParameters& parameters, const AttemptRecord& shown,
+                         const StagedScene& scene) {
+  if (shown.frames.empty()) {
+    return {0.0, static_cast<double>(scene.looks.size())};
+  }
+  const auto& own = static_cast<const GazeObserverParameters&>(parameters);
+  const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
+  Percept percept{shown_for_s(shown), static_cast<double>(scene.looks.size())};
+  for (const CollisionRecord& collision : shown.collisions) {
+    if (collision.first_frame_shown >= 0) {
+      const JudgedCollision judged_collision(collision, scene, threshold_m(own, scene));
+      percept.insert(percept.end(),
+                     {collision.time_s, judged_collision.visible_arcmin(),
+                      gaze_eccentricity_deg(collision), collision.report.approach_m_s / m_per_deg});
+    }
+  }
+  return percept;
+}
+
+/// Where each collision of a percept begins an event, and how probably: when it is seen and none
+/// was within the time in which two count as one.
+std::vector<PossibleEvent> possible_events(const GazeObserverParameters& own,
+                                           const Percept& percept) {
+  struct Seen {
+    double at_s;
+    double chance;
+  };
+  std::vector<Seen> before;
+  std::vector<PossibleEvent> events;
+  for (std::size_t at = 2; at < percept.size(); at += 4) {
+    const double chance =
+        seen_gap_of(own, percept[at + 1], percept[at + 2], percept[at + 3], percept[1]);
+    double begins = chance;
+    for (const Seen& one : before) {
+      begins *= percept[at] - one.at_s < own.merge_ms / 1e3 ? 1.0 - one.chance : 1.0;
+    }
+    before.push_back({percept[at], chance});
+    if (begins > 0.0) {
+      events.push_back({percept[at], begins});
+    }
+  }
+  return events;
+}
+
+double gaze_outcomes(const RatingParameters& parameters, const Percept& percept,
+                     const std::vector<double>* clicks_s, std::vector<Outcome>& outcomes) {
+  const auto& own = static_cast<const GazeObserverParameters&>(parameters);
+  const double stimulus_s = percept[0];
+  std::vector<PossibleEvent> events = possible_events(own, percept);
+  double logarithm = 0.0;
+  if (clicks_s != nullptr) {
+    logarithm = explain_clicks({own.click_median_ms / 1e3, own.click_sigma_log,
+                                own.refractory_ms / 1e3, own.false_clicks_per_s},
+                               *clicks_s, stimulus_s, events);
+  }
+  outcomes.clear();
+  const std::vector<double> chances = chances_of_count(events);
+  constexpr double kNegligible = 1e-7;
+  for (std::size_t count = 0; count < chances.size(); ++count) {
+    if (chances[count] > kNegligible) {
+      outcomes.push_back({chances[count], badness(own, static_cast<double>(count), stimulus_s)});
+    }
+  }
+  return logarithm;
+}
+
+AnswerModel gaze_answers() {
+  AnswerModel answers = answers_of_own<GazeObserverParameters, gaze_entries>(
+      {"threshold_arcmin", "width_log10", "miss_rate", "false_clicks_per_s", "click_median_ms",
+       "click_sigma_log", "events_per_s", "crowding_per_body"},
+      {});
+  answers.percept = shown_collisions;
+  answers.outcomes = gaze_outcomes;
+  answers.blank = [](const Percept& percept) { return Percept{percept[0], percept[1]}; };
+  return answers;
+}
+
 }  // namespace
 
 GazeObserver::GazeObserver(const GazeObserverParameters& parameters, const Birth& birth)
@@ -154,15 +268,8 @@ GazeObserver::GazeObserver(const GazeObserverParameters& parameters, const Birth
 
 double GazeObserver::seen_gap(double visible_arcmin, double eccentricity_deg, double speed_deg_s,
                               std::size_t bodies) const {
-  if (visible_arcmin <= 0.0) {
-    return 0.0;
-  }
-  const double crowd = std::max(0.0, static_cast<double>(bodies) - 2.0);
-  const double threshold =
-      gap_threshold_arcmin(parameters_.threshold_arcmin, eccentricity_deg, speed_deg_s) *
-      (1.0 + parameters_.crowding_per_body * crowd);
-  return (1.0 - parameters_.miss_rate) *
-         normal_cdf(std::log10(visible_arcmin / threshold) / parameters_.width_log10);
+  return seen_gap_of(parameters_, visible_arcmin, eccentricity_deg, speed_deg_s,
+                     static_cast<double>(bodies));
 }
 
 bool GazeObserver::sees(double draw, const CollisionRecord& collision,
@@ -172,10 +279,9 @@ bool GazeObserver::sees(double draw, const CollisionRecord& collision,
     return false;
   }
   const double m_per_deg = metres_per_degree(scene.viewer.screen.viewing_distance_m);
-  const double threshold_m = m_per_deg * parameters_.threshold_arcmin / kArcminPerDegree;
-  const JudgedCollision judged_collision(collision, scene, threshold_m);
+  const JudgedCollision judged_collision(collision, scene, threshold_m(parameters_, scene));
   const auto probability = [&](double arcmin) {
-    return seen_gap(arcmin, collision.gaze_eccentricity_deg.value_or(collision.eccentricity_deg),
+    return seen_gap(arcmin, gaze_eccentricity_deg(collision),
                     collision.report.approach_m_s / m_per_deg, scene.looks.size());
   };
   // In a crowd most gaps are too small for this draw whatever they are exactly, which takes long.
@@ -232,14 +338,12 @@ double GazeObserver::seen(const AttemptRecord& shown, const StagedScene& scene) 
   if (shown.frames.empty()) {
     return 0.0;
   }
-  const double stimulus_s =
-      static_cast<double>(shown.frames.back().flip.flipped_ns - shown.onset_ns) / 1e9;
+  const double stimulus_s = shown_for_s(shown);
   const std::vector<double> events_s = draw_events_s(shown, scene);
   for (const double at_s : draw_clicks_s(events_s, stimulus_s)) {
     clicks_.push_back({"simulated", shown.onset_ns + std::llround(at_s * 1e9), 0});
   }
-  const double events_per_s = static_cast<double>(events_s.size()) / std::max(stimulus_s, 1e-3);
-  return 1.0 - std::exp(-events_per_s / parameters_.events_per_s);
+  return badness(parameters_, static_cast<double>(events_s.size()), stimulus_s);
 }
 
 const ObserverKind& gaze_observer() {
@@ -252,7 +356,8 @@ const ObserverKind& gaze_observer() {
                                  .has_eye = true,
                                  .parameters = list_own<GazeObserverParameters, gaze_entries>(),
                                  .read = read_gaze,
-                                 .make = make_own<GazeObserverParameters, GazeObserver>};
+                                 .make = make_own<GazeObserverParameters, GazeObserver>,
+                                 .answers = gaze_answers()};
   return kind;
 }
 

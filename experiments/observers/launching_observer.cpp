@@ -37,28 +37,45 @@ std::vector<ParameterEntry> launching_entries(LaunchingParameters& own) {
            "How wide its function is: a standard deviation."}};
 }
 
+/// Of what was shown: the longest freeze (ms) and the widest gap (minutes of arc).
+Percept shown_launch(const RatingParameters& /*parameters*/, const AttemptRecord& shown,
+                     const StagedScene& scene) {
+  return {longest_delay_ms(shown), widest_gap_arcmin(shown, scene)};
+}
+
+double seen_launch(const RatingParameters& parameters, const Traits& traits,
+                   const Percept& percept) {
+  const auto& own = static_cast<const LaunchingParameters&>(parameters);
+  const double delay_ms = own.delay_threshold_ms + own.delay_threshold_sd_ms * traits.threshold;
+  const double late = normal_cdf((percept[0] - delay_ms) / own.delay_width_ms);
+  const double apart = normal_cdf((percept[1] - own.gap_threshold_arcmin) / own.gap_width_arcmin);
+  return 1.0 - (1.0 - late) * (1.0 - apart);
+}
+
+AnswerModel launching_answers() {
+  AnswerModel answers = answers_of_own<LaunchingParameters, launching_entries>(
+      {"delay_threshold_ms", "gap_threshold_arcmin", "delay_width_ms", "gap_width_arcmin"},
+      {{"delay_threshold_sd_ms", &Traits::threshold}});
+  answers.percept = shown_launch;
+  answers.seen = seen_launch;
+  return answers;
+}
+
 /// Judges the longest freeze and the widest gap of all that was shown.
 class LaunchingObserver final : public RatingObserver {
  public:
   LaunchingObserver(const LaunchingParameters& parameters, const Birth& birth)
-      : RatingObserver(parameters, birth, "launching"),
-        parameters_(parameters),
-        delay_ms_(parameters.delay_threshold_ms + parameters.delay_threshold_sd_ms * normal()) {
+      : RatingObserver(parameters, birth, "launching"), parameters_(parameters) {
+    traits_.threshold = normal();
     draw_traits();
   }
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
-    const double late =
-        normal_cdf((longest_delay_ms(shown) - delay_ms_) / parameters_.delay_width_ms);
-    const double apart =
-        normal_cdf((widest_gap_arcmin(shown, scene) - parameters_.gap_threshold_arcmin) /
-                   parameters_.gap_width_arcmin);
-    return 1.0 - (1.0 - late) * (1.0 - apart);
+    return seen_launch(parameters_, traits_, shown_launch(parameters_, shown, scene));
   }
 
   LaunchingParameters parameters_;
-  double delay_ms_;
 };
 
 }  // namespace
@@ -70,7 +87,8 @@ const ObserverKind& launching_observer() {
       .attention = {"the delay at contact and the gap there", {"contact_hold", "gap"}},
       .parameters = list_own<LaunchingParameters, launching_entries>(),
       .read = read_own<LaunchingParameters, launching_entries>,
-      .make = make_own<LaunchingParameters, LaunchingObserver>};
+      .make = make_own<LaunchingParameters, LaunchingObserver>,
+      .answers = launching_answers()};
   return kind;
 }
 

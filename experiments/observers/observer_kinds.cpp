@@ -22,8 +22,6 @@ const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() 
 
 namespace {
 
-double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
-
 constexpr int kMostPoints = 9;  ///< of a protocol's scale
 
 /// "cut_1_2" is the first: between the best point of the scale and the next.
@@ -187,25 +185,17 @@ double number_in(const JsonDocument& document, const std::string& name) {
 // ---------------------------------------------------------------- how they answer
 
 void RatingObserver::draw_traits() {
-  intercept_ = parameters_.intercept_sd * normal();
+  traits_.intercept = normal();
   if (parameters_.effect_sd > 0.0) {
-    slope_ = parameters_.effect_sd * normal();
+    traits_.slope = normal();
   }
 }
 
 std::vector<double> RatingObserver::probabilities(double seen) const {
-  const double eta = parameters_.baseline + (parameters_.effect + slope_) * seen + intercept_;
-  std::vector<double> probabilities;
-  double below = 0.0;
-  for (const double cut : parameters_.cuts) {
-    const double at_most = logistic(cut - eta);
-    probabilities.push_back(at_most - below);
-    below = at_most;
-  }
-  probabilities.push_back(1.0 - below);
-  const double lapse = parameters_.lapse_rate;
-  for (double& probability : probabilities) {
-    probability = (1.0 - lapse) * probability + lapse / static_cast<double>(probabilities.size());
+  std::vector<double> probabilities(parameters_.points());
+  for (std::size_t steps = 0; steps < probabilities.size(); ++steps) {
+    probabilities[steps] =
+        cumulative_rating(parameters_, traits_, seen, steps, probabilities.size());
   }
   return probabilities;
 }
@@ -218,13 +208,10 @@ void RatingObserver::witnessed(const AttemptRecord& shown, const StagedScene& sc
   seen_.push_back(seen(shown, scene));
 }
 
-double RatingObserver::yes_probability(double seen) const {
-  const double guess = parameters_.yes_guess_rate;
-  return guess + (1.0 - guess - parameters_.yes_miss_rate) * seen;
-}
+double RatingObserver::yes_probability(double seen) const { return yes_chance(parameters_, seen); }
 
 double RatingObserver::first_probability(double seen_first, double seen_second) const {
-  return 0.5 + 0.5 * (1.0 - parameters_.lapse_rate) * (seen_first - seen_second);
+  return first_chance(parameters_, seen_first, seen_second);
 }
 
 Answer RatingObserver::ask(const Page& page) {

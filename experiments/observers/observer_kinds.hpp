@@ -40,6 +40,7 @@
 #include <vector>
 
 #include "engine/numerics/random_stream.hpp"
+#include "experiments/observers/answer_model.hpp"
 #include "experiments/observers/draws.hpp"
 #include "experiments/observers/headless_lab.hpp"
 #include "experiments/questions/response_kinds.hpp"
@@ -116,12 +117,12 @@ class RatingObserver : public Input, public Judge {
   void draw_traits();
   double normal() { return draw_normal(stream_); }
 
+  Traits traits_;
+
  private:
   RatingParameters parameters_;
   VirtualClock* clock_;
   RandomStream stream_;
-  double intercept_{0.0};
-  double slope_{0.0};
   std::vector<double> seen_{0.0};  ///< in each interval of the trial
 };
 
@@ -154,6 +155,7 @@ struct ObserverKind {
                                           const Birth& birth){nullptr};
   bool has_own_scale{false};     ///< it has no cuts: it rates on any scale
   bool effect_is_of_all{false};  ///< `effect` 0 changes every kind of answer, not ratings alone
+  AnswerModel answers{};         ///< of a kind that can be fitted; else without `percept`
 };
 
 /// All kinds, by name.
@@ -195,6 +197,24 @@ std::shared_ptr<const RatingParameters> read_own(const JsonDocument& document) {
 template <typename Parameters, typename Observer>
 std::unique_ptr<RatingObserver> make_own(const RatingParameters& parameters, const Birth& birth) {
   return std::make_unique<Observer>(static_cast<const Parameters&>(parameters), birth);
+}
+
+/// The same for a fit: the kind's `answers`, to which it adds what it sees.
+template <typename Parameters, std::vector<ParameterEntry> (*own_entries)(Parameters&)>
+AnswerModel answers_of_own(std::vector<std::string> fitted, std::vector<TraitSpread> spreads) {
+  AnswerModel answers;
+  answers.fitted = std::move(fitted);
+  answers.spreads = std::move(spreads);
+  answers.spreads.push_back({"intercept_sd", &Traits::intercept});
+  answers.spreads.push_back({"effect_sd", &Traits::slope});
+  answers.rating = cumulative_rating;
+  answers.entries = [](RatingParameters& parameters) {
+    return with_rating_entries(parameters, own_entries(static_cast<Parameters&>(parameters)));
+  };
+  answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
+    return std::make_shared<Parameters>(static_cast<const Parameters&>(parameters));
+  };
+  return answers;
 }
 
 /// The number of a file that was read.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "engine/numerics/elementary_functions.hpp"
@@ -235,6 +236,87 @@ std::shared_ptr<const RatingParameters> read_psychometric(const JsonDocument& do
 
 // ---------------------------------------------------------------- how it answers
 
+double number_of(const PsychometricParameters& /*own*/, double level) { return level; }
+double number_of(const PsychometricParameters& /*own*/, bool level) { return level ? 1.0 : 0.0; }
+double number_of(const PsychometricParameters& own, const std::string& level) {
+  const auto place = std::find(own.levels.begin(), own.levels.end(), level);
+  return 1.0 + static_cast<double>(place - own.levels.begin());
+}
+
+/// x; none in a scene without the factor.
+std::optional<double> looked_at(const PsychometricParameters& own, const AttemptRecord& shown,
+                                const StagedScene& scene) {
+  for (const Truth& truth : truths()) {
+    if (own.truth == truth.name) {
+      return truth.value(shown, scene);
+    }
+  }
+  for (const FactorLevel& level : scene.condition) {
+    if (level.factor == own.factor) {
+      return std::visit([&](const auto& value) { return number_of(own, value); }, level.value);
+    }
+  }
+  return std::nullopt;
+}
+
+/// F, where nothing is guessed and nobody lapses; 0 below where it is defined. Without an x, that
+/// of the threshold.
+double share_at(const PsychometricParameters& own, const Traits& traits, std::optional<double> x) {
+  const auto& [function, scale] = own.shape;
+  const double threshold = own.threshold + own.threshold_sd * traits.threshold;
+  const double level = own.threshold + own.effect * (x.value_or(own.threshold) - own.threshold);
+  const bool counts = scale != QuestPlus::Scale::kLog10 || (level > 0.0 && threshold > 0.0);
+  const bool defined = counts && is_defined(function, scale, level, threshold);
+  const double share = defined ? positive_chance(function, scale, on_scale(scale, level),
+                                                 {on_scale(scale, threshold), own.slope})
+                               : 0.0;
+  return own.falling ? 1.0 - share : share;
+}
+
+/// Of each number of steps away from the good end, each taken with P(yes).
+std::vector<double> binomial_chances(double yes, std::size_t points) {
+  std::vector<double> chances{1.0};
+  while (chances.size() < points) {
+    chances.push_back(0.0);
+    for (std::size_t i = chances.size() - 1; i > 0; --i) {
+      chances[i] = chances[i] * (1.0 - yes) + chances[i - 1] * yes;
+    }
+    chances[0] *= 1.0 - yes;
+  }
+  return chances;
+}
+
+AnswerModel psychometric_answers() {
+  using P = PsychometricParameters;
+  AnswerModel answers;
+  answers.fitted = {"threshold", "slope", "guess_rate", "lapse_rate"};
+  answers.spreads = {{"threshold_sd", &Traits::threshold}};
+  answers.percept = [](const RatingParameters& parameters, const AttemptRecord& shown,
+                       const StagedScene& scene) -> Percept {
+    const std::optional<double> x = looked_at(static_cast<const P&>(parameters), shown, scene);
+    return x ? Percept{*x} : Percept{};
+  };
+  answers.seen = [](const RatingParameters& parameters, const Traits& traits,
+                    const Percept& percept) {
+    return share_at(static_cast<const P&>(parameters), traits,
+                    percept.empty() ? std::nullopt : std::optional(percept[0]));
+  };
+  answers.rating = [](const RatingParameters& parameters, const Traits& /*traits*/, double seen,
+                      std::size_t steps, std::size_t points) {
+    return binomial_chances(yes_chance(parameters, seen), points)[steps];
+  };
+  answers.entries = [](RatingParameters& parameters) {
+    return psychometric_entries(static_cast<P&>(parameters));
+  };
+  answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
+    return std::make_shared<P>(static_cast<const P&>(parameters));
+  };
+  answers.settle = [](RatingParameters& parameters) {
+    parameters.lapse_rate = parameters.yes_miss_rate;
+  };
+  return answers;
+}
+
 /// Goes by its function alone.
 class PsychometricObserver final : public RatingObserver {
  public:
@@ -242,8 +324,9 @@ class PsychometricObserver final : public RatingObserver {
       : RatingObserver(parameters, birth, "psychometric"),
         own_(parameters),
         click_stream_(birth.seed, "observer/psychometric/clicks/" + birth.pseudonym),
-        threshold_(parameters.threshold + parameters.threshold_sd * normal()),
-        eye_(usual_eye(), birth.seed, birth.pseudonym, birth.flip_clock) {}
+        eye_(usual_eye(), birth.seed, birth.pseudonym, birth.flip_clock) {
+    traits_.threshold = normal();
+  }
 
   Answer ask(const Page& page) override {
     points_ = page.choices.size();
@@ -253,59 +336,15 @@ class PsychometricObserver final : public RatingObserver {
   std::vector<ClickRecord> take_clicks() override { return std::exchange(clicks_, {}); }
   Gaze* eye() override { return &eye_; }
 
-  /// Binomial: each step away from the good end is taken with P(yes).
   [[nodiscard]] std::vector<double> probabilities(double seen) const override {
-    const double yes = yes_probability(seen);
-    std::vector<double> chances{1.0};
-    while (chances.size() < points_) {
-      chances.push_back(0.0);
-      for (std::size_t i = chances.size() - 1; i > 0; --i) {
-        chances[i] = chances[i] * (1.0 - yes) + chances[i - 1] * yes;
-      }
-      chances[0] *= 1.0 - yes;
-    }
-    return chances;
+    return binomial_chances(yes_probability(seen), points_);
   }
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& shown, const StagedScene& scene) override {
-    const double clearly = share_at(looked_at(shown, scene));
+    const double clearly = share_at(own_, traits_, looked_at(own_, shown, scene));
     draw_click(yes_probability(clearly), shown);
     return clearly;
-  }
-
-  /// x
-  [[nodiscard]] double looked_at(const AttemptRecord& shown, const StagedScene& scene) const {
-    for (const Truth& truth : truths()) {
-      if (own_.truth == truth.name) {
-        return truth.value(shown, scene);
-      }
-    }
-    for (const FactorLevel& level : scene.condition) {
-      if (level.factor == own_.factor) {
-        return std::visit([this](const auto& value) { return number_of(value); }, level.value);
-      }
-    }
-    return own_.threshold;  // a scene without the factor
-  }
-
-  [[nodiscard]] double number_of(double level) const { return level; }
-  [[nodiscard]] double number_of(bool level) const { return level ? 1.0 : 0.0; }
-  [[nodiscard]] double number_of(const std::string& level) const {
-    const auto place = std::find(own_.levels.begin(), own_.levels.end(), level);
-    return 1.0 + static_cast<double>(place - own_.levels.begin());
-  }
-
-  /// F, where nothing is guessed and nobody lapses; 0 below where it is defined.
-  [[nodiscard]] double share_at(double x) const {
-    const auto& [function, scale] = own_.shape;
-    const double level = own_.threshold + own_.effect * (x - own_.threshold);
-    const bool counts = scale != QuestPlus::Scale::kLog10 || (level > 0.0 && threshold_ > 0.0);
-    const bool defined = counts && is_defined(function, scale, level, threshold_);
-    const double share = defined ? positive_chance(function, scale, on_scale(scale, level),
-                                                   {on_scale(scale, threshold_), own_.slope})
-                                 : 0.0;
-    return own_.falling ? 1.0 - share : share;
   }
 
   void draw_click(double chance, const AttemptRecord& shown) {
@@ -325,7 +364,6 @@ class PsychometricObserver final : public RatingObserver {
 
   PsychometricParameters own_;
   RandomStream click_stream_;
-  double threshold_;  ///< t of this participant
   std::size_t points_{2};
   std::vector<ClickRecord> clicks_;
   SimulatedEye eye_;
@@ -348,7 +386,8 @@ const ObserverKind& psychometric_observer() {
       .read = read_psychometric,
       .make = make_own<PsychometricParameters, PsychometricObserver>,
       .has_own_scale = true,
-      .effect_is_of_all = true};
+      .effect_is_of_all = true,
+      .answers = psychometric_answers()};
   return kind;
 }
 

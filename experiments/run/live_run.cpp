@@ -52,6 +52,41 @@ StepRecord record_step(std::int64_t step, const GazeInput& gaze, const StepRepor
   return record;
 }
 
+CollisionRecord record_collision(const SceneRun& run, const GazeInput& gaze,
+                                 const CollisionReport& collision) {
+  const Viewer& viewer = run.input().viewer;
+  const Vector3& point = collision.contact.touch.point;
+  const auto eccentricity_from_deg = [&](const ScreenPoint& place) {
+    return visual_angle_deg(viewer, point, on_screen(viewer, place));
+  };
+  const auto pose = [&](std::int32_t body) {
+    return is_wall(body) ? Pose{} : run.world().states()[static_cast<std::size_t>(body)].pose;
+  };
+  CollisionRecord record;
+  record.step = run.number();
+  record.time_s = static_cast<double>(record.step) / run.scene().step_hz;
+  record.report = collision;
+  record.pose_a = pose(collision.bodies.a);
+  record.pose_b = pose(collision.bodies.b);
+  record.no_spin = run.scene().no_spin;
+  record.eccentricity_deg = eccentricity_from_deg({});
+  record.distance_m = (point - viewer.eye).norm();
+  const PairBounds pair = pair_bounds(run, collision.bodies);
+  record.speed_deg_s = mean_speed_deg_s(pair, viewer);
+  record.collision_speed_deg_s = CollisionSpeedMetric().measure(pair, viewer, gaze.fixation);
+  record.priority = collision.measured;
+  if (collision.imposed_spin) {
+    record.imposed_spin = run.world().settings().imposed_spin->spin;
+  }
+  if (gaze.fixation) {
+    record.gaze_eccentricity_deg = eccentricity_from_deg(*gaze.fixation);
+  }
+  if (gaze.region && gaze.region->radius_deg < kWholeView_deg) {
+    record.region_eccentricity_deg = eccentricity_from_deg(gaze.region->centre);
+  }
+  return record;
+}
+
 LiveRun::LiveRun(StagedScene scene, std::uint64_t seed, const WorkClock* work_clock)
     : run_(std::move(scene), seed, work_clock) {
   StepReport start;
@@ -64,44 +99,10 @@ void LiveRun::step() {
   const StepReport& report = run_.step(gaze_.fixation, gaze_.region);
   for (const CollisionReport& collision : report.collisions) {
     if (collision.began) {
-      collisions_.push_back(record_collision(collision));
+      collisions_.push_back(record_collision(run_, gaze_, collision));
     }
   }
   steps_.push_back(record_step(run_.number(), gaze_, report, keeps_digests_));
-}
-
-CollisionRecord LiveRun::record_collision(const CollisionReport& collision) const {
-  const Viewer& viewer = run_.input().viewer;
-  const Vector3& point = collision.contact.touch.point;
-  const auto eccentricity_from_deg = [&](const ScreenPoint& place) {
-    return visual_angle_deg(viewer, point, on_screen(viewer, place));
-  };
-  const auto pose = [&](std::int32_t body) {
-    return is_wall(body) ? Pose{} : run_.world().states()[static_cast<std::size_t>(body)].pose;
-  };
-  CollisionRecord record;
-  record.step = run_.number();
-  record.time_s = static_cast<double>(record.step) / scene().step_hz;
-  record.report = collision;
-  record.pose_a = pose(collision.bodies.a);
-  record.pose_b = pose(collision.bodies.b);
-  record.no_spin = scene().no_spin;
-  record.eccentricity_deg = eccentricity_from_deg({});
-  record.distance_m = (point - viewer.eye).norm();
-  const PairBounds pair = pair_bounds(run_, collision.bodies);
-  record.speed_deg_s = mean_speed_deg_s(pair, viewer);
-  record.collision_speed_deg_s = CollisionSpeedMetric().measure(pair, viewer, gaze_.fixation);
-  record.priority = collision.measured;
-  if (collision.imposed_spin) {
-    record.imposed_spin = run_.world().settings().imposed_spin->spin;
-  }
-  if (gaze_.fixation) {
-    record.gaze_eccentricity_deg = eccentricity_from_deg(*gaze_.fixation);
-  }
-  if (gaze_.region && gaze_.region->radius_deg < kWholeView_deg) {
-    record.region_eccentricity_deg = eccentricity_from_deg(gaze_.region->centre);
-  }
-  return record;
 }
 
 std::vector<Pose> LiveRun::poses_at(double time_s) {

@@ -37,7 +37,6 @@ class LiveRun {
 
  private:
   void step();
-  [[nodiscard]] CollisionRecord record_collision(const CollisionReport& collision) const;
 
   SceneRun run_;
   GazeInput gaze_;
@@ -50,5 +49,9 @@ class LiveRun {
 /// or without.
 StepRecord record_step(std::int64_t step, const GazeInput& gaze, const StepReport& report,
                        bool keeps_digests = true);
+
+/// The record of a collision that began in the last step of `run`, which was told `gaze`.
+CollisionRecord record_collision(const SceneRun& run, const GazeInput& gaze,
+                                 const CollisionReport& collision);
 
 }  // namespace impetus::inline run

@@ -55,6 +55,7 @@ class RunningReplay {
   const StepReport& next();
 
   [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
+  [[nodiscard]] const SceneRun& scene_run() const { return run_; }
   /// By now. The divergence is the first.
   [[nodiscard]] const ReplayResult& result() const { return result_; }
 

@@ -109,6 +109,15 @@ std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id
       attempt_id, interval);
 }
 
+std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attempt_id,
+                                           std::int64_t interval) {
+  return load_value<std::int64_t>(
+      study.database(),
+      "SELECT flipped_ns FROM frame WHERE attempt_id = ? AND interval = ? "
+      "AND phase = 'stimulus' ORDER BY frame DESC LIMIT 1",
+      attempt_id, interval);
+}
+
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {
   return load_as<StoredResponse, std::string, std::string, std::optional<bool>, std::optional<bool>,
                  bool, std::int64_t>(
@@ -131,16 +140,16 @@ std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t atte
                                              const std::vector<std::string>& names,
                                              std::int64_t interval) {
   std::vector<StoredCollision> collisions;
-  for (const auto& [id, step, name_a, name_b] :
-       load_rows<std::int64_t, std::int64_t, std::string, std::string>(
+  for (const auto& [id, step, name_a, name_b, first_frame] :
+       load_rows<std::int64_t, std::int64_t, std::string, std::string, std::optional<std::int64_t>>(
            study.database(),
-           "SELECT id, step, body_a, body_b FROM collision WHERE attempt_id = ? "
+           "SELECT id, step, body_a, body_b, first_frame FROM collision WHERE attempt_id = ? "
            "AND interval = ? ORDER BY id",
            attempt_id, interval)) {
     const auto a = body_of(name_a, names);
     const auto b = body_of(name_b, names);
     if (a && b) {
-      collisions.push_back({id, step, {*a, *b}});
+      collisions.push_back({id, step, {*a, *b}, first_frame});
     }
   }
   return collisions;

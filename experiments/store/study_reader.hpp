@@ -58,6 +58,10 @@ std::vector<std::int64_t> load_clicks(StudyFile& study, std::int64_t attempt_id,
 std::optional<std::int64_t> load_onset(StudyFile& study, std::int64_t attempt_id,
                                        std::int64_t interval);
 
+/// When the last was.
+std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attempt_id,
+                                           std::int64_t interval);
+
 /// An answer to a question other than a rating; `answer` is "" when left empty.
 struct StoredResponse {
   std::string kind;
@@ -84,6 +88,7 @@ struct StoredCollision {
   std::int64_t id{0};
   std::int64_t step{0};
   BodyPair bodies;
+  std::optional<std::int64_t> first_frame{};  ///< of the stimulus; none: no frame showed it
 };
 
 /// What a replay measured of one.

@@ -14,7 +14,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, collect, exclude, export, extremes, merge, new, "
+      "expected one of the commands run, check, collect, exclude, export, extremes, fit, merge, "
+      "new, "
       "observers, power, preview, publish, replay, report, screen, serve, sessions, timing, "
       "verify, mesh, "
       "tree, trade, got ";

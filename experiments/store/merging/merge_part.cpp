@@ -26,20 +26,6 @@ void add_bytes(const std::filesystem::path& path, XXH3_state_t* state) {
   }
 }
 
-std::string hash_of_file(const std::filesystem::path& path) {
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
-                                                                       &XXH3_freeState);
-  XXH3_128bits_reset(state.get());
-  add_bytes(path, state.get());
-  add_bytes(log_beside(path), state.get());
-  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  std::array<char, 33> text{};
-  std::snprintf(text.data(), text.size(), "%016llx%016llx",
-                static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return text.data();
-}
-
 void require_whole(const std::string& name, const std::vector<std::string>& problems) {
   if (!problems.empty()) {
     const std::size_t more = problems.size() - 1;
@@ -159,6 +145,20 @@ void require_other_participants(const MergePart& part, const MergePart& before) 
 }
 
 }  // namespace
+
+std::string hash_of_file(const std::filesystem::path& path) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
+                                                                       &XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  add_bytes(path, state.get());
+  add_bytes(log_beside(path), state.get());
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  std::array<char, 33> text{};
+  std::snprintf(text.data(), text.size(), "%016llx%016llx",
+                static_cast<unsigned long long>(hash.high64),
+                static_cast<unsigned long long>(hash.low64));
+  return text.data();
+}
 
 MergePart open_merge_part(const std::filesystem::path& path) {
   ReadingLock lock(path);

@@ -29,6 +29,9 @@ struct MergePart {
   std::map<std::string, EarlierMerge> merged;  ///< by hash
 };
 
+/// What identifies a study: the hash of the file's bytes and its log's.
+std::string hash_of_file(const std::filesystem::path& path);
+
 /// Throws InputError when the file is no study, is in use, damaged or anonymised, or its
 /// schema was changed.
 MergePart open_merge_part(const std::filesystem::path& path);

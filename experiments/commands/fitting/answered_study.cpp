@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/fitting/answered_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/protocol/design_words.hpp"
+#include "experiments/questions/rating.hpp"
+#include "experiments/questions/two_interval.hpp"
+#include "experiments/run/live_run.hpp"
+#include "experiments/run/replay.hpp"
+#include "experiments/store/rows.hpp"
+
+namespace impetus::inline commands {
+namespace {
+
+/// Trials that the analysis leaves out, and participants (trial 0).
+std::set<std::pair<std::string, std::int64_t>> excluded(StudyFile& study) {
+  std::set<std::pair<std::string, std::int64_t>> all;
+  for (const auto& [participant, trial] : load_rows<std::string, std::optional<std::int64_t>>(
+           study.database(), "SELECT participant, trial FROM excluded")) {
+    all.insert({participant, trial.value_or(0)});
+  }
+  return all;
+}
+
+std::int64_t chosen_protocol(StudyFile& study, const std::string& wanted) {
+  std::vector<std::int64_t> fitting;
+  std::vector<std::string> names;
+  for (const auto& [id, name] : load_rows<std::int64_t, std::string>(
+           study.database(), "SELECT id, name FROM protocol ORDER BY id")) {
+    names.push_back(name);
+    if (wanted.empty() || name == wanted) {
+      fitting.push_back(id);
+    }
+  }
+  if (fitting.size() == 1) {
+    return fitting.front();
+  }
+  throw InputError(wanted.empty() ? study.name() + ": expected --protocol beside it, which of " +
+                                        (names.empty() ? "none" : listed(names)) + " is meant"
+                                  : "--protocol: expected one of " + study.name() + " (" +
+                                        listed(names) + "), got " + wanted);
+}
+
+/// A stimulus as it was shown, as far as an observer looks at it.
+struct ShownAgain {
+  AttemptRecord record;
+  StagedScene scene;  ///< at its end
+};
+
+[[noreturn]] void refuse_divergence(const StudyFile& study, const StoredAttempt& attempt,
+                                    std::int64_t step) {
+  throw InputError(study.name() +
+                   ": expected trials that replay as they were recorded, but trial " +
+                   std::to_string(attempt.trial_id) + " diverges at step " + std::to_string(step) +
+                   why_divergent(attempt));
+}
+
+/// The one frame that observers ask for is the last: when the stimulus was over.
+void add_last_frame(StudyFile& study, const StoredAttempt& attempt, std::int64_t interval,
+                    AttemptRecord& record) {
+  record.onset_ns = load_onset(study, attempt.id, interval).value_or(attempt.onset_ns);
+  if (const auto last_ns = load_last_flip(study, attempt.id, interval)) {
+    FrameRecord& last = record.frames.emplace_back();
+    last.flip.flipped_ns = *last_ns;
+    last.interval = interval;
+  }
+}
+
+/// Which frame first showed each collision is the session's knowledge, not a replay's.
+void add_first_frames(StudyFile& study, const StoredAttempt& attempt, std::int64_t interval,
+                      const std::vector<std::string>& names, AttemptRecord& record) {
+  for (const StoredCollision& stored : load_collisions(study, attempt.id, names, interval)) {
+    for (CollisionRecord& collision : record.collisions) {
+      if (collision.step == stored.step && collision.report.bodies.a == stored.bodies.a &&
+          collision.report.bodies.b == stored.bodies.b) {
+        collision.first_frame_shown = stored.first_frame.value_or(-1);
+      }
+    }
+  }
+}
+
+ShownAgain show_again(StudyFile& study, ReplayLibrary& library, const StoredAttempt& attempt,
+                      std::int64_t interval) {
+  const std::vector<StepRecord> steps = library.steps(attempt, interval);
+  RunningReplay replay(library.stage(attempt, interval), steps);
+  AttemptRecord record;
+  std::vector<std::string> names;
+  for (const DrawnBody& look : replay.scene().looks) {
+    names.push_back(look.name);
+  }
+  for (std::size_t i = 0; !replay.done(); ++i) {
+    const StepReport& report = replay.next();
+    for (const CollisionReport& collision : report.collisions) {
+      if (collision.began) {
+        record.collisions.push_back(record_collision(replay.scene_run(), steps[i].gaze, collision));
+      }
+    }
+  }
+  if (replay.result().divergence) {
+    refuse_divergence(study, attempt, replay.result().divergence->step);
+  }
+  record.body_names = names;
+  add_last_frame(study, attempt, interval, record);
+  add_first_frames(study, attempt, interval, names, record);
+  return {std::move(record), replay.scene()};
+}
+
+/// The answers alone; none when there is no answer that counts.
+std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protocol,
+                                        const StoredAttempt& attempt) {
+  AnsweredTrial trial;
+  if (const RatingScale* scale = find_scale(protocol.script); scale != nullptr && attempt.rating) {
+    trial.rating_steps = static_cast<std::size_t>(std::llabs(*attempt.rating - scale->best));
+    trial.rating_points = static_cast<std::size_t>(scale->points());
+  }
+  for (const StoredResponse& response : load_responses(study, attempt.id)) {
+    if (!response.timed_out && response.kind == "yes_no") {
+      trial.yes = response.positive;
+    }
+    if (!response.timed_out && response.kind == "two_interval") {
+      trial.first = response.answer == "first";
+    }
+  }
+  if (takes_clicks(protocol.script)) {
+    trial.clicks_s.emplace();
+    for (const std::int64_t arrived_ns : load_clicks(study, attempt.id)) {
+      trial.clicks_s->push_back(static_cast<double>(arrived_ns - attempt.onset_ns) / 1e9);
+    }
+  }
+  const bool has_any = trial.rating_steps || trial.yes || trial.first || trial.clicks_s;
+  return has_any ? std::optional(trial) : std::nullopt;
+}
+
+/// Clicks count for a kind that explains them; one that does not needs another answer.
+bool counts_for(const ObserverFile& observer, AnsweredTrial& trial) {
+  if (observer.kind->answers.outcomes == nullptr) {
+    trial.clicks_s.reset();
+  }
+  return trial.rating_steps || trial.yes || trial.first || trial.clicks_s;
+}
+
+}  // namespace
+
+AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice) {
+  AnsweredStudy answered;
+  answered.protocol_id = chosen_protocol(study, choice.protocol);
+  const auto left_out = excluded(study);
+  answered.attempts = load_attempts(study);
+  std::erase_if(answered.attempts, [&](const StoredAttempt& attempt) {
+    return !attempt.completed || attempt.trial.phase != TrialPhase::kMain ||
+           attempt.protocol_id != answered.protocol_id ||
+           (!choice.code.empty() && attempt.participant != choice.code) ||
+           left_out.contains({attempt.participant, 0}) ||
+           left_out.contains({attempt.participant, attempt.trial_id});
+  });
+  if (answered.attempts.empty()) {
+    throw InputError(study.name() + ": expected completed main trials" +
+                     (choice.code.empty() ? "" : " of " + choice.code) +
+                     " that are not excluded, got none");
+  }
+  answered.all_simulated =
+      load_value<std::int64_t>(study.database(),
+                               "SELECT count(*) FROM participant WHERE simulated = 0")
+          .value_or(0) == 0;
+  return answered;
+}
+
+std::vector<std::vector<AnsweringPerson>> answering_people(
+    StudyFile& study, ReplayLibrary& library, const AnsweredStudy& answered,
+    const std::vector<ObserverFile>& observers) {
+  ProgressLine line("simulating trials again");
+  std::vector<std::vector<AnsweringPerson>> people(observers.size());
+  double done = 0.0;
+  for (const StoredAttempt& attempt : answered.attempts) {
+    line.tell(done++ / static_cast<double>(answered.attempts.size()));
+    const Protocol& protocol = library.protocol(attempt.protocol_id);
+    const std::optional<AnsweredTrial> answers = answers_of(study, protocol, attempt);
+    if (!answers) {
+      continue;
+    }
+    std::vector<AnsweredTrial> trials(observers.size(), *answers);
+    for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
+      const ShownAgain again = show_again(study, library, attempt, interval);
+      for (std::size_t i = 0; i < observers.size(); ++i) {
+        trials[i].percepts.push_back(observers[i].kind->answers.percept(*observers[i].parameters,
+                                                                        again.record, again.scene));
+      }
+    }
+    for (std::size_t i = 0; i < observers.size(); ++i) {
+      if (counts_for(observers[i], trials[i])) {
+        auto own = std::find_if(
+            people[i].begin(), people[i].end(),
+            [&](const AnsweringPerson& person) { return person.code == attempt.participant; });
+        if (own == people[i].end()) {
+          people[i].push_back({attempt.participant, {}});
+          own = people[i].end() - 1;
+        }
+        own->trials.push_back(std::move(trials[i]));
+      }
+    }
+  }
+  return people;
+}
+
+}  // namespace impetus::inline commands

@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/fitting/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/numerics/random_stream.hpp"
+#include "experiments/fitting/minimum.hpp"
+
+namespace impetus::inline fitting {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kFirstTolerance = 1e-3;  ///< of starts, in the logarithm
+constexpr double kTolerance = 1e-5;
+constexpr double kProfileTolerance = 1e-3;
+
+constexpr const char* kNotAsked = "no answer of the study depends on it";
+constexpr const char* kNotIdentified = "the study does not identify it";
+
+/// One end of an interval, on the scale; none: the profile is open.
+using IntervalEnd = std::optional<double>;
+
+/// A fit in progress: which parameters are free, and where they are.
+class Fitting {
+ public:
+  Fitting(const ObserverKind& kind, const RatingParameters& start,
+          const std::vector<AnsweringPerson>& people, const FitWish& wish)
+      : likelihood_(kind, start, people, wish.as_group), wish_(wish) {
+    for (const MovableParameter& one : likelihood_.movable()) {
+      assumed_.push_back(*one.place);
+      held_because_.emplace_back();
+    }
+    low_.assign(assumed_.size(), {});
+    high_.assign(assumed_.size(), {});
+  }
+
+  ObserverFit run() {
+    hold_what_is_not_asked();
+    list_free();
+    search_from_starts();
+    while (wish_.intervals && !free_.empty()) {
+      if (find_intervals()) {
+        search_again();  // a profile found a better place
+        continue;
+      }
+      const std::optional<std::size_t> open = last_open();
+      if (!open) {
+        break;
+      }
+      hold(*open, kNotIdentified);
+      list_free();
+      search_from_starts();
+    }
+    return result();
+  }
+
+ private:
+  // ---- parameters as numbers on their scales
+
+  void put(const VectorXd& x) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const MovableParameter& one = movable(i);
+      *one.place = one.from_scale(x[static_cast<Index>(i)]);
+    }
+  }
+  [[nodiscard]] const MovableParameter& movable(std::size_t free) const {
+    return likelihood_.movable()[free_[free]];
+  }
+  [[nodiscard]] double cost(const VectorXd& x) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (std::abs(x[static_cast<Index>(i)]) > 1.05 * movable(i).reach()) {
+        return std::numeric_limits<double>::infinity();
+      }
+    }
+    put(x);
+    return -likelihood_.logarithm();
+  }
+  [[nodiscard]] SmoothFunction cost_function() {
+    return [this](const VectorXd& x) { return cost(x); };
+  }
+  [[nodiscard]] VectorXd assumed() const {
+    VectorXd x(static_cast<Index>(free_.size()));
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      x[static_cast<Index>(i)] = movable(i).on_scale(assumed_[free_[i]]);
+    }
+    return x;
+  }
+
+  void hold(std::size_t parameter, const std::string& why) {
+    held_because_[parameter] = why;
+    *likelihood_.movable()[parameter].place = assumed_[parameter];
+  }
+  void list_free() {
+    free_.clear();
+    for (std::size_t i = 0; i < assumed_.size(); ++i) {
+      if (held_because_[i].empty()) {
+        free_.push_back(i);
+      }
+    }
+  }
+
+  // ---- 1: what no answer depends on
+
+  void hold_what_is_not_asked() {
+    constexpr double kNothing = 1e-7;
+    const double as_assumed = likelihood_.logarithm();
+    for (std::size_t i = 0; i < assumed_.size(); ++i) {
+      const MovableParameter& one = likelihood_.movable()[i];
+      const double x = one.on_scale(assumed_[i]);
+      bool depends = false;
+      for (const double by : {-1.0, -0.3, 0.4, 1.5}) {
+        *one.place = one.from_scale(x + by);
+        const double there = likelihood_.logarithm();
+        depends = depends || (std::isfinite(there) && std::abs(there - as_assumed) > kNothing);
+      }
+      *one.place = assumed_[i];
+      if (!depends) {
+        hold(i, kNotAsked);
+        likelihood_.forget_trait(one.name);
+      }
+    }
+  }
+
+  // ---- 2: the most probable
+
+  void search_from_starts() {
+    RandomStream stream(1, "fit/starts");
+    const VectorXd first = assumed();
+    best_ = find_minimum(cost_function(), first, kFirstTolerance);
+    for (int start = 1; start < wish_.starts; ++start) {
+      VectorXd x = first;
+      for (Index i = 0; i < x.size(); ++i) {
+        x[i] += 2.0 * stream.uniform() - 1.0;
+      }
+      if (!std::isfinite(cost(x))) {
+        continue;
+      }
+      const FoundMinimum found = find_minimum(cost_function(), x, kFirstTolerance);
+      if (found.value < best_.value - kFirstTolerance) {
+        best_ = found;
+      }
+    }
+    search_again();
+  }
+
+  void search_again() {
+    best_ = find_minimum(cost_function(), best_.at, kTolerance,
+                         inverse_of_curvature(curvature_at(cost_function(), best_.at)));
+    inverse_ = inverse_of_curvature(curvature_at(cost_function(), best_.at));
+  }
+
+  // ---- 3: intervals
+
+  /// The least cost with one parameter fixed, the others followed from `guess`, which moves there.
+  double least_cost(std::size_t fixed, double x, VectorXd& guess, const MatrixXd& curvature) {
+    const auto place = static_cast<Index>(fixed);
+    const auto with = [&](const VectorXd& others) {
+      VectorXd all(best_.at.size());
+      all << others.head(place), x, others.tail(others.size() - place);
+      return all;
+    };
+    const FoundMinimum found =
+        find_minimum([&](const VectorXd& others) { return cost(with(others)); }, guess,
+                     kProfileTolerance, curvature);
+    guess = found.at;
+    if (found.value < best_.value - 0.01) {
+      better_ = FoundMinimum{with(found.at), found.value};
+    }
+    return found.value;
+  }
+
+  [[nodiscard]] VectorXd without(const VectorXd& all, std::size_t place) const {
+    const auto at = static_cast<Index>(place);
+    VectorXd others(all.size() - 1);
+    others << all.head(at), all.tail(all.size() - at - 1);
+    return others;
+  }
+
+  /// The inverse Hessian of the others when one is fixed: what is left of it (Schur).
+  [[nodiscard]] MatrixXd others_inverse(std::size_t fixed) const {
+    const auto at = static_cast<Index>(fixed);
+    const MatrixXd given =
+        inverse_ - inverse_.col(at) * inverse_.row(at) / std::max(inverse_(at, at), 1e-12);
+    MatrixXd others(given.rows() - 1, given.cols() - 1);
+    for (Index i = 0, r = 0; i < given.rows(); ++i) {
+      if (i == at) {
+        continue;
+      }
+      for (Index j = 0, c = 0; j < given.cols(); ++j) {
+        if (j != at) {
+          others(r, c++) = given(i, j);
+        }
+      }
+      ++r;
+    }
+    return others + 1e-6 * MatrixXd::Identity(others.rows(), others.cols());
+  }
+
+  [[nodiscard]] bool is_cut(std::size_t free) const {
+    return movable(free).name.rfind("cut_", 0) == 0;
+  }
+  /// All cuts but the fixed one, among the others, by as much.
+  void move_cuts(std::size_t fixed, double by, VectorXd& others) const {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (i != fixed && is_cut(i)) {
+        others[static_cast<Index>(i < fixed ? i : i - 1)] += by;
+      }
+    }
+  }
+
+  /// Where the profile has fallen by kProfileFall, in the direction `sign`. The root of twice the
+  /// fall is nearly a line in x: a few secants find it.
+  IntervalEnd interval_end(std::size_t free, double sign) {
+    const auto at = static_cast<Index>(free);
+    const MovableParameter& one = movable(free);
+    const double target = std::sqrt(2.0 * kProfileFall);
+    constexpr double kClose = 0.02;
+    const double end = sign * one.reach();
+    const double centre = best_.at[at];
+    const MatrixXd curvature = others_inverse(free);
+    const VectorXd direction = without(inverse_.col(at), free) / std::max(inverse_(at, at), 1e-12);
+    VectorXd guess = without(best_.at, free);
+    double inner = centre;  // where the fall is too small, and how large it is
+    double inner_root = 0.0;
+    IntervalEnd outer;  // where it is too large
+    double outer_root = 0.0;
+    double step = std::clamp(target * std::sqrt(inverse_(at, at)), 1e-4, 3.0);
+    double x = centre;
+    double inner_weight = 1.0;
+    double outer_weight = 1.0;
+    bool last_was_outer = false;
+    for (int count = 0; count < 40; ++count) {
+      double next =
+          outer ? inner + (*outer - inner) * (target - inner_root) / (outer_root - inner_root)
+                : inner + sign * step;
+      if (!outer && sign * (end - next) <= 0.0) {
+        next = end;
+      }
+      if (is_cut(free)) {
+        move_cuts(free, next - x, guess);  // together, or their order would stop it
+      } else if (count == 0) {
+        guess += direction * (next - x);
+      }
+      x = next;
+      const double fall = least_cost(free, x, guess, curvature) - best_.value;
+      if (better_) {
+        return {};
+      }
+      const double root = std::sqrt(2.0 * std::max(fall, 0.0));
+      if (std::abs(root - target) < kClose) {
+        return x;
+      }
+      // A side that is kept twice counts half as much, or its other end would hardly move
+      // (Illinois; Dowell and Jarratt 1971).
+      const bool is_outer = !(root < target);
+      if (outer && count > 1 && is_outer == last_was_outer) {
+        (is_outer ? inner_weight : outer_weight) *= 0.5;
+      } else {
+        inner_weight = outer_weight = 1.0;
+      }
+      last_was_outer = is_outer;
+      if (is_outer) {
+        outer = x;
+        outer_root = std::isfinite(root) ? root : 10.0 * target;
+        if (!std::isfinite(root)) {
+          guess = without(best_.at, free);
+          move_cuts(free, is_cut(free) ? x - centre : 0.0, guess);
+        }
+      } else {
+        // As far as the last point went, and as far as its own slope says.
+        const double slope = (root - inner_root) / std::max(std::abs(x - inner), 1e-9);
+        inner = x;
+        inner_root = root;
+        if (!outer && x == end) {
+          return {};
+        }
+        const double needed = slope > 1e-6 ? (target - root) / slope : step * 2.0;
+        step = std::clamp(needed * 1.02, 0.1 * step, 2.0 * step + 0.5);
+      }
+      if (outer && std::abs(*outer - inner) < 1e-4) {
+        return 0.5 * (*outer + inner);
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool is_wanted(std::size_t free) const {
+    return wish_.only.empty() ||
+           std::find(wish_.only.begin(), wish_.only.end(), movable(free).name) != wish_.only.end();
+  }
+
+  /// True when a profile came upon a better place, which is the best from now on.
+  bool find_intervals() {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (!is_wanted(i)) {
+        continue;
+      }
+      better_.reset();
+      low_[free_[i]] = interval_end(i, -1.0);
+      if (!better_) {
+        high_[free_[i]] = interval_end(i, 1.0);
+      }
+      if (better_ && ++betters_ <= 5) {
+        best_ = *better_;
+        return true;
+      }
+      if (is_open(i)) {
+        return false;  // what follows would be given a number that is no part of the fit
+      }
+    }
+    return false;
+  }
+
+  /// Whether there is no interval: it has no end, but where the scale itself ends.
+  [[nodiscard]] bool is_open(std::size_t free) const {
+    const MovableParameter& one = movable(free);
+    const bool has_low = low_[free_[free]].has_value();
+    const bool has_high = high_[free_[free]].has_value();
+    const bool may_be_one = one.scale == MovableParameter::Scale::kShare;
+    return is_wanted(free) && ((!has_low && !one.ends_at_zero) || (!has_high && !may_be_one) ||
+                               (!has_low && !has_high));
+  }
+
+  /// The last in the list, which is the least telling: what it can be traded against comes before.
+  [[nodiscard]] std::optional<std::size_t> last_open() {
+    std::optional<std::size_t> open;
+    bool found = false;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      if (!is_wanted(i)) {
+        continue;
+      }
+      if (!found) {
+        found = is_open(i);
+        open = found ? std::optional(free_[i]) : open;
+        continue;
+      }
+      better_.reset();
+      low_[free_[i]] = interval_end(i, -1.0);
+      high_[free_[i]] = interval_end(i, 1.0);
+      open = is_open(i) ? free_[i] : open;
+    }
+    return open;
+  }
+
+  // ---- what came of it
+
+  ObserverFit result() {
+    put(best_.at);
+    ObserverFit fit;
+    fit.logarithm = likelihood_.logarithm();
+    for (std::size_t i = 0; i < assumed_.size(); ++i) {
+      const MovableParameter& one = likelihood_.movable()[i];
+      FittedParameter& told = fit.parameters.emplace_back();
+      const double value = std::max(*one.place, one.least);
+      told = {one.name, value, value, value, held_because_[i]};
+      *one.place = value;
+      if (told.is_fitted() && (low_[i] || high_[i])) {
+        told.low = low_[i] ? one.from_scale(*low_[i]) : 0.0;
+        told.high = high_[i] ? one.from_scale(*high_[i]) : 1.0;
+      }
+    }
+    fit.best = likelihood_.copy();
+    return fit;
+  }
+
+  AnswerLikelihood likelihood_;
+  FitWish wish_;
+  std::vector<double> assumed_;
+  std::vector<std::string> held_because_;
+  std::vector<std::size_t> free_;  ///< of movable()
+  std::vector<IntervalEnd> low_;
+  std::vector<IntervalEnd> high_;
+  FoundMinimum best_;
+  MatrixXd inverse_;
+  std::optional<FoundMinimum> better_;
+  int betters_{0};
+};
+
+/// Whether two trials have the same answers.
+bool answers_alike(const AnsweredTrial& a, const AnsweredTrial& b) {
+  return a.rating_steps == b.rating_steps && a.yes == b.yes && a.first == b.first &&
+         a.clicks_s.has_value() == b.clicks_s.has_value() &&
+         (!a.clicks_s || a.clicks_s->size() == b.clicks_s->size());
+}
+
+}  // namespace
+
+const FittedParameter* ObserverFit::find(const std::string& name) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const FittedParameter& one) { return one.name == name; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+std::size_t ObserverFit::count() const {
+  return static_cast<std::size_t>(
+      std::count_if(parameters.begin(), parameters.end(),
+                    [](const FittedParameter& one) { return one.is_fitted(); }));
+}
+
+ObserverFit fit_observer(const ObserverKind& kind, const RatingParameters& start,
+                         const std::vector<AnsweringPerson>& people, const FitWish& wish) {
+  return Fitting(kind, start, people, wish).run();
+}
+
+std::optional<std::string> missing_for_fit(const ObserverKind& kind,
+                                           const std::vector<AnsweringPerson>& people) {
+  const AnsweredTrial* first = nullptr;
+  bool answers_differ = false;
+  bool percepts_differ = false;
+  for (const AnsweringPerson& person : people) {
+    for (const AnsweredTrial& trial : person.trials) {
+      first = first == nullptr ? &trial : first;
+      answers_differ = answers_differ || !answers_alike(trial, *first);
+      percepts_differ = percepts_differ || trial.percepts != first->percepts ||
+                        trial.percepts.front() != trial.percepts.back();
+    }
+  }
+  const std::string count = std::to_string(trials_of(people)) + " trials";
+  if (first == nullptr) {
+    return "completed trials with a rating, yes or no, a choice of two intervals, or clicks, "
+           "got none";
+  }
+  if (!percepts_differ) {
+    return "trials that differ in what the observer looks at (" + kind.attention.words + "), got " +
+           count + " in which it is the same";
+  }
+  if (!answers_differ) {
+    return "answers that differ, got " + count + " with the same one";
+  }
+  return std::nullopt;
+}
+
+}  // namespace impetus::inline fitting

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/fitting/likelihood.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace impetus::inline fitting {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kImpossible = -std::numeric_limits<double>::infinity();
+constexpr double kLeastChance = 1e-300;
+
+/// Nodes and weights for ∫ f(t) exp(−t²) dt.
+struct HermiteRule {
+  VectorXd nodes;
+  VectorXd weights;
+};
+
+/// Golub and Welsch 1969: nodes are the eigenvalues of the Hermite polynomials' recurrence.
+HermiteRule hermite_rule(Eigen::Index size) {
+  MatrixXd recurrence = MatrixXd::Zero(size, size);
+  for (Eigen::Index i = 1; i < size; ++i) {
+    recurrence(i, i - 1) = std::sqrt(0.5 * static_cast<double>(i));
+    recurrence(i - 1, i) = recurrence(i, i - 1);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> parts(recurrence);
+  return {parts.eigenvalues(),
+          std::sqrt(std::numbers::pi) * parts.eigenvectors().row(0).transpose().cwiseAbs2()};
+}
+
+const HermiteRule& rule_for(Eigen::Index traits) {
+  static const HermiteRule one = hermite_rule(9);
+  static const HermiteRule more = hermite_rule(7);
+  return traits <= 1 ? one : more;
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- a parameter and its scale
+
+double MovableParameter::on_scale(double value) const {
+  const double smallest = from_scale(-reach());
+  switch (scale) {
+    case Scale::kLog:
+      return std::log(std::max(value, smallest) / unit);
+    case Scale::kShare: {
+      const double share = std::clamp(value, smallest, 1.0 - smallest);
+      return std::log(share / (1.0 - share));
+    }
+    default:
+      return value / unit;
+  }
+}
+
+double MovableParameter::from_scale(double x) const {
+  switch (scale) {
+    case Scale::kLog:
+      return unit * std::exp(x);
+    case Scale::kShare:
+      return 1.0 / (1.0 + std::exp(-x));
+    default:
+      return unit * x;
+  }
+}
+
+// ---------------------------------------------------------------- what may be moved
+
+AnswerLikelihood::AnswerLikelihood(const ObserverKind& kind, const RatingParameters& start,
+                                   const std::vector<AnsweringPerson>& people, bool as_group)
+    : model_(&kind.answers), parameters_(model_->copy(start)) {
+  for (const AnsweringPerson& person : people) {
+    Person& own = people_.emplace_back();
+    for (const AnsweredTrial& trial : person.trials) {
+      const auto same = std::find_if(own.cells.begin(), own.cells.end(),
+                                     [&](const Cell& cell) { return *cell.trial == trial; });
+      if (same != own.cells.end()) {
+        same->count += 1.0;
+      } else {
+        own.cells.push_back({&trial, 1.0, {}, 0.0});
+      }
+    }
+  }
+  list_spreads(as_group);
+  list_movable();
+}
+
+void AnswerLikelihood::list_spreads(bool as_group) {
+  for (const ParameterEntry& entry : model_->entries(*parameters_)) {
+    for (const TraitSpread& spread : model_->spreads) {
+      if (entry.name == std::string(spread.parameter) && *entry.place > 0.0) {
+        if (as_group) {
+          spreads_.push_back(spread);
+        } else {
+          *entry.place = 0.0;
+        }
+      }
+    }
+  }
+  forget_modes();
+}
+
+void AnswerLikelihood::forget_modes() {
+  traits_change_seen_ = std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
+    return one.trait == &Traits::threshold;
+  });
+  for (Person& person : people_) {
+    person.mode = VectorXd::Zero(static_cast<Eigen::Index>(spreads_.size()));
+  }
+}
+
+void AnswerLikelihood::forget_trait(const std::string& spread) {
+  std::erase_if(spreads_, [&](const TraitSpread& one) { return spread == one.parameter; });
+  forget_modes();
+}
+
+void AnswerLikelihood::list_movable() {
+  const std::vector<ParameterEntry> entries = model_->entries(*parameters_);
+  const auto add = [&](const std::string& name) {
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [&](const ParameterEntry& one) { return one.name == name; });
+    const bool known = std::any_of(movable_.begin(), movable_.end(),
+                                   [&](const MovableParameter& one) { return one.name == name; });
+    if (entry == entries.end() || known) {
+      return;
+    }
+    using Scale = MovableParameter::Scale;
+    const double value = *entry->place;
+    if (entry->minimum == 0.0 && entry->maximum == 1.0) {
+      movable_.push_back({name, entry->place, Scale::kShare, 1.0, true, 0.0});
+    } else if (entry->minimum >= 0.0) {
+      const double unit = value > 0.0 ? value : 1.0;
+      const bool is_width = name.find("width") != std::string::npos;
+      movable_.push_back({name, entry->place, Scale::kLog, unit, is_width || entry->minimum == 0.0,
+                          entry->minimum});
+    } else {
+      const double unit = name == "effect" ? 1.0 : std::max(0.25 * std::abs(value), 1e-3);
+      movable_.push_back({name, entry->place, Scale::kLinear, unit, false, entry->minimum});
+    }
+  };
+  for (const std::string& name : model_->fitted) {
+    add(name);
+  }
+  if (!parameters_->cuts.empty()) {
+    add("effect");
+    for (std::size_t cut = 0; cut < parameters_->cuts.size(); ++cut) {
+      movable_.push_back({"cut_" + std::to_string(cut + 1) + "_" + std::to_string(cut + 2),
+                          &parameters_->cuts[cut], MovableParameter::Scale::kLinear, 1.0, false,
+                          -kAny});
+    }
+    add("lapse_rate");
+  }
+  for (const TraitSpread& spread : spreads_) {
+    add(spread.parameter);
+  }
+}
+
+bool AnswerLikelihood::can_be() const {
+  const RatingParameters& own = *parameters_;
+  const bool rising = std::adjacent_find(own.cuts.begin(), own.cuts.end(),
+                                         std::greater_equal<>()) == own.cuts.end();
+  double blind = 0.0;
+  for (const MovableParameter& one : movable_) {
+    const bool is_rate = one.name == "guess_rate" || one.name == "miss_rate" ||
+                         (one.name == "lapse_rate" && own.cuts.empty());
+    blind += is_rate ? *one.place : 0.0;
+  }
+  return rising && blind < 1.0;
+}
+
+// ---------------------------------------------------------------- one trial
+
+double AnswerLikelihood::chance_of(const AnsweredTrial& trial, const Traits& traits,
+                                   const std::vector<Outcome>& outcomes) const {
+  double chance = 0.0;
+  for (const Outcome& outcome : outcomes) {
+    double all = outcome.probability;
+    if (trial.rating_steps) {
+      all *= model_->rating(*parameters_, traits, outcome.seen, *trial.rating_steps,
+                            trial.rating_points);
+    }
+    if (trial.yes) {
+      const double yes = yes_chance(*parameters_, outcome.seen);
+      all *= *trial.yes ? yes : 1.0 - yes;
+    }
+    chance += all;
+  }
+  if (trial.first) {
+    const double first =
+        first_chance(*parameters_, model_->seen(*parameters_, traits, trial.percepts.front()),
+                     model_->seen(*parameters_, traits, trial.percepts.back()));
+    chance *= *trial.first ? first : 1.0 - first;
+  }
+  return chance;
+}
+
+double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits) {
+  double logarithm = 0.0;
+  if (model_->outcomes != nullptr) {
+    logarithm = model_->outcomes(*parameters_, trial.percepts.front(),
+                                 trial.clicks_s ? &*trial.clicks_s : nullptr, scratch_);
+  } else {
+    double clearest = 0.0;  // as Judge::clearest()
+    for (const Percept& percept : trial.percepts) {
+      clearest = std::max(clearest, model_->seen(*parameters_, traits, percept));
+    }
+    scratch_.assign(1, {1.0, clearest});
+  }
+  return std::exp(logarithm) * chance_of(trial, traits, scratch_);
+}
+
+// ---------------------------------------------------------------- one person
+
+/// What no trait changes is computed once for all traits that are tried.
+void AnswerLikelihood::judge(Person& person) {
+  for (Cell& cell : person.cells) {
+    const std::vector<Percept>& percepts = cell.trial->percepts;
+    if (model_->outcomes != nullptr) {
+      const auto& clicks_s = cell.trial->clicks_s;
+      cell.clicks_logarithm = model_->outcomes(*parameters_, percepts.front(),
+                                               clicks_s ? &*clicks_s : nullptr, cell.outcomes);
+    } else if (!traits_change_seen_) {
+      double clearest = 0.0;
+      for (const Percept& percept : percepts) {
+        clearest = std::max(clearest, model_->seen(*parameters_, {}, percept));
+      }
+      cell.outcomes.assign(1, {1.0, clearest});
+    }
+  }
+}
+
+Traits AnswerLikelihood::traits(const VectorXd& z) const {
+  Traits traits;
+  for (std::size_t i = 0; i < spreads_.size(); ++i) {
+    traits.*spreads_[i].trait = z[static_cast<Eigen::Index>(i)];
+  }
+  return traits;
+}
+
+/// The logarithm of P(answers | z) exp(−½ z²).
+double AnswerLikelihood::joint(const Person& person, const VectorXd& z) {
+  const Traits own = traits(z);
+  double sum = -0.5 * z.squaredNorm();
+  for (const Cell& cell : person.cells) {
+    const bool is_known = model_->outcomes != nullptr || !traits_change_seen_;
+    const double chance =
+        is_known ? chance_of(*cell.trial, own, cell.outcomes) : this->chance(*cell.trial, own);
+    sum += cell.count * (std::log(std::max(chance, kLeastChance)) + cell.clicks_logarithm);
+  }
+  return sum;
+}
+
+/// Newton's method from where it was before; returns the curvature there, with its sign turned.
+MatrixXd AnswerLikelihood::find_mode(Person& person) {
+  constexpr double kStep = 2e-3;
+  constexpr int kMostSteps = 30;
+  const Eigen::Index size = person.mode.size();
+  MatrixXd precision = MatrixXd::Identity(size, size);
+  double value = joint(person, person.mode);
+  for (int count = 0; count < kMostSteps; ++count) {
+    VectorXd gradient(size);
+    VectorXd near = person.mode;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      near[i] = person.mode[i] + kStep;
+      const double above = joint(person, near);
+      near[i] = person.mode[i] - kStep;
+      const double below = joint(person, near);
+      near[i] = person.mode[i];
+      gradient[i] = (above - below) / (2.0 * kStep);
+      precision(i, i) = (2.0 * value - above - below) / (kStep * kStep);
+      for (Eigen::Index j = 0; j < i; ++j) {
+        const auto at = [&](double by_i, double by_j) {
+          VectorXd corner = person.mode;
+          corner[i] += by_i;
+          corner[j] += by_j;
+          return joint(person, corner);
+        };
+        precision(i, j) =
+            -(at(kStep, kStep) - at(kStep, -kStep) - at(-kStep, kStep) + at(-kStep, -kStep)) /
+            (4.0 * kStep * kStep);
+        precision(j, i) = precision(i, j);
+      }
+    }
+    Eigen::LLT<MatrixXd> factor(precision);
+    if (factor.info() != Eigen::Success) {
+      precision = MatrixXd::Identity(size, size) * (1.0 + precision.cwiseAbs().maxCoeff());
+      factor.compute(precision);
+    }
+    VectorXd step = factor.solve(gradient);
+    if (step.norm() < 1e-6) {
+      break;
+    }
+    double there = joint(person, person.mode + step);
+    while (there < value && step.norm() > 1e-6) {
+      step *= 0.5;
+      there = joint(person, person.mode + step);
+    }
+    if (!std::isfinite(there)) {
+      break;
+    }
+    person.mode += step;
+    value = there;
+  }
+  return precision;
+}
+
+double AnswerLikelihood::integral(Person& person) {
+  judge(person);
+  const Eigen::Index size = person.mode.size();
+  if (size == 0) {
+    return joint(person, person.mode);
+  }
+  const MatrixXd precision = find_mode(person);
+  // z = mode + √2 L t with L Lᵀ the inverse of the precision.
+  const MatrixXd lower = Eigen::LLT<MatrixXd>(precision.inverse()).matrixL();
+  const HermiteRule& rule = rule_for(size);
+  const double top = joint(person, person.mode);
+  double sum = 0.0;
+  std::vector<Eigen::Index> digits(static_cast<std::size_t>(size), 0);
+  while (true) {
+    VectorXd t(size);
+    double weight = 1.0;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Eigen::Index node = digits[static_cast<std::size_t>(i)];
+      t[i] = rule.nodes[node];
+      weight *= rule.weights[node];
+    }
+    const double at = joint(person, person.mode + std::numbers::sqrt2 * (lower * t));
+    sum += weight * std::exp(at - top + t.squaredNorm());
+    std::size_t place = 0;
+    while (place < digits.size() && ++digits[place] == rule.nodes.size()) {
+      digits[place++] = 0;
+    }
+    if (place == digits.size()) {
+      break;
+    }
+  }
+  // (2π)^(−n/2) |√2 L| of the change of variables
+  const double scale = static_cast<double>(size) * -0.5 * std::log(std::numbers::pi) +
+                       lower.diagonal().array().log().sum();
+  return top + std::log(sum) + scale;
+}
+
+std::vector<double> AnswerLikelihood::logarithms() {
+  if (model_->settle != nullptr) {
+    model_->settle(*parameters_);
+  }
+  if (!can_be()) {
+    return std::vector<double>(people_.size(), kImpossible);
+  }
+  std::vector<double> all;
+  for (Person& person : people_) {
+    all.push_back(integral(person));
+  }
+  return all;
+}
+
+double AnswerLikelihood::logarithm() {
+  double sum = 0.0;
+  for (const double one : logarithms()) {
+    sum += one;
+  }
+  return std::isfinite(sum) ? sum : kImpossible;
+}
+
+std::vector<Traits> AnswerLikelihood::likely_traits() {
+  static_cast<void>(logarithms());
+  std::vector<Traits> all;
+  for (const Person& person : people_) {
+    all.push_back(traits(person.mode));
+  }
+  return all;
+}
+
+}  // namespace impetus::inline fitting

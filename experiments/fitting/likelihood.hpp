@@ -1,0 +1,108 @@
+// How probable people's answers are under the parameters of a kind of observer.
+//
+//   one person     Σ over trials of log P(answers | percept, parameters, traits)
+//   a group        Σ over people of log ∫ P(answers of one | traits) φ(traits) d traits
+//
+// Traits (a participant's threshold, intercept, slope) are standard normal: their spreads are
+// parameters. Each person's integral is taken by adaptive Gauss–Hermite quadrature, about the
+// traits that explain that person best (Pinheiro and Bates 1995; Liu and Pierce 1994).
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/fitting/answered_trials.hpp"
+#include "experiments/observers/observer_kinds.hpp"
+
+namespace impetus::inline fitting {
+
+/// A parameter that may be moved, and the scale on which that is done: numbers as they are in steps
+/// of `unit`, what is positive by its logarithm, a probability by its logit.
+struct MovableParameter {
+  enum class Scale { kLinear, kLog, kShare };
+
+  std::string name;
+  double* place{nullptr};
+  Scale scale{Scale::kLinear};
+  double unit{1.0};
+  bool ends_at_zero{false};  ///< 0 is a value like others: nobody lapses, all are alike, a step
+  double least{0.0};         ///< that a file may say
+
+  [[nodiscard]] double on_scale(double value) const;
+  [[nodiscard]] double from_scale(double x) const;
+  /// How far on the scale is as good as infinitely far.
+  [[nodiscard]] double reach() const { return scale == Scale::kLinear ? 60.0 : 12.0; }
+};
+
+/// A group's answers under one kind of observer, whose parameters it moves.
+class AnswerLikelihood {
+ public:
+  /// `people` must outlive this. With `as_group` people differ by their traits; otherwise all are
+  /// the mean.
+  AnswerLikelihood(const ObserverKind& kind, const RatingParameters& start,
+                   const std::vector<AnsweringPerson>& people, bool as_group);
+  AnswerLikelihood(const AnswerLikelihood&) = delete;
+  AnswerLikelihood& operator=(const AnswerLikelihood&) = delete;
+
+  /// Parameters that a fit looks for, the most telling first. A spread that is 0 at the start stays
+  /// so: that people differ in it is no part of this observer.
+  [[nodiscard]] const std::vector<MovableParameter>& movable() const { return movable_; }
+
+  /// From now on people do not differ in the trait of this spread, on which no answer depends.
+  void forget_trait(const std::string& spread);
+
+  /// The logarithm of the answers' probability under the parameters as they are; −∞ where these
+  /// cannot be.
+  [[nodiscard]] double logarithm();
+  /// Of each person.
+  [[nodiscard]] std::vector<double> logarithms();
+
+  [[nodiscard]] const RatingParameters& parameters() const { return *parameters_; }
+  /// The same, to be kept.
+  [[nodiscard]] std::shared_ptr<const RatingParameters> copy() const {
+    return model_->copy(*parameters_);
+  }
+  /// The chance of a trial's answers for a participant with these traits.
+  [[nodiscard]] double chance(const AnsweredTrial& trial, const Traits& traits);
+  /// The traits that explain a person best.
+  [[nodiscard]] std::vector<Traits> likely_traits();
+
+ private:
+  /// A trial as often as it came with the same answers.
+  struct Cell {
+    const AnsweredTrial* trial{nullptr};
+    double count{1.0};
+    std::vector<Outcome> outcomes;  ///< where no trait changes them
+    double clicks_logarithm{0.0};
+  };
+  /// And where the integral over a person's traits was last looked for.
+  struct Person {
+    std::vector<Cell> cells;
+    Eigen::VectorXd mode;
+  };
+
+  void list_movable();
+  void list_spreads(bool as_group);
+  void forget_modes();
+  [[nodiscard]] bool can_be() const;
+  void judge(Person& person);
+  [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
+  [[nodiscard]] double joint(const Person& person, const Eigen::VectorXd& z);
+  [[nodiscard]] Eigen::MatrixXd find_mode(Person& person);
+  [[nodiscard]] double integral(Person& person);
+  [[nodiscard]] double chance_of(const AnsweredTrial& trial, const Traits& traits,
+                                 const std::vector<Outcome>& outcomes) const;
+
+  const AnswerModel* model_;
+  std::shared_ptr<RatingParameters> parameters_;
+  std::vector<MovableParameter> movable_;
+  std::vector<TraitSpread> spreads_;  ///< in which people differ
+  bool traits_change_seen_{false};
+  std::vector<Person> people_;
+  std::vector<Outcome> scratch_;
+};
+
+}  // namespace impetus::inline fitting

@@ -1,0 +1,108 @@
+// `impetus fit` from outside: a simulated study in, a participant file and a page out.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "tests/experiments/command_lines.hpp"
+#include "tests/places/places.hpp"
+
+namespace impetus::fit_command_test {
+
+using nlohmann::json;
+
+/// Three participants of the causality study, simulated and fitted once.
+class FittedStudy {
+ public:
+  FittedStudy() {
+    ran_ = run_program(folder_, simulated_run({"--participants", "3"}));
+    fitted_ = run_program(folder_, {"fit", "a.sqlite", "--observer", "causality", "--out",
+                                    "fitted.json", "--compare", "null-causality", "--folds", "3"});
+  }
+  static const FittedStudy& once() {
+    static const FittedStudy study;
+    return study;
+  }
+
+  [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
+  [[nodiscard]] const ProgramResult& ran() const { return ran_; }
+  [[nodiscard]] const ProgramResult& fitted() const { return fitted_; }
+  [[nodiscard]] json file() const { return json::parse(text_of(folder_ / "fitted.json")); }
+
+ private:
+  TemporaryFolder folder_;
+  ProgramResult ran_;
+  ProgramResult fitted_;
+};
+
+TEST(FitCommand, ParametersSayWhatTheyWereFittedTo) {
+  const FittedStudy& study = FittedStudy::once();
+  ASSERT_EQ(study.ran().status, 0) << study.ran().errors;
+  ASSERT_EQ(study.fitted().status, 0) << study.fitted().errors;
+  const json threshold = study.file()["parameters"]["threshold_mean_ms"];
+  const std::string source = threshold["source"];
+  EXPECT_EQ(source.rfind("fitted to a.sqlite (", 0), 0U) << source;
+  EXPECT_NE(source.find("), 3 people"), std::string::npos) << source;
+  EXPECT_EQ(threshold["note"].get<std::string>().rfind("95 % interval ", 0), 0U);
+  EXPECT_EQ(threshold["unit"], "ms");
+}
+
+TEST(FitCommand, WhatIsNotFittedStaysAsAssumed) {
+  const json parameters = FittedStudy::once().file()["parameters"];
+  for (const char* name : {"reaction_median_ms", "baseline", "effect_sd"}) {
+    const std::string source = parameters[name]["source"];
+    EXPECT_EQ(source.rfind("assumed", 0), 0U) << name;
+  }
+  EXPECT_EQ(parameters["reaction_median_ms"]["value"], 900);
+}
+
+TEST(FitCommand, ItsFileSimulatesParticipants) {
+  const FittedStudy& study = FittedStudy::once();
+  const ProgramResult shown = run_program(study.folder(), {"observers", "fitted.json"});
+  EXPECT_EQ(shown.status, 0) << shown.errors;
+  const ProgramResult run =
+      run_program(study.folder(), {"run", causality_file(), "--db", "b.sqlite", "--participant",
+                                   "S01", "--observer", "fitted.json"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+}
+
+TEST(FitCommand, ThePageHasFitComparisonAndResiduals) {
+  const std::string page = text_of(FittedStudy::once().folder() / "fitted.md");
+  for (const char* part :
+       {"# causality, fitted to a.sqlite (", "3 people, 243 completed main trials",
+        "No person took part", "| threshold_mean_ms | ", "## Observers compared",
+        "| none (goes by nothing that was shown) | ", "## Residuals",
+        "Of the rating, in steps from the scale's good end:"}) {
+    EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
+  }
+}
+
+TEST(FitCommand, RefusesInOneSentence) {
+  const FittedStudy& study = FittedStudy::once();
+  const TemporaryFolder& folder = study.folder();
+  const auto fit = [](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"fit", "a.sqlite", "--observer", "causality"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  expect_refused(folder, fit({"--out", "fitted.json"}),
+                 "fitted.json: exists already and is not overwritten");
+  expect_refused(folder, fit({"--out", "x.json", "--code", "P99"}),
+                 "a.sqlite: expected completed main trials of P99 that are not excluded, got none");
+  expect_refused(folder, fit({"--out", "x.json", "--protocol", "gap"}),
+                 "--protocol: expected one of a.sqlite (causality), got gap");
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.md"));
+}
+
+TEST(FitCommand, AKindThatCannotBeFittedIsRefused) {
+  const FittedStudy& study = FittedStudy::once();
+  const ProgramResult result =
+      run_program(study.folder(), {"fit", "a.sqlite", "--observer", "response", "--out", "x.json"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("/observer: expected a kind that can be fitted (causality, gap, "
+                               "gap-thresholds, gaze-contingent, launching, psychometric), got "
+                               "response"),
+            std::string::npos)
+      << result.errors;
+}
+
+}  // namespace impetus::fit_command_test
