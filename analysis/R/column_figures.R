@@ -13,6 +13,8 @@ measure_of <- function(part) {
   switch(part$response,
     rating = list(of = "rating", title = "Mean rating",
       axis = axis_of_rating(part$scale, words = TRUE, width = 13)),
+    mark = list(of = "mark", title = "Mean mark", axis = list(
+      ggplot2::scale_y_continuous("Mean mark"), ggplot2::coord_cartesian(ylim = part$line))),
     clicks = list(of = "click_rate", title = "Clicks per second", axis = list(
       ggplot2::scale_y_continuous("Clicks per second", limits = c(0, NA)))),
     list(of = "positive", title = positive_label(part), axis = list(

@@ -93,6 +93,8 @@ part_methods <- function(part) {
       if (length(part$factors) == 0) "no factor varied" else varied_words(part), paste(unique(per), collapse = " to "), answer_noun(part)),
     switch(part$response,
       rating = sprintf("Participants rated from %s.", describe_scale(part$scale)),
+      mark = sprintf("Participants answered “%s” by a mark on a line from %g to %g.", part$question,
+        part$line[1], part$line[2]),
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",
       threshold = scale_sentence(part),
       answer = if (part$kind == "two_interval") "Participants chose one of two intervals." else
@@ -112,7 +114,7 @@ analysis_words <- function(parts) {
 
 package_versions <- function(kinds) {
   packages <- unique(c(unlist(list(rating = c("ordinal", "afex"), answer = c("lme4", "afex"),
-    threshold = c("lme4", "afex"), clicks = c("glmmTMB", "lme4", "afex"))[kinds]), "ggplot2"))
+    threshold = c("lme4", "afex"), mark = "afex", clicks = c("glmmTMB", "lme4", "afex"))[kinds]), "ggplot2"))
   packages <- packages[vapply(packages, requireNamespace, NA, quietly = TRUE)]
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))
 }

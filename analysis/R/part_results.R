@@ -12,7 +12,7 @@ results_of_part <- function(part, everything = NULL) {
   measure <- measure_of(part)
   none <- why_no_test_of(part)
   tested <- is.null(none) && length(part$factors) > 0
-  fitted <- if (tested) factor_tests(part$trials, unname(part$factors), part$response)
+  fitted <- if (tested && part$response != "mark") factor_tests(part$trials, unname(part$factors), part$response)
   clicked <- clicked_events(part)
   tests <- combine_outcomes(outcome(remarks = none), constant_remarks(part$constant), fitted,
     if (tested) tests_of_means(part, measure), clicked$tests)
@@ -33,6 +33,9 @@ why_no_test_of <- function(part) {
   }
   if (part$response == "clicks" && sum(trials$clicks) == 0) {
     return("Nobody clicked, so there is nothing to test.")
+  }
+  if (part$response == "mark" && length(unique(trials$mark)) == 1) {
+    return("Every mark was in the same place: nothing varies, so no test was made.")
   }
   if (part$response == "answer" && length(unique(trials$positive)) == 1) {
     return("Every answer was alike: nothing varies, so no test was made.")
@@ -55,7 +58,8 @@ tests_of_means <- function(part, measure) {
 # What was found about one factor.
 factor_paragraph <- function(factor, part, tests, measure) {
   with_minus_signs(c(
-    means_words(part$trials, factor, measure), factor_words(tests, factor, part$response),
+    means_words(part$trials, factor, measure),
+    if (part$response != "mark") factor_words(tests, factor, part$response),
     equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor),
     anova_words(tests, factor), friedman_words(tests, factor)))
 }

@@ -4,6 +4,7 @@
 #   trial_response: yes_no, two_interval ─┬──> "answer"             binary, of levels that the plan set
 #                                         └──> "threshold"          a level chosen trial by trial, or
 #                                                                   four numbers or more
+#   trial_response: slider ──────────────────> "mark"               a number on a line, by question
 #   click_trial ─────────────────────────────> "clicks"             counts in a time
 #
 # A part is a study as read_studies gives it, with `response`, `factors` (every factor of the design
@@ -25,6 +26,9 @@ parts_of_protocol <- function(path, protocol) {
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
     unlist(lapply(kinds, answer_parts, path = path, protocol = protocol), recursive = FALSE),
+    lapply(mark_questions(answers), function(question) {
+      read_part(mark_part(path, protocol, question))
+    }),
     if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol))))
   Filter(Negate(is.null), parts)
 }
@@ -39,6 +43,27 @@ rating_part <- function(path, protocol) {
   part$scale <- one_scale(part)
   part$response <- "rating"
   with_factors_that_vary(keep_people_apart(part))
+}
+
+# The questions that were answered by a mark on a line in the main phase.
+mark_questions <- function(answers) {
+  unique(answers$question[answers$phase == "main" & answers$kind == "slider" & answers$answer != ""])
+}
+
+# Marks of one question: each has a line of its own.
+mark_part <- function(path, protocol, question) {
+  part <- read_trials(path, protocol, "trial_response", "main trials with a mark",
+    where = sprintf("kind = 'slider' AND answer <> '' AND question = '%s'",
+      gsub("'", "''", question, fixed = TRUE)))
+  part$trials$mark <- as.numeric(part$trials$answer)
+  part$line <- vapply(c("minimum", "maximum"), function(end) {
+    as.numeric(sub(sprintf(".*\"%s\": *(-?[0-9.]+).*", end), "\\1", part$trials$detail[1]))
+  }, 0)
+  part$question <- question
+  part$kind <- paste("mark", match(question, mark_questions(rows_of_view(path, "trial_response",
+    protocol))))
+  part$response <- "mark"
+  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
 
 # Answers by condition, where the plan set it; and thresholds, where there are levels for them.
@@ -154,6 +179,7 @@ with_factors_that_vary <- function(part) {
 # The title of a part's section.
 title_of_part <- function(part) {
   switch(part$response, rating = "Ratings", clicks = "Clicks",
+    mark = sprintf("Marks: %s", part$question),
     threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
     answer = if (part$kind == "two_interval") "Choices of an interval" else "Answers yes or no")
 }

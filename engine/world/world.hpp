@@ -65,7 +65,7 @@ class World {
   /// How many nodes of the bodies' trees all steps so far have transformed into the world.
   [[nodiscard]] std::int64_t nodes_transformed() const;
 
-  /// For tests that ask whether a changed start is noticed.
+  /// For what moves a body from outside, as in tests and in what somebody imagines.
   [[nodiscard]] std::vector<BodyState>& mutable_states() { return state_.states; }
 
  private:

@@ -46,16 +46,23 @@ double likeliest_rate(double measured_hz) {
   return std::abs(nearest_hz / measured_hz - 1.0) < 0.04 ? nearest_hz : measured_hz;
 }
 
+const char* name_of(Field::Kind kind) {
+  switch (kind) {
+    case Field::Kind::kNumber:
+      return "number";
+    case Field::Kind::kChoice:
+      return "choice";
+    case Field::Kind::kSlider:
+      return "slider";
+    default:
+      return "text";
+  }
+}
+
 json field_json(const Field& field) {
   return {
-      {"id", field.id},
-      {"label", field.label},
-      {"kind", field.kind == Field::Kind::kNumber   ? "number"
-               : field.kind == Field::Kind::kChoice ? "choice"
-                                                    : "text"},
-      {"options", field.options},
-      {"minimum", field.minimum},
-      {"maximum", field.maximum},
+      {"id", field.id},           {"label", field.label},     {"kind", name_of(field.kind)},
+      {"options", field.options}, {"minimum", field.minimum}, {"maximum", field.maximum},
   };
 }
 

@@ -29,6 +29,7 @@ void add_merge(CLI::App& app, Command& chosen);
 void add_new(CLI::App& app, Command& chosen);
 void add_observers(CLI::App& app, Command& chosen);
 void add_power(CLI::App& app, Command& chosen);
+void add_predict(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_publish(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   impetus::add_new(app, chosen);
   impetus::add_observers(app, chosen);
   impetus::add_power(app, chosen);
+  impetus::add_predict(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_publish(app, chosen);
   impetus::add_replay(app, chosen);

@@ -39,8 +39,7 @@ std::string problem_of(ReplayLibrary& library, const StoredAttempt& attempt, std
     return words(*result.divergence) + why_divergent(attempt);
   }
   constexpr double kOfAStep = 1e-9;
-  const auto whole =
-      static_cast<std::int64_t>(std::ceil(scene.duration_s * scene.step_hz - kOfAStep));
+  const auto whole = static_cast<std::int64_t>(std::ceil(result.ends_s * scene.step_hz - kOfAStep));
   const bool shown_to_nobody = attempt.completed && attempt.onset_ns == 0;
   if (shown_to_nobody && (recorded.empty() || recorded.back().step != whole)) {
     return "expected steps up to " + std::to_string(whole) + ", the last one there is " +

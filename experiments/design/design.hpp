@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -28,6 +29,9 @@ struct Factor {
   std::string name;
   std::vector<LevelValue> levels;
   std::string pointer{};  ///< JSON Pointer to the value of the scene that it overrides; "": none
+  /// In its place, what each of its levels, which are words, sets: a JSON object of values by their
+  /// JSON Pointers.
+  std::map<std::string, std::string> sets{};
   std::string label{};    ///< for people
   bool between{false};    ///< between participants: each of them has one level of it
   std::string keys_of{};  ///< the question whose answers have its levels as keys; "": none

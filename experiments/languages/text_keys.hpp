@@ -163,6 +163,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"scroll_hint"},
     {"read_to_end"},
     {"number_within"},
+    {"mark_needed"},
     {"number_needed"},
     // of a session in a web page alone
     {"page_cannot_go_on", TextUse::kLabel},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/design_words.hpp"
+#include "experiments/protocol/factor_values.hpp"
 
 #include <cstdio>
 
@@ -120,7 +121,14 @@ std::string level_list(const Factor& factor) {
 }
 
 std::string changed_by(const Factor& factor) {
-  return factor.keys_of.empty() ? factor.pointer : "keys of " + factor.keys_of;
+  if (!factor.keys_of.empty()) {
+    return "keys of " + factor.keys_of;
+  }
+  std::string pointers;
+  for (const std::string& pointer : overridden_by(factor)) {
+    pointers += (pointers.empty() ? "" : ", ") + pointer;
+  }
+  return pointers.empty() ? "nothing of the scene" : pointers;
 }
 
 std::string condition_words(const Condition& condition) {

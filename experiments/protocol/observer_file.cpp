@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/observer_file.hpp"
+#include "experiments/protocol/factor_values.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -65,11 +66,14 @@ void check_factor(const Protocol& protocol, const ObserverFile& observer) {
 
 /// Whether a level of the factor changes what the participant looks at.
 bool is_looked_at(const Factor& factor, const Attention& attention) {
+  const std::vector<std::string> pointers = overridden_by(factor);
+  const auto changes = [&](const std::string& part) {
+    return std::any_of(pointers.begin(), pointers.end(), [&](const std::string& pointer) {
+      return pointer.find(part) != std::string::npos;
+    });
+  };
   return factor.name == attention.factor ||
-         std::any_of(attention.settings.begin(), attention.settings.end(),
-                     [&](const std::string& part) {
-                       return factor.pointer.find(part) != std::string::npos;
-                     });
+         std::any_of(attention.settings.begin(), attention.settings.end(), changes);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/protocol/checks/yoke_checks.hpp"
+#include "experiments/protocol/factor_values.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
 #include "experiments/protocol/scene_levels.hpp"
@@ -69,8 +70,9 @@ json scene_under(const Protocol& protocol, const Condition& condition) {
   json scene = protocol.scene.value;
   for (const FactorLevel& level : condition) {
     const Factor& factor = protocol.design.factors.at(factor_place(protocol.design, level.factor));
-    if (!factor.pointer.empty()) {
-      scene[json::json_pointer(factor.pointer)] = to_json(level.value);
+    const json values = values_of(factor, level.value);
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      scene[json::json_pointer(value.key())] = value.value();
     }
   }
   return scene;

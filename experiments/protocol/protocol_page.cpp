@@ -266,7 +266,7 @@ std::string recorded(const Protocol& protocol) {
 }
 
 constexpr const char* kPrintedP =
-    "\nOf each test the analysis prints its own p and, by name, the one corrected after Holm "
+    "\nOf each test the report prints its own p and, by name, the one corrected after Holm "
     "within "
     "its family of tests; what it says to be found rests on the corrected one.\n";
 
@@ -282,8 +282,8 @@ std::string commands(const Protocol& protocol) {
   return heading("How to run it") + "```sh\nbuild/impetus run protocols/" + protocol.name +
          ".json --db study.sqlite" + (people ? " --participant P01" : "") +
          "\nbuild/impetus replay study.sqlite\n"
-         "Rscript analysis/" +
-         protocol.name + ".R study.sqlite --out figures/\n```\n" + (people ? kPrintedP : "");
+         "build/impetus report study.sqlite --out report/\n```\n" +
+         (people ? kPrintedP : "");
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ Kind<std::string> id_kind() { return text_like("^[a-z][a-z0-9_]*$"); }
 
 // ---------------------------------------------------------------- the design
 
+/// Any values by JSON Pointer, kept as text.
+Kind<std::string> values_kind() {
+  return {{{{"type", "object"}, {"minProperties", 1}, {"propertyNames", {{"pattern", "^/"}}}}},
+          [](const nlohmann::json& values) { return values.dump(); }};
+}
+
 Kind<Factor> factor_kind() {
   using F = Factor;
   return object<F>(
@@ -36,6 +42,9 @@ Kind<Factor> factor_kind() {
       {required("name", &F::name, id_kind()), row("label", &F::label, any_text()),
        row("pointer", &F::pointer, text_like("^/"),
            "JSON Pointer to the value in the scene that the factor overrides."),
+       row("sets", &F::sets, by_name(values_kind()),
+           "In place of a pointer, for a factor that changes several values at once: what each "
+           "level, a word, puts into the scene, by JSON Pointer."),
        row("keys_of", &F::keys_of, text(),
            "In place of a pointer: the question (yes_no, two_interval) whose answers have "
            "other keys at each level: \"f j\", \"j f\". Each key keeps its side of the screen."),

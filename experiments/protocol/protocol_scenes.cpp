@@ -5,6 +5,7 @@
 
 #include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/checked_scene.hpp"
+#include "experiments/protocol/factor_values.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/scenes/engine_setup.hpp"
@@ -36,7 +37,10 @@ class Engine {
 int deepest_level_under(const Protocol& protocol, const Condition& condition) {
   Engine engine(protocol.scene.value);
   for (const FactorLevel& level : condition) {
-    engine.put(find_factor(protocol.design, level.factor)->pointer, to_json(level.value));
+    const json values = values_of(*find_factor(protocol.design, level.factor), level.value);
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      engine.put(value.key(), value.value());
+    }
   }
   return engine.deepest_level();
 }
@@ -44,7 +48,10 @@ int deepest_level_under(const Protocol& protocol, const Condition& condition) {
 /// The cells of the factors that change the engine: of the others any will do.
 std::vector<Condition> cells_of_engine(const Protocol& protocol) {
   Design design = protocol.design;
-  std::erase_if(design.factors, [](const Factor& factor) { return !is_of_engine(factor.pointer); });
+  std::erase_if(design.factors, [](const Factor& factor) {
+    const std::vector<std::string> pointers = overridden_by(factor);
+    return std::none_of(pointers.begin(), pointers.end(), is_of_engine);
+  });
   return cells(design);
 }
 

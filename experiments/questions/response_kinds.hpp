@@ -53,6 +53,10 @@ class Judge {
   /// Probability that the first of two intervals is chosen, for what was seen in each.
   [[nodiscard]] virtual double first_probability(double seen_first, double seen_second) const = 0;
 
+  /// Where a line from nothing to everything is marked, 0 to 1; and one from the contrary, −1 to 1.
+  virtual double mark() { return clearest(); }
+  virtual double two_sided_mark() { return 2.0 * mark() - 1.0; }
+
   /// A draw from 0 to below 1.
   virtual double uniform() = 0;
 };
@@ -98,6 +102,8 @@ class Question {
   [[nodiscard]] virtual std::size_t keyed_answers() const { return 0; }
   /// The keys that the protocol's block chooses for them; none: the page has its own.
   [[nodiscard]] virtual std::vector<std::string> keys() const { return {}; }
+  /// Factors by whose levels it is chosen what is asked: they need change nothing of the scene.
+  [[nodiscard]] virtual std::vector<std::string> asked_by() const { return {}; }
   /// The page after the stimulus; none: nothing is asked then, and nothing kept.
   [[nodiscard]] virtual std::optional<Page> page(const AskedTrial& /*asked*/) const { return {}; }
   /// Puts what was answered, or that the time was up, into the record.

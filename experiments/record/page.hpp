@@ -30,13 +30,14 @@ struct Choice {
 
 /// One thing to fill in; always optional.
 struct Field {
-  /// What may be filled in: a number, one of several options, or words.
-  enum class Kind { kNumber, kChoice, kText };
+  /// What may be filled in: a number, one of several options, words, or a mark on a line, which has
+  /// to be set: a whole number from end to end.
+  enum class Kind { kNumber, kChoice, kText, kSlider };
   std::string id;
   std::string label;
   Kind kind{Kind::kText};
-  std::vector<std::string> options;  ///< of a kChoice
-  double minimum{-1e9};              ///< of a kNumber
+  std::vector<std::string> options;  ///< of a kChoice; of a kSlider, words spread along its line
+  double minimum{-1e9};              ///< of a kNumber or a kSlider
   double maximum{1e9};
 };
 

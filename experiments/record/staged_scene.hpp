@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -97,6 +98,29 @@ struct RegionRule {
   ScreenPoint point{};            ///< of kFixed
 };
 
+/// A line that a body may cross, across the world's axis 0 (x) or 1 (y), which ends the stimulus
+/// before its time.
+struct Goal {
+  std::size_t body{0};
+  int axis{0};
+  double sense{1.0};  ///< 1: it is through beyond the line along the axis; −1: before it
+  double line_m{0.0};
+  std::vector<std::size_t> missed_at;  ///< bodies by which it is sent back, and has missed
+  double follow_s{0.0};                ///< the stimulus goes on for so long
+
+  [[nodiscard]] bool is_passed_at(const Vector3& centre) const {
+    return sense * (centre[axis] - line_m) > 0.0;
+  }
+  /// Two bodies touched; the goal's moves on as `momentum` says.
+  [[nodiscard]] bool is_missed_by(const BodyPair& touching, const Vector3& momentum) const {
+    const auto mine = static_cast<std::int32_t>(body);
+    const std::int32_t other = touching.a == mine ? touching.b : touching.a;
+    return (touching.a == mine || touching.b == mine) && sense * momentum[axis] < 0.0 &&
+           std::find(missed_at.begin(), missed_at.end(), static_cast<std::size_t>(other)) !=
+               missed_at.end();
+  }
+};
+
 /// How much a step may do; at most one of the two limits.
 struct WorkBudget {
   std::int64_t tests_per_step{kUnlimitedTests};  ///< units of work: see WorldSettings::costs
@@ -109,11 +133,13 @@ struct StagedScene {
   Viewer viewer;
   std::vector<DrawnBody> looks;  ///< one per body of the world
   double step_hz{240.0};
-  double duration_s{0.0};       ///< from onset to the end of the stimulus, an imposed hold included
-  double contact_s{0.0};        ///< when two bodies are to meet, from onset; 0: nothing is to
-  double intended_hold_s{0.0};  ///< the freeze at contact that the condition asks for
-  bool no_spin{false};          ///< imposed: nothing turns
-  double realised_hold_s{0.0};  ///< differs only when rounding to whole frames was allowed
+  double duration_s{0.0};      ///< from onset to the end of the stimulus, an imposed hold included
+  std::optional<Goal> goal{};  ///< which may end it sooner
+  std::vector<BodyState> start{};  ///< of the bodies at onset, whatever becomes of the world
+  double contact_s{0.0};           ///< when two bodies are to meet, from onset; 0: nothing is to
+  double intended_hold_s{0.0};     ///< the freeze at contact that the condition asks for
+  bool no_spin{false};             ///< imposed: nothing turns
+  double realised_hold_s{0.0};     ///< differs only when rounding to whole frames was allowed
   RegionRule region{};
   WorkBudget budget{};
   bool depends_on_gaze{false};  ///< the gaze decides the detail of collisions

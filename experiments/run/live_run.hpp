@@ -30,6 +30,8 @@ class LiveRun {
   std::vector<Pose> poses_at(double time_s);
 
   [[nodiscard]] const StagedScene& scene() const { return run_.scene(); }
+  /// When the stimulus ends, as far as is known now.
+  [[nodiscard]] double ends_s() const { return run_.ends_s(); }
 
   /// Hands the record over, after which nothing more is to be run.
   std::vector<StepRecord> take_steps() { return std::move(steps_); }

@@ -39,6 +39,7 @@ const StepReport& RunningReplay::next() {
                                  run_.world().models()[static_cast<std::size_t>(found.body)].name,
                                  std::string(name_of(found.field))});
   }
+  result_.ends_s = run_.ends_s();
   result_.divergence = divergence_of(then, now->state, run_.world(), result_.divergence);
   return *now;
 }

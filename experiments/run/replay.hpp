@@ -34,6 +34,7 @@ struct ReplayResult {
   std::int64_t steps{0};  ///< simulated, the start not counted
   std::optional<Divergence> divergence;
   std::vector<TakenOut> taken_out{};  ///< by then
+  double ends_s{0.0};                 ///< when the scene ends, as far as was known by then
 };
 
 /// What is known of a divergence after this step: `known` by now (none: there was none), begun

@@ -13,8 +13,12 @@ SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock
     : scene_(std::move(scene)),
       regions_(scene_, seed),
       clock_(clock),
+      ends_s_(scene_.duration_s),
       before_(scene_.world.states()) {
   set_budget(scene_.budget);
+  if (scene_.goal) {
+    is_through_ = false;
+  }
 }
 
 void SceneRun::set_budget(const WorkBudget& budget) {
@@ -47,7 +51,30 @@ const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<G
   before_ = scene_.world.states();
   ++number_;
   input_ = {1.0 / scene_.step_hz, viewer_at(number_), fixation, region};
-  return scene_.world.step(input_, meter);
+  const StepReport& report = scene_.world.step(input_, meter);
+  if (scene_.goal) {
+    watch_goal(report);
+  }
+  return report;
+}
+
+/// A body may be through on the way back from what kept it from it, until the end.
+void SceneRun::watch_goal(const StepReport& report) {
+  const Goal& goal = *scene_.goal;
+  const auto end_soon = [&] {
+    const double now_s = static_cast<double>(number_) / scene_.step_hz;
+    ends_s_ = std::min(ends_s_, now_s + goal.follow_s);
+  };
+  const BodyState& body = scene_.world.states()[goal.body];
+  if (!*is_through_ && goal.is_passed_at(body.pose.position)) {
+    is_through_ = true;
+    end_soon();
+  }
+  for (const CollisionReport& collision : report.collisions) {
+    if (goal.is_missed_by(collision.bodies, body.linear_momentum)) {
+      end_soon();
+    }
+  }
 }
 
 const StepReport& SceneRun::step_whole() {

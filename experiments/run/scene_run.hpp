@@ -51,6 +51,11 @@ class SceneRun {
   [[nodiscard]] const World& world() const { return scene_.world; }
   [[nodiscard]] const StagedScene& scene() const { return scene_; }
 
+  /// Whether the body of the scene's goal is through; none without a goal.
+  [[nodiscard]] std::optional<bool> is_through() const { return is_through_; }
+  /// When the stimulus ends, as far as is known now: when its time is over, or sooner by its goal.
+  [[nodiscard]] double ends_s() const { return ends_s_; }
+
   /// How many steps were taken.
   [[nodiscard]] std::int64_t number() const { return number_; }
   /// The viewer at the end of step `number`.
@@ -63,6 +68,8 @@ class SceneRun {
   [[nodiscard]] std::vector<Pose> poses(double fraction) const;
 
  private:
+  void watch_goal(const StepReport& report);
+
   StagedScene scene_;
   RegionSource regions_;
   const WorkClock* clock_;
@@ -70,6 +77,8 @@ class SceneRun {
   std::optional<DeadlineWork> deadline_;  ///< of a budget in milliseconds, where there is a clock
   bool needs_clock_{false};
   std::int64_t number_{0};
+  std::optional<bool> is_through_;
+  double ends_s_;
   StepInput input_;
   std::vector<BodyState> before_;
 };

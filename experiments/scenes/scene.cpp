@@ -64,6 +64,38 @@ Kind<ViewerSettings> viewer_kind() {
                "from above; 0 when left out.")});
 }
 
+Kind<PlaneSettings> plane_kind() {
+  using P = PlaneSettings;
+  return object<P>(
+      "The plane of the screen, seen from above like a table, in pixels of its own: what ends in "
+      "_px counts in them, to the right and up. It stands on the screen in degrees, whatever the "
+      "screen's own pixels are.",
+      {required("px_per_deg", &P::px_per_deg, number(above(0, 1000))),
+       required("origin_px", &P::origin_px, several<2>(number({-1e5, 1e5})),
+                "Of the plane, the point at the screen's centre.")});
+}
+
+Kind<GoalSettings> goal_kind() {
+  using G = GoalSettings;
+  return object<G>(
+      "A body is through when its centre has crossed a line of the plane. The stimulus ends "
+      "follow_s after that, or after what keeps it from the line has sent it back, and when its "
+      "time is over.",
+      {required("body", &G::body, text()),
+       required("side", &G::side,
+                choice<G::Side>({{"left", G::Side::kLeft},
+                                 {"right", G::Side::kRight},
+                                 {"below", G::Side::kBelow},
+                                 {"above", G::Side::kAbove}}),
+                "Where it is when it is through."),
+       required("line_px", &G::line_px, number({-1e5, 1e5}),
+                "The line's place along x (left, right) or y."),
+       row("missed_at", &G::missed_at, list(text(), {1, 100, true}),
+           "Bodies that end it, too, once one of them is touched and sends it back; none when left "
+           "out."),
+       required("follow_s", &G::follow_s, number({0, 60}))});
+}
+
 Kind<BodySettings> body_kind() {
   using B = BodySettings;
   return object<B>(
@@ -75,6 +107,10 @@ Kind<BodySettings> body_kind() {
            "Of the centre of mass at the start; left out where the bodies meet."),
        row("velocity_deg_s", &B::velocity_deg_s, vector_kind()),
        row("spin_deg_s", &B::spin_deg_s, vector_kind(), "Angular velocity about the world's axes."),
+       row("position_px", &B::position_px, several<2>(number({-1e5, 1e5})),
+           "In the scene's plane, in place of position_deg."),
+       row("velocity_px_s", &B::velocity_px_s, several<2>(number({-1e5, 1e5})),
+           "In the scene's plane, in place of velocity_deg_s."),
        required("density_kg_m3", &B::density_kg_m3, density_kind()),
        row("fixed", &B::fixed, flag(),
            "Nothing moves or turns it; bodies that are fixed may overlap each other and the "
@@ -283,6 +319,33 @@ Kind<ImposedSettings> imposed_kind() {
            "Inverse inertia zero: contacts off the centre turn no body.")});
 }
 
+/// What was said in pixels of the plane, in degrees as well.
+Scene in_degrees(Scene scene) {
+  if (!scene.plane) {
+    return scene;
+  }
+  const PlaneSettings& plane = *scene.plane;
+  if (scene.crowd && scene.crowd->shape.has_px) {
+    scene.crowd->shape = scaled(scene.crowd->shape, 1.0 / plane.px_per_deg);
+  }
+  if (!scene.bodies) {
+    return scene;
+  }
+  for (BodySettings& body : *scene.bodies) {
+    if (body.position_px) {
+      body.position_deg = plane.place_deg(*body.position_px);
+    }
+    if (body.velocity_px_s) {
+      const auto& [x, y] = *body.velocity_px_s;
+      body.velocity_deg_s = Vector3(x, y, 0.0) / plane.px_per_deg;
+    }
+    if (body.shape.has_px) {
+      body.shape = scaled(body.shape, 1.0 / plane.px_per_deg);
+    }
+  }
+  return scene;
+}
+
 /// A figure's content is judged by a schema of its own.
 Kind<FigureSettings> figure_content_kind() {
   return {{OrderedJson{{"type", "object"}}}, figure_kind().read};
@@ -296,7 +359,7 @@ const Kind<Scene>& scene_kind() {
                row("meshes", &S::meshes, by_name(mesh_kind()),
                    "The content of mesh files, by file: put in when a scene is read, so that a "
                    "recording holds all that it needs. A file that is here is not read."),
-               required("viewer", &S::viewer, viewer_kind()),
+               required("viewer", &S::viewer, viewer_kind()), row("plane", &S::plane, plane_kind()),
                row("appearance", &S::appearance, appearance_kind()),
                row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
                    "Named one by one: two that meet, or any number with positions of their own."),
@@ -311,7 +374,7 @@ const Kind<Scene>& scene_kind() {
                row("enclosure", &S::enclosure, enclosure_kind()),
                row("duration_s", &S::duration_s, number(above(0, 3600)),
                    "Of the stimulus, where nothing meets."),
-               row("meeting", &S::meeting, meeting_kind()),
+               row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
                row("distractors", &S::distractors, distractors_kind()),
                row("imposed", &S::imposed, imposed_kind())}));
   return kind;
@@ -319,7 +382,7 @@ const Kind<Scene>& scene_kind() {
 
 }  // namespace
 
-Scene::Scene(const json& valid) : Scene(scene_kind().read(valid)) {}
+Scene::Scene(const json& valid) : Scene(in_degrees(scene_kind().read(valid))) {}
 
 OrderedJson scene_file_schema() {
   return file_schema("Impetus scene",

@@ -29,6 +29,27 @@
 
 namespace impetus::inline scenes {
 
+/// A plane that faces the viewer, in pixels of its own: to the right and up.
+struct PlaneSettings {
+  double px_per_deg{1.0};
+  std::array<double, 2> origin_px{};  ///< what is at the screen's centre
+
+  /// In degrees from the centre.
+  [[nodiscard]] Vector3 place_deg(const std::array<double, 2>& px) const {
+    return Vector3(px[0] - origin_px[0], px[1] - origin_px[1], 0.0) / px_per_deg;
+  }
+};
+
+/// A line that a body may cross, which ends the stimulus before its time, as what else is named.
+struct GoalSettings {
+  enum class Side { kLeft, kRight, kBelow, kAbove };
+  std::string body;
+  Side side{Side::kLeft};
+  double line_px{0.0};
+  std::vector<std::string> missed_at;
+  double follow_s{0.0};
+};
+
 /// Where the viewer looks from.
 struct ViewerSettings {
   double azimuth_deg{0.0};
@@ -44,6 +65,9 @@ struct BodySettings {
   std::optional<Vector3> position_deg;
   std::optional<Vector3> velocity_deg_s;
   std::optional<Vector3> spin_deg_s;
+  /// In the plane, in place of position and velocity in degrees, which follow from them.
+  std::optional<std::array<double, 2>> position_px;
+  std::optional<std::array<double, 2>> velocity_px_s;
   double density_kg_m3{1000.0};
   std::optional<bool> fixed;
   std::string material;  ///< "": none
@@ -161,6 +185,7 @@ struct Scene {
   EngineSettings engine;
   Meshes meshes;
   ViewerSettings viewer;
+  std::optional<PlaneSettings> plane;
   AppearanceSettings appearance;
   std::optional<std::vector<BodySettings>> bodies;
   std::optional<BodyCrowd> crowd;
@@ -169,6 +194,7 @@ struct Scene {
   std::map<std::string, FigureSettings> figure_files;
   std::optional<EnclosureSettings> enclosure;
   std::optional<double> duration_s;
+  std::optional<GoalSettings> goal;
   std::optional<MeetingSettings> meeting;
   std::optional<DistractorSettings> distractors;
   std::optional<ImposedSettings> imposed;

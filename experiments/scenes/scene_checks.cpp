@@ -12,8 +12,10 @@
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
+#include "experiments/scenes/scene_goal.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
+#include "experiments/scenes/scene_plane.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -92,8 +94,9 @@ void add_meeting_problems(const Scene& scene, SceneProblems& problems) {
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::string place = "bodies/" + std::to_string(i) + "/";
-    refuse_key(bodies[i].position_deg.has_value(), place + "position_deg", why, problems);
-    refuse_key(bodies[i].velocity_deg_s.has_value(), place + "velocity_deg_s", why, problems);
+    for (const char* key : {"position_deg", "position_px", "velocity_deg_s", "velocity_px_s"}) {
+      refuse_key(problems.says("/" + place + key), place + key, why, problems);
+    }
     refuse_key(bodies[i].spin_deg_s.has_value(), place + "spin_deg_s", why, problems);
     refuse_key(bodies[i].fixed.has_value(), place + "fixed", why, problems);
   }
@@ -134,7 +137,8 @@ void add_free_problems(const Scene& scene, SceneProblems& problems) {
         problems.add_got(place + "/" + key, "expected none for a body that is fixed");
       }
     };
-    refuse_moving("velocity_deg_s", body.velocity_deg_s.has_value());
+    refuse_moving(body.velocity_px_s ? "velocity_px_s" : "velocity_deg_s",
+                  body.velocity_deg_s.has_value());
     refuse_moving("spin_deg_s", body.spin_deg_s.has_value());
   }
   refuse_key(scene.distractors.has_value(), "distractors", "where no two bodies meet", problems);
@@ -152,6 +156,8 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_tree_problems(scene.engine, problems);
   add_random_spin_problems(scene, problems);
   add_appearance_problems(scene, problems);
+  add_plane_problems(scene, problems);
+  add_goal_problems(scene, problems);
   if (scene.has_figures()) {
     add_figure_problems(scene, problems);
   }
@@ -160,7 +166,8 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
 /// Of a scene with a crowd.
 void add_problems_of_crowd(const Scene& scene, ShapeLibrary& library, SceneProblems& problems) {
   if (scene.crowd) {
-    add_shape_problems(scene.crowd->shape, scene.meshes, "/crowd/shape", "_deg", problems);
+    add_shape_problems(scene.crowd->shape, scene.meshes, "/crowd/shape",
+                       suffix_of(scene.crowd->shape), problems);
     refuse_key(scene.figure_crowd.has_value(), "figure_crowd", "beside a crowd", problems);
   }
   if (problems.empty()) {
@@ -176,7 +183,7 @@ void add_problems_of_named(const Scene& scene, ShapeLibrary& library, SceneProbl
   const auto bodies = scene.named_bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     add_shape_problems(bodies[i].shape, scene.meshes, "/bodies/" + std::to_string(i) + "/shape",
-                       "_deg", problems);
+                       suffix_of(bodies[i].shape), problems);
   }
   if (problems.empty()) {
     add_limit_problems(scene, library, problems);

@@ -19,6 +19,7 @@
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "experiments/scenes/scene_goal.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 
 namespace impetus::inline scenes {
@@ -165,8 +166,10 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer, std::move(bodies.looks)};
+  staged.start = staged.world.states();
   staged.step_hz = engine.step_hz;
   staged.duration_s = scene.lasting_s(realised_s);
+  staged.goal = goal_of(scene, m_per_deg);
   staged.contact_s = scene.meeting ? scene.meeting->lead_s : 0.0;
   staged.intended_hold_s = intended_s;
   staged.no_spin = scene.no_spin();

@@ -35,9 +35,9 @@ std::vector<SmallMeasure> small_measures(const ShapeSettings& shape, double m_pe
   for (const ShapeMeasure& measure : shape_measures()) {
     const double size_m = (shape.*measure.place).value_or(1.0) * m_per_deg;
     if (size_m < kLeastSize_m) {
-      found.push_back({measure.name + std::string("_deg"),
-                       "expected " + text_of(kLeastSize_m, " m") +
-                           " or more, seen on the screen, got " + text_of(size_m, " m")});
+      found.push_back({measure.name + suffix_of(shape), "expected " + text_of(kLeastSize_m, " m") +
+                                                            " or more, seen on the screen, got " +
+                                                            text_of(size_m, " m")});
     }
   }
   return found;

@@ -36,6 +36,11 @@ class SceneProblems {
         "expected the key \"" + key + "\"" + (why.empty() ? "" : " " + why) + ", which is missing");
   }
 
+  /// Whether anything is written there.
+  [[nodiscard]] bool says(const std::string& pointer) const {
+    return written_->contains(nlohmann::json::json_pointer(pointer));
+  }
+
   /// What is written there, as JSON. Precondition: something is.
   [[nodiscard]] std::string written(const std::string& pointer) const {
     return written_->at(nlohmann::json::json_pointer(pointer)).dump();
@@ -43,8 +48,7 @@ class SceneProblems {
 
   /// The same, or the default where nothing is.
   [[nodiscard]] std::string written_or(const std::string& pointer, double otherwise) const {
-    const bool is_there = written_->contains(nlohmann::json::json_pointer(pointer));
-    return is_there ? written(pointer) : nlohmann::json(otherwise).dump();
+    return says(pointer) ? written(pointer) : nlohmann::json(otherwise).dump();
   }
 
   /// What the builders of trees say, "tree: expected ...", of the kind at `pointer`; "": nothing.

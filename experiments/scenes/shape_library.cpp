@@ -9,6 +9,7 @@
 #include "engine/shapes/solids/ball_meshes.hpp"
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
+#include "engine/shapes/solids/prism_meshes.hpp"
 #include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/trees/builders/build_tree.hpp"
 #include "engine/trees/builders/swept_tree.hpp"
@@ -21,6 +22,13 @@ namespace {
 BodyShape sphere_shape(double radius_m) {
   const VolumeTree tree = single_node_tree(Sphere{Vector3::Zero(), radius_m});
   return {nullptr, std::make_shared<const VolumeTree>(tree), solid_sphere(radius_m, 1.0), radius_m};
+}
+
+/// Drawn flat, and otherwise the sphere: in a plane across z, exactly the disc.
+BodyShape disc_shape(double radius_m) {
+  BodyShape shape = sphere_shape(radius_m);
+  shape.mesh = std::make_shared<const TriangleMesh>(disc_mesh(radius_m));
+  return shape;
 }
 
 /// Of a mesh about its centre of mass.
@@ -39,8 +47,8 @@ bool builds_at_once(const TriangleMesh& mesh, const TreeSettings& tree) {
   return tree.kind == TreeKind::kOctree && mesh.triangles.size() < kFewTriangles;
 }
 
-/// The mesh of any kind but a sphere, a swept volume or a file. Resolution counts the sides of a
-/// torus' or a knot's tube and a quarter of the cells along a creature's length.
+/// The mesh of any kind but a sphere, a disc, a swept volume or a file. Resolution counts the sides
+/// of a torus' or a knot's tube and a quarter of the cells along a creature's length.
 TriangleMesh solid_mesh(const ShapeSettings& shape, double metres_per_degree) {
   const auto length_m = [&](const std::optional<double>& measure_deg) {
     return *measure_deg * metres_per_degree;
@@ -60,6 +68,8 @@ TriangleMesh solid_mesh(const ShapeSettings& shape, double metres_per_degree) {
     }
     case ShapeKind::kCreature:
       return creature_mesh(length_m(shape.length), 4 * shape.resolution.value_or(4));
+    case ShapeKind::kPrism:
+      return prism_mesh(outline_of(scaled(shape, metres_per_degree)), length_m(shape.thickness));
     default:
       return l_block_mesh(length_m(shape.arm), length_m(shape.thickness));
   }
@@ -148,6 +158,9 @@ BodyShape ShapeLibrary::built(const ShapeSettings& description, const Meshes& me
   }
   if (description.kind == ShapeKind::kSphere) {
     return sphere_shape(*description.radius * frame.metres_per_degree);
+  }
+  if (description.kind == ShapeKind::kDisc) {
+    return disc_shape(*description.radius * frame.metres_per_degree);
   }
   if (description.is_swept()) {
     return swept_body(description, frame);

@@ -13,6 +13,8 @@ namespace {
 using S = ShapeSettings;
 using Measures = std::vector<const char*>;
 
+const std::string kOutline = "outline";  ///< with the suffix of the unit
+
 /// What a kind is called, the measures that it needs, and the choices that it has.
 struct KindOfShape {
   const char* name;
@@ -24,6 +26,7 @@ struct KindOfShape {
 const std::vector<KindOfShape>& kinds_of_shapes() {
   static const std::vector<KindOfShape> kinds{
       {"sphere", {"radius"}},
+      {"disc", {"radius"}},
       {"box", {"width", "height", "depth"}},
       {"plate", {"width", "height", "thickness"}},
       {"l-block", {"arm", "thickness"}},
@@ -32,6 +35,7 @@ const std::vector<KindOfShape>& kinds_of_shapes() {
       {"creature", {"length"}, true},
       {"line-swept", {"length", "radius"}, true},
       {"rectangle-swept", {"width", "height", "radius"}, true},
+      {"prism", {"thickness"}},
       {"mesh", {"size"}}};
   return kinds;
 }
@@ -54,6 +58,35 @@ Kind<ShapeKind> kind_of_kind() {
   return choice(names);
 }
 
+Kind<OutlineCorners> corners_kind(double most) {
+  return list(several<2>(number({-most, most})), {3, 200});
+}
+
+/// A prism's outline said in one unit.
+Row<S> outline_row(const std::string& suffix, double most, bool S::*has_unit) {
+  return {kOutline + suffix,
+          described("Of a prism: the corners of its section, to the right and up, one after the "
+                    "other. The body's place is that of its centre of mass.",
+                    corners_kind(most)),
+          false, [has_unit, read = corners_kind(most).read](const nlohmann::json& value, S& shape) {
+            shape.outline = read(value);
+            shape.*has_unit = true;
+          }};
+}
+
+/// A measure said in one unit, which is remembered in `has_unit`.
+Row<S> measure_row(const ShapeMeasure& measure, const std::string& suffix, const Kind<double>& kind,
+                   bool S::*has_unit) {
+  const bool in_px = suffix == "_px";
+  return {
+      measure.name + suffix,
+      described(in_px ? "The same in pixels of the scene's plane." : measure.meaning, kind), false,
+      [place = measure.place, has_unit, read = kind.read](const nlohmann::json& value, S& shape) {
+        shape.*place = read(value);
+        shape.*has_unit = true;
+      }};
+}
+
 /// Where a shape is said, and what is said of it.
 class ShapeRules {
  public:
@@ -67,6 +100,9 @@ class ShapeRules {
     std::vector<std::string> own;
     if (shape_->kind == ShapeKind::kMesh) {
       own.emplace_back("file");
+    }
+    if (shape_->kind == ShapeKind::kPrism) {
+      own.push_back(kOutline + suffix_);
     }
     for (const char* measure : kind.measures) {
       own.push_back(measure + suffix_);
@@ -103,6 +139,8 @@ class ShapeRules {
           return false;
         }
         return true;
+      case ShapeKind::kPrism:
+        return has_an_outline();
       default:
         return true;
     }
@@ -125,19 +163,20 @@ class ShapeRules {
 
  private:
   [[nodiscard]] bool has(const std::string& key) const {
-    return key == "file"
-               ? shape_->file.has_value()
+    return key == "file" ? shape_->file.has_value()
+           : key == kOutline + suffix_
+               ? shape_->outline.has_value()
                : (shape_->*measure_named(key.substr(0, key.size() - suffix_.size())).place)
                      .has_value();
   }
 
-  /// The file counted.
+  /// File and outline counted.
   [[nodiscard]] std::size_t measures_said() const {
     const auto& all = shape_measures();
     const auto said = std::count_if(all.begin(), all.end(), [&](const ShapeMeasure& each) {
       return (shape_->*each.place).has_value();
     });
-    return static_cast<std::size_t>(said) + (shape_->file ? 1 : 0);
+    return static_cast<std::size_t>(said) + (shape_->file ? 1 : 0) + (shape_->outline ? 1 : 0);
   }
 
   bool keep_to_choices(const KindOfShape& kind) {
@@ -152,6 +191,14 @@ class ShapeRules {
       problems_->add_got(place_ + "/" + key, "expected none for kind " + name_of(shape_->kind));
     }
     return !is_said || may_be_said;
+  }
+
+  bool has_an_outline() {
+    const std::string problem = problem_of(outline_of(*shape_));
+    if (!problem.empty()) {
+      problems_->add(place_ + "/" + kOutline + suffix_, problem);
+    }
+    return problem.empty();
   }
 
   bool is_less(const std::string& measure, const std::string& limit) {
@@ -179,7 +226,9 @@ const std::vector<ShapeMeasure>& shape_measures() {
   static const std::vector<ShapeMeasure> measures{
       {"size", &S::size, "Of a mesh: its longest side along x, y or z."},
       {"radius", &S::radius,
-       "Of a sphere, or of one that sweeps; of the circle along a torus; from a knot's axis to its "
+       "Of a sphere, a disc, or of a sphere that sweeps; of the circle along a torus; from a "
+       "knot's "
+       "axis to its "
        "curve at most."},
       {"width", &S::width,
        "Of a box, a plate or the rectangle along which a sphere is swept, along x."},
@@ -188,7 +237,7 @@ const std::vector<ShapeMeasure>& shape_measures() {
       {"depth", &S::depth, "Of a box, along z."},
       {"arm", &S::arm, "Of an L-block: the length of both arms."},
       {"thickness", &S::thickness,
-       "Of an L-block: the side of its square section. Of a plate, along z."},
+       "Of an L-block: the side of its square section. Of a plate or a prism, along z."},
       {"tube", &S::tube,
        "The radius of a torus' section, less than radius_deg; of a knot's, at most a quarter of "
        "it."},
@@ -198,10 +247,25 @@ const std::vector<ShapeMeasure>& shape_measures() {
   return measures;
 }
 
+std::vector<OutlinePoint> outline_of(const ShapeSettings& shape) {
+  std::vector<OutlinePoint> outline;
+  for (const auto& [x, y] : *shape.outline) {
+    outline.emplace_back(x, y);
+  }
+  return outline;
+}
+
+std::string suffix_of(const ShapeSettings& shape) { return shape.has_px ? "_px" : "_deg"; }
+
 ShapeSettings scaled(ShapeSettings shape, double factor) {
   for (const ShapeMeasure& each : shape_measures()) {
     if (auto& measure = shape.*each.place) {
       *measure = factor * *measure;
+    }
+  }
+  if (shape.outline) {
+    for (auto& corner : *shape.outline) {
+      corner = {factor * corner[0], factor * corner[1]};
     }
   }
   return shape;
@@ -214,9 +278,13 @@ Kind<ShapeSettings> scene_shape_kind() {
           "Of a mesh: an OBJ, PLY, STL, OFF or glTF file of a closed surface, seen from the "
           "scene's folder and within it.")};
   for (const ShapeMeasure& each : shape_measures()) {
-    rows.push_back(
-        row(each.name + std::string("_deg"), each.place, number(above(0, 45)), each.meaning));
+    rows.push_back(measure_row(each, "_deg", number(above(0, 45)), &S::has_deg));
   }
+  for (const ShapeMeasure& each : shape_measures()) {
+    rows.push_back(measure_row(each, "_px", number(above(0, 1e5)), &S::has_px));
+  }
+  rows.push_back(outline_row("_deg", 45.0, &S::has_deg));
+  rows.push_back(outline_row("_px", 1e5, &S::has_px));
   rows.push_back(
       row("resolution", &S::resolution, whole<int>({4, 12}),
           "Sides of a torus' (10) or a knot's (8) tube; a quarter of the grid's cells along a "
@@ -240,6 +308,7 @@ Kind<ShapeSettings> figure_shape_kind() {
   for (const ShapeMeasure& each : shape_measures()) {
     rows.push_back(row(each.name + std::string("_share"), each.place, measure));
   }
+  rows.push_back(row(kOutline + "_share", &S::outline, corners_kind(10.0)));
   rows.push_back(row("resolution", &S::resolution, whole<int>({4, 12})));
   rows.push_back(
       row("coarsest", &S::sphere_first, choice<bool>({{"volume", false}, {"sphere", true}})));
@@ -261,6 +330,10 @@ const std::string& name_of(ShapeKind kind) {
 
 void add_shape_problems(const ShapeSettings& shape, const Meshes& meshes, const std::string& place,
                         const std::string& suffix, SceneProblems& problems) {
+  if (shape.has_px && shape.has_deg) {
+    problems.add(place, "expected all measures in degrees, or all in pixels, got both");
+    return;
+  }
   ShapeRules rules(shape, place, suffix, problems);
   if (rules.keep_to_kind() && rules.fit_together() && shape.kind == ShapeKind::kMesh) {
     rules.have_content(meshes);

@@ -1,16 +1,19 @@
 // The shape of a body, as scenes and figures say it: its kind, and the measures of its kind.
 //
 // A scene's measures are degrees ("radius_deg"), a figure's are shares of its height
-// ("radius_share"): the same rows, with another suffix and another range.
+// ("radius_share"): the same rows, with another suffix and another range. In a scene with a plane,
+// measures may be pixels of it ("radius_px").
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "engine/shapes/solids/prism_meshes.hpp"
 #include "experiments/scenes/scene_problems.hpp"
 #include "experiments/settings/setting_rows.hpp"
 
@@ -19,6 +22,7 @@ namespace impetus::inline scenes {
 /// The shapes that a body can have.
 enum class ShapeKind {
   kSphere,
+  kDisc,  ///< flat, across z; it collides as the sphere of its radius
   kBox,
   kPlate,   ///< a box that is thin along z
   kLBlock,  ///< two arms of a square section
@@ -27,14 +31,19 @@ enum class ShapeKind {
   kCreature,        ///< from snout to tail along x
   kLineSwept,       ///< a sphere swept along a line
   kRectangleSwept,  ///< a sphere swept over a rectangle
+  kPrism,           ///< on an outline, along z
   kMesh,            ///< from a file
 };
+
+/// Of a prism's section: to the right and up.
+using OutlineCorners = std::vector<std::array<double, 2>>;
 
 /// Measures that the kind has not are left out.
 struct ShapeSettings {
   ShapeKind kind{ShapeKind::kSphere};
   std::optional<std::string> file;
-  std::optional<double> size;  ///< of a mesh, its longest side
+  std::optional<OutlineCorners> outline;  ///< of a prism
+  std::optional<double> size;             ///< of a mesh, its longest side
   std::optional<double> radius;
   std::optional<double> width;
   std::optional<double> height;
@@ -46,6 +55,8 @@ struct ShapeSettings {
   std::optional<int> resolution;
   std::optional<bool> sphere_first;  ///< "coarsest": level 0 is the sphere about what is swept
   std::optional<bool> deeper;
+  bool has_px{false};   ///< some measures were said in pixels
+  bool has_deg{false};  ///< some in degrees
 
   [[nodiscard]] bool is_swept() const {
     return kind == ShapeKind::kLineSwept || kind == ShapeKind::kRectangleSwept;
@@ -53,8 +64,8 @@ struct ShapeSettings {
 
  private:
   [[nodiscard]] auto members() const {
-    return std::tie(kind, file, size, radius, width, height, depth, arm, thickness, tube, length,
-                    resolution, sphere_first, deeper);
+    return std::tie(kind, file, outline, size, radius, width, height, depth, arm, thickness, tube,
+                    length, resolution, sphere_first, deeper);
   }
 
  public:
@@ -72,6 +83,12 @@ struct ShapeMeasure {
   const char* meaning;
 };
 const std::vector<ShapeMeasure>& shape_measures();
+
+/// A prism's outline as the mesh is made of it. Precondition: it has one.
+std::vector<OutlinePoint> outline_of(const ShapeSettings& shape);
+
+/// "_px" or "_deg": what the measures of a scene's shape were said in.
+std::string suffix_of(const ShapeSettings& shape);
 
 /// Every measure times `factor`.
 ShapeSettings scaled(ShapeSettings shape, double factor);

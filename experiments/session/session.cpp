@@ -47,10 +47,9 @@ Interruption show_demonstration(const std::string& id, const Script& script,
   LiveRun live(ports.scenes.stage_demonstration(id, ports.display.geometry()), 0, ports.work_clock);
   const double hz = ports.display.refresh_hz();
   const std::int64_t interval = whole_frames(script.timing.interval_ms / 1e3, hz);
-  const std::int64_t last = whole_frames(live.scene().duration_s, hz);
   const SessionProgress shown = script.progress_during_stimuli ? progress : SessionProgress{};
   ports.display.restart_grid();
-  for (std::int64_t frame = -interval; frame <= last; ++frame) {
+  for (std::int64_t frame = -interval; frame <= whole_frames(live.ends_s(), hz); ++frame) {
     const double time_s = std::max(0.0, static_cast<double>(frame) / hz);
     const std::vector<Pose> poses = frame < 0 ? std::vector<Pose>{} : live.poses_at(time_s);
     ports.display.show(picture_of(live.scene(), poses, time_s, shown));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/session/stimulus.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <memory>
@@ -78,17 +79,18 @@ bool Stimulus::show_fixation() {
 }
 
 bool Stimulus::show_scene() {
-  const std::int64_t last_frame = whole_frames(scene().duration_s, ports_.display.refresh_hz());
   fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
   follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
   if (takes_clicks(script_)) {
     static_cast<void>(ports_.input.take_clicks());
   }
+  std::int64_t last_frame = last_frame_of(live_);
   for (std::int64_t frame = 0; frame <= last_frame; ++frame) {
     const double time_s = static_cast<double>(frame) / ports_.display.refresh_hz();
     live_.look_at(follower_.look());
     Picture picture = with_pointer(live_.poses_at(time_s), time_s);
     picture.patch_code = patch_code(frame);
+    last_frame = std::max(frame, last_frame_of(live_));
     if (!show_timed(picture, FramePhase::kStimulus, time_s)) {
       take_simulation(frame);
       return false;
@@ -101,6 +103,10 @@ bool Stimulus::show_scene() {
   }
   take_simulation(last_frame);
   return true;
+}
+
+std::int64_t Stimulus::last_frame_of(const LiveRun& live) const {
+  return whole_frames(live.ends_s(), ports_.display.refresh_hz());
 }
 
 /// Shows and records one frame of a timed phase; false when that was interrupted.

@@ -54,6 +54,8 @@ class Stimulus {
  private:
   bool show_fixation();
   bool show_scene();
+  /// As far as is known now: a goal may end the scene sooner.
+  [[nodiscard]] std::int64_t last_frame_of(const LiveRun& live) const;
   bool show_timed(const Picture& frame, FramePhase phase, double time_s);
   [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses, double time_s) const;
   void take_simulation(std::int64_t last_frame_shown);

@@ -11,9 +11,11 @@ namespace impetus::inline session {
 void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress) {
   constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
   constexpr double kMostToldSteps = 250.0;
-  const double tell_s = std::min(kMostTold_s, kMostToldSteps / live.scene().step_hz);
-  for (double time_s = 0.0; time_s < end_s;) {
-    time_s = std::min(time_s + tell_s, end_s);
+  // A goal may end the scene with any step.
+  const double steps = live.scene().goal ? 1.0 : kMostToldSteps;
+  const double tell_s = std::min(kMostTold_s, steps / live.scene().step_hz);
+  for (double time_s = 0.0; time_s < std::min(end_s, live.ends_s());) {
+    time_s = std::min({time_s + tell_s, end_s, live.ends_s()});
     live.poses_at(time_s);
     if (progress) {
       progress(time_s / end_s);

@@ -14,7 +14,8 @@
 
 namespace impetus::inline session {
 
-/// Plays until `end_s`. `progress` hears of the share that is done, however many steps it takes.
+/// Plays until `end_s`, or the scene's own end before that. `progress` hears of the share that is
+/// done, however many steps it takes.
 void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress);
 
 /// One trial from start to end. No frame shows it: its onset is 0. `progress` hears of the share

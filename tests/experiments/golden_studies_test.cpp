@@ -25,6 +25,7 @@ constexpr Recording kRecordings[] = {
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
     {"launching", 24U},              // one of two spheres rests; delays and gaps
     {"scheduler-distribution", 7U},  // nobody takes part
+    {"two-balls", 4U},               // discs and walls in a plane; a goal ends each trial
 };
 
 TEST(GoldenStudies, EveryTrialReplaysBitForBit) {

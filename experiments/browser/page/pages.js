@@ -29,26 +29,36 @@ function fieldOf(field, index) {
       ...field.options.map((option) => element('option', {value: option, textContent: option})));
   } else if (field.kind === 'number') {
     input = element('input', {id, inputMode: 'decimal', autocomplete: 'off'});
+  } else if (field.kind === 'slider') {
+    input = element('input', {id, type: 'range', className: 'unset', min: field.minimum, max: field.maximum, step: 1});
+    input.value = (field.minimum + field.maximum) / 2;
+    const set = () => input.classList.remove('unset');
+    ['input', 'pointerdown'].forEach((happening) => input.addEventListener(happening, set));
+    input.addEventListener('keydown', (event) => event.key.startsWith('Arrow') && set());
   } else {
     input = element('textarea', {id, rows: 3, maxLength: 10000});
   }
   const problem = element('p', {className: 'problem', id: `${id}-problem`});
   input.setAttribute('aria-describedby', problem.id);
-  return element('div', {className: 'field'},
-    element('label', {htmlFor: id, textContent: field.label}), input, problem);
+  const label = field.label ? element('label', {htmlFor: id, textContent: field.label}) : null;
+  if (!field.label) input.setAttribute('aria-labelledby', 'question');
+  const words = field.kind !== 'slider' ? null : element('div', {className: 'anchors'},
+    ...field.options.map((textContent) => element('span', {textContent})));
+  return element('div', {className: 'field'}, label, input, words, problem);
 }
 
 /** Whether what was typed can stand; says under the field why not. */
 function checkField(field, index) {
   const input = $(`field-${index}`);
-  const text = input.value.trim();
+  const typed = input.value.trim();
   let problem = '';
-  if (field.kind === 'number' && text !== '') {
-    const number = Number(text.replace(',', '.'));
+  if (field.kind === 'number' && typed !== '') {
+    const number = Number(typed.replace(',', '.'));
     if (Number.isNaN(number) || number < field.minimum || number > field.maximum) {
       problem = `${field.minimum} – ${field.maximum}`;
     }
   }
+  if (input.classList.contains('unset')) problem = text('mark_needed');
   $(`field-${index}-problem`).textContent = problem;
   input.setAttribute('aria-invalid', String(problem !== ''));
   return problem === '';
@@ -89,7 +99,7 @@ function build(page) {
   const main = $('page');
   main.className = page.layout;
   main.replaceChildren(...[
-    page.title ? element('h1', {textContent: page.title, tabIndex: -1}) : null,
+    page.title ? element('h1', {id: 'question', textContent: page.title, tabIndex: -1}) : null,
     ...page.paragraphs.map((words) => element('p', {textContent: words})),
     page.statement ? element('p', {className: 'statement', textContent: page.statement}) : null,
     page.points.length > 0 ? mapOf(page) : null,
@@ -188,6 +198,7 @@ export async function ask(page) {
     }
   });
   const fields = page.fields.map((field, index) => {
+    if ($(`field-${index}`).classList.contains('unset')) return '';
     const typed = $(`field-${index}`).value.trim();
     return field.kind === 'number' ? typed.replace(',', '.') : typed;
   });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/factor_values.hpp"
 #include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/response_kinds.hpp"
@@ -28,9 +29,6 @@ const Question* keyed_question(const Protocol& protocol, const std::string& key)
 /// that each has its side.
 void check_key_factor(const Protocol& protocol, const std::string& place, const Factor& factor,
                       std::set<std::string>& taken) {
-  if (!factor.pointer.empty()) {
-    refuse(protocol.document, place, "expected either \"pointer\" or \"keys_of\", got both");
-  }
   const Question* question = keyed_question(protocol, factor.keys_of);
   if (question == nullptr || !taken.insert(factor.keys_of).second) {
     refuse(protocol.document, place + "/keys_of",
@@ -49,6 +47,52 @@ void check_key_factor(const Protocol& protocol, const std::string& place, const 
       refuse(protocol.document, level,
              "expected the keys of the first level (" + json_text(factor.levels.front()) +
                  ") in another order, got " + json_text(factor.levels[i]));
+    }
+  }
+}
+
+/// The keys by which it says what its levels change.
+std::vector<std::string> ways_of(const Factor& factor) {
+  std::vector<std::string> ways;
+  if (!factor.pointer.empty()) {
+    ways.emplace_back("\"pointer\"");
+  }
+  if (!factor.sets.empty()) {
+    ways.emplace_back("\"sets\"");
+  }
+  if (!factor.keys_of.empty()) {
+    ways.emplace_back("\"keys_of\"");
+  }
+  return ways;
+}
+
+/// Whether a question is chosen by the factor's levels.
+bool is_asked_by(const Protocol& protocol, const std::string& factor) {
+  const Questions& asked = protocol.script.asked;
+  return std::any_of(asked.begin(), asked.end(), [&](const auto& question) {
+    const std::vector<std::string> factors = question->asked_by();
+    return std::find(factors.begin(), factors.end(), factor) != factors.end();
+  });
+}
+
+/// Every level is a word with a set of its own, of values that the scene has and no other factor
+/// overrides. Further sets are for practice and catch trials.
+void check_sets(const Protocol& protocol, const std::string& place, const Factor& factor,
+                std::set<std::string>& taken) {
+  for (std::size_t i = 0; i < factor.levels.size(); ++i) {
+    if (!has_set(factor, factor.levels[i])) {
+      refuse(protocol.document, item(place + "/levels", i),
+             "expected a word that \"sets\" has, got " + json_text(factor.levels[i]));
+    }
+  }
+  for (const std::string& pointer : overridden_by(factor)) {
+    if (!protocol.scene.value.contains(nlohmann::json::json_pointer(pointer))) {
+      refuse(protocol.document, place + "/sets",
+             "expected pointers to values of " + protocol.scene.name + ", got \"" + pointer + "\"");
+    }
+    if (!taken.insert(pointer).second) {
+      refuse(protocol.document, place + "/sets",
+             "expected values that no other factor overrides, got \"" + pointer + "\" again");
     }
   }
 }
@@ -76,12 +120,24 @@ void check_factors(const Protocol& protocol) {
       refuse(protocol.document, place + "/name",
              "expected a name of its own, got " + json_text(factor.name) + " again");
     }
+    const std::vector<std::string> said = ways_of(factor);
+    if (said.size() > 1) {
+      refuse(protocol.document, place,
+             "expected either " + said[0] + " or " + said[1] + ", got both");
+    }
+    if (said.empty() && is_asked_by(protocol, factor.name)) {
+      continue;
+    }
+    if (said.empty()) {
+      refuse(protocol.document, place, "expected the key \"pointer\", which is missing");
+    }
+    if (!factor.sets.empty()) {
+      check_sets(protocol, place, factor, pointers);
+      continue;
+    }
     if (!factor.keys_of.empty()) {
       check_key_factor(protocol, place, factor, pointers);
       continue;
-    }
-    if (factor.pointer.empty()) {
-      refuse(protocol.document, place, "expected the key \"pointer\", which is missing");
     }
     if (!pointers.insert(factor.pointer).second) {
       refuse(

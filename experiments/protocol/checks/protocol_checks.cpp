@@ -14,6 +14,7 @@
 #include "experiments/protocol/checks/adaptive_checks.hpp"
 #include "experiments/protocol/checks/factor_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
+#include "experiments/protocol/factor_values.hpp"
 #include "experiments/questions/answer_keys.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/question_order.hpp"
@@ -246,6 +247,10 @@ void check_catch_trials(const Protocol& protocol) {
     const Condition& condition = kinds[i].condition;
     const std::string place = item("/design/catch_trials", i) + "/condition";
     check_condition(protocol, place, condition, [&](const Factor& factor, const auto& level) {
+      if (!factor.sets.empty() && !has_set(factor, level.value)) {
+        refuse(protocol.document, place + "/" + factor.name,
+               "expected a word that \"sets\" has, got " + json_text(level.value));
+      }
       if (factor.levels.front().index() != level.value.index()) {
         refuse(protocol.document, place + "/" + factor.name,
                std::string("expected ") + type_words(factor.levels.front()) +
@@ -291,12 +296,17 @@ void check_practice(const Protocol& protocol) {
     const std::string place = item("/design/practice", i);
     check_condition(protocol, place, protocol.design.practice[i],
                     [&](const Factor& factor, const FactorLevel& level) {
-                      if (!has_level(factor, level.value)) {
+                      if (!has_level(factor, level.value) && !has_set(factor, level.value)) {
                         refuse(protocol.document, place + "/" + factor.name,
                                "expected one of the factor's levels " + list_text(factor.levels) +
                                    ", got " + json_text(level.value));
                       }
                     });
+    const std::string problem =
+        complaint(scene_under(protocol, protocol.design.practice[i]), *protocol.shapes);
+    if (!problem.empty()) {
+      refuse(protocol.document, place, problem);
+    }
   }
 }
 

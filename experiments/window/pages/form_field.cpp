@@ -65,13 +65,18 @@ std::string trimmed(std::string text) {
 FocusChange FormField::draw(int id, const Gui& gui, std::size_t reading_size, float width_px,
                             bool focused, bool take_keyboard) {
   ImGui::PushID(id);
-  draw_text(field_.label, gui.fonts().body[reading_size], palette::kText, width_px, Align::kStart);
-  const FocusChange change =
-      takes_text() ? draw_entry(width_px, focused, take_keyboard) : draw_options(width_px, focused);
+  ImFont* font = gui.fonts().body[reading_size];
+  if (!field_.label.empty()) {
+    draw_text(field_.label, font, palette::kText, width_px, Align::kStart);
+  }
+  const FocusChange change = takes_text() ? draw_entry(width_px, focused, take_keyboard)
+                             : field_.kind == Field::Kind::kSlider
+                                 ? draw_slider(font, width_px, focused)
+                                 : draw_options(width_px, focused);
   if (focused && takes_text()) {
     draw_focus_ring(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   }
-  if (!message_.empty()) {
+  if (!message_.empty() && field_.kind != Field::Kind::kSlider) {
     draw_message(gui.fonts().small);
   }
   ImGui::PopID();
@@ -135,8 +140,74 @@ FocusChange FormField::draw_options(float width_px, bool focused) {
   return change;
 }
 
+/// A line with a handle where the mark is, and the words under it.
+FocusChange FormField::draw_slider(ImFont* font, float width_px, bool focused) {
+  const float em_px = ImGui::GetFontSize();
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size_px(width_px, std::round(2.4F * em_px));
+  ImGui::InvisibleButton("##line", size_px);
+  const bool is_held = ImGui::IsItemActive();
+  const double span = field_.maximum - field_.minimum;
+  if (is_held) {
+    const double share = (ImGui::GetIO().MousePos.x - from.x) / width_px;
+    mark_ = std::round(field_.minimum + span * std::clamp(share, 0.0, 1.0));
+  }
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float middle = std::round(from.y + 0.5F * size_px.y);
+  const float thickness = std::max(2.0F, std::round(0.14F * em_px));
+  draw.AddRectFilled(ImVec2(from.x, middle - thickness),
+                     ImVec2(from.x + width_px, middle + thickness), palette::kSurface, thickness);
+  draw.AddRect(ImVec2(from.x, middle - thickness), ImVec2(from.x + width_px, middle + thickness),
+               palette::kLine, thickness);
+  if (mark_) {
+    const auto share = static_cast<float>((*mark_ - field_.minimum) / span);
+    draw.AddCircleFilled(ImVec2(from.x + share * width_px, middle), 0.55F * em_px, palette::kAccent,
+                         32);
+  }
+  if (focused) {
+    draw_focus_ring(from, from + size_px);
+  }
+  const float part_px = width_px / static_cast<float>(field_.options.size());
+  float lowest = from.y + size_px.y;
+  for (std::size_t i = 0; i < field_.options.size(); ++i) {
+    const Align align = i == 0                           ? Align::kLeft
+                        : i + 1 == field_.options.size() ? Align::kRight
+                                                         : Align::kCentre;
+    const float left = from.x + std::round(static_cast<float>(i) * part_px);
+    ImGui::SetCursorScreenPos(ImVec2(left, from.y + size_px.y + 0.3F * em_px));
+    draw_text(field_.options[i], font, palette::kText, part_px, align);
+    lowest = std::max(lowest, ImGui::GetCursorScreenPos().y);
+  }
+  ImGui::SetCursorScreenPos(ImVec2(from.x, lowest));
+  if (!message_.empty()) {
+    draw_text(message_, font, palette::kWarning, width_px, Align::kCentre);
+  }
+  return is_held && !focused ? FocusChange::kGained : FocusChange::kNone;
+}
+
 bool FormField::press(SDL_Keycode key) {
-  if (field_.kind != Field::Kind::kChoice || field_.options.empty()) {
+  return field_.kind == Field::Kind::kChoice   ? press_option(key)
+         : field_.kind == Field::Kind::kSlider ? press_mark(key)
+                                               : false;
+}
+
+/// The first key puts the mark in the middle.
+bool FormField::press_mark(SDL_Keycode key) {
+  const double span = field_.maximum - field_.minimum;
+  const double by = key == SDLK_RIGHT  ? 1.0
+                    : key == SDLK_LEFT ? -1.0
+                    : key == SDLK_UP   ? std::round(0.1 * span)
+                    : key == SDLK_DOWN ? -std::round(0.1 * span)
+                                       : 0.0;
+  if (by != 0.0) {
+    const double middle = std::round(field_.minimum + 0.5 * span);
+    mark_ = mark_ ? std::clamp(*mark_ + by, field_.minimum, field_.maximum) : middle;
+  }
+  return by != 0.0;
+}
+
+bool FormField::press_option(SDL_Keycode key) {
+  if (field_.options.empty()) {
     return false;
   }
   const std::size_t last = field_.options.size() - 1;
@@ -157,6 +228,10 @@ bool FormField::press(SDL_Keycode key) {
 
 bool FormField::check() {
   message_.clear();
+  if (field_.kind == Field::Kind::kSlider && !mark_) {
+    message_ = language_.text("mark_needed");
+    return false;
+  }
   if (field_.kind != Field::Kind::kNumber || text_.empty()) {
     return true;
   }
@@ -176,6 +251,9 @@ bool FormField::check() {
 std::string FormField::answer() const {
   if (field_.kind == Field::Kind::kChoice) {
     return option_ ? field_.options[*option_] : "";
+  }
+  if (field_.kind == Field::Kind::kSlider) {
+    return mark_ ? std::to_string(std::llround(*mark_)) : "";
   }
   return trimmed(text_);
 }

@@ -1,4 +1,4 @@
-// One field of a form: a number, a choice in a row, or a text that wraps.
+// One field of a form: a number, a choice in a row, a text that wraps, or a mark on a line.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -26,13 +26,17 @@ class FormField {
   FocusChange draw(int id, const Gui& gui, std::size_t reading_size, float width_px, bool focused,
                    bool take_keyboard);
 
-  /// Arrows and space move through the options of a choice. Returns whether the key was used.
+  /// Arrows and space move through the options of a choice; arrows move a mark, up and down by a
+  /// tenth of the line. Returns whether the key was used.
   bool press(SDL_Keycode key);
 
   /// Whether letters and digits go into it while it has the focus.
-  [[nodiscard]] bool takes_text() const { return field_.kind != Field::Kind::kChoice; }
+  [[nodiscard]] bool takes_text() const {
+    return field_.kind == Field::Kind::kNumber || field_.kind == Field::Kind::kText;
+  }
 
-  /// Whether the answer is acceptable; empty always is. If not, a message appears with the field.
+  /// Whether the answer is acceptable; empty always is but of a line. If not, a message appears
+  /// with the field.
   bool check();
 
   [[nodiscard]] std::string answer() const;
@@ -42,11 +46,15 @@ class FormField {
   void draw_message(ImFont* font) const;
   FocusChange draw_entry(float width_px, bool focused, bool take_keyboard);
   FocusChange draw_options(float width_px, bool focused);
+  FocusChange draw_slider(ImFont* font, float width_px, bool focused);
+  bool press_option(SDL_Keycode key);
+  bool press_mark(SDL_Keycode key);
 
   Field field_;
   Language language_;
   std::string text_;
   std::optional<std::size_t> option_;
+  std::optional<double> mark_;  ///< a whole number of the line
   std::string message_;
   bool was_active_{false};
 };
