@@ -9,13 +9,13 @@
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_checks.hpp"
 #include "experiments/scenes/figures/figure_checks.hpp"
+#include "experiments/scenes/plane/scene_goal.hpp"
+#include "experiments/scenes/plane/scene_plane.hpp"
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
-#include "experiments/scenes/scene_goal.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
-#include "experiments/scenes/scene_plane.hpp"
 
 namespace impetus::inline scenes {
 namespace {

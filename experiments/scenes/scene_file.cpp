@@ -16,10 +16,10 @@
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
+#include "experiments/scenes/plane/scene_goal.hpp"
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
-#include "experiments/scenes/scene_goal.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 
 namespace impetus::inline scenes {

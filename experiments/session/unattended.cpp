@@ -14,8 +14,9 @@ void play_to(LiveRun& live, double end_s, const std::function<void(double share)
   // A goal may end the scene with any step.
   const double steps = live.scene().goal ? 1.0 : kMostToldSteps;
   const double tell_s = std::min(kMostTold_s, steps / live.scene().step_hz);
-  for (double time_s = 0.0; time_s < std::min(end_s, live.ends_s());) {
-    time_s = std::min({time_s + tell_s, end_s, live.ends_s()});
+  const auto last_s = [&] { return live.scene().goal ? std::min(end_s, live.ends_s()) : end_s; };
+  for (double time_s = 0.0; time_s < last_s();) {
+    time_s = std::min(time_s + tell_s, last_s());
     live.poses_at(time_s);
     if (progress) {
       progress(time_s / end_s);

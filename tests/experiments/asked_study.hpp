@@ -15,6 +15,8 @@ inline constexpr const char* kAskYesNo = R"({"yes_no": {"question": "Was there a
 inline constexpr const char* kAskTwoInterval =
     R"({"two_interval": {"question": "Which had a delay?",
   "standard": {"delay_ms": 0}, "timeout_ms": 5000}})";
+inline constexpr const char* kAskSlider = R"({"slider": {"scales": [{"question": "How late was it?",
+  "minimum": 0, "maximum": 100, "words": ["not at all", "very"]}], "timeout_ms": 5000}})";
 inline constexpr const char* kAskFreeText = R"({"free_text": {"question": "What did you see?"}})";
 inline constexpr const char* kAskClicks = R"({"clicks": {"merge_within_ms": 100}})";
 
@@ -64,9 +66,10 @@ inline PlannedTrial trial_with_delay(double delay_ms, std::uint64_t seed = 1) {
 
 /// One trial of a study, answered by choosing `choice` on every page.
 inline AttemptRecord answered_trial(TestLab& lab, const PlannedTrial& trial, std::size_t choice) {
-  lab.input.on_page = [choice](const Page&) {
+  lab.input.on_page = [choice](const Page& page) {
     Answer answer;
     answer.choice = choice;
+    answer.fields.assign(page.fields.size(), "7");
     return answer;
   };
   return run_attempt(trial, 1, lab.protocol.script, {}, lab.ports()).record;

@@ -16,7 +16,8 @@ TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const std::string expected =
       "expected one of the commands run, check, collect, exclude, export, extremes, fit, merge, "
       "new, "
-      "observers, power, preview, publish, replay, report, screen, serve, sessions, timing, "
+      "observers, power, predict, preview, publish, replay, report, screen, serve, sessions, "
+      "timing, "
       "verify, mesh, "
       "tree, trade, got ";
   expect_refused(folder, {}, expected + "none");

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/scheduling/metrics.hpp"
 #include "engine/world/starting_overlaps.hpp"
 #include "experiments/run/scene_run.hpp"
+#include "experiments/scenes/scene_enclosure.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::scene_test {
@@ -168,7 +170,7 @@ json scene_with(const std::string& shape) {
 TEST(Scene, EveryShapeCanBeNamedWithoutAFile) {
   std::vector<std::string> kinds;
   for (const char* shape :
-       {R"({"kind": "sphere", "radius_deg": 1})",
+       {R"({"kind": "sphere", "radius_deg": 1})", R"({"kind": "disc", "radius_deg": 1})",
         R"({"kind": "box", "width_deg": 2, "height_deg": 1, "depth_deg": 3})",
         R"({"kind": "plate", "width_deg": 2, "height_deg": 1, "thickness_deg": 0.1})",
         R"({"kind": "l-block", "arm_deg": 2, "thickness_deg": 0.7})",
@@ -177,7 +179,9 @@ TEST(Scene, EveryShapeCanBeNamedWithoutAFile) {
         R"({"kind": "creature", "length_deg": 3})",
         R"({"kind": "line-swept", "length_deg": 2, "radius_deg": 0.3, "deeper": true})",
         R"({"kind": "rectangle-swept", "width_deg": 1, "height_deg": 2, "radius_deg": 0.3,
-            "resolution": 6, "coarsest": "sphere"})"}) {
+            "resolution": 6, "coarsest": "sphere"})",
+        R"({"kind": "prism", "outline_deg": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]],
+            "thickness_deg": 1})"}) {
     EXPECT_EQ(scene_refusal(scene_with(shape)), "accepted") << shape;
     EXPECT_GT(built(scene_with(shape)).world.models()[1].inverse_mass, 0.0) << shape;
     kinds.push_back(json::parse(shape)["kind"]);
@@ -185,6 +189,55 @@ TEST(Scene, EveryShapeCanBeNamedWithoutAFile) {
   kinds.emplace_back("mesh");  // the only one with a file
   EXPECT_EQ(kinds, scene_schema()["definitions"]["shape"]["properties"]["kind"]["enum"]
                        .get<std::vector<std::string>>());
+}
+
+TEST(Scene, APlaneHasPixelsOfItsOwn) {
+  const json scene = json::parse(shipped("stimuli/two-balls.json"));
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  const StagedScene staged = built(scene);
+  const double m_per_deg = metres_per_degree(screen_for_checks().viewing_distance_m);
+  const Vector3& at = staged.world.states()[0].pose.position;
+  EXPECT_NEAR(at.x(), m_per_deg * (830 - 400) / 40.0, 1e-12);
+  EXPECT_NEAR(at.y(), m_per_deg * (550 - 300) / 40.0, 1e-12);
+  EXPECT_NEAR(staged.looks[0].radius_m, m_per_deg * 30 / 40.0, 1e-12);
+  json without = scene;
+  without.erase("plane");
+  EXPECT_EQ(scene_refusal(without),
+            "/bodies/0/shape: expected no measures in pixels without a plane that has pixels");
+  json both = scene;
+  both["bodies"][0]["position_deg"] = {0, 0, 0};
+  EXPECT_EQ(scene_refusal(both),
+            "/bodies/0/position_px: expected none beside position_deg, got [830,550]");
+  json mixed = scene;
+  mixed["bodies"][2]["shape"] =
+      json::parse(R"({"kind": "box", "width_px": 800, "height_deg": 1, "depth_px": 2})");
+  EXPECT_EQ(scene_refusal(mixed),
+            "/bodies/2/shape: expected all measures in degrees, or all in pixels, got both");
+}
+
+TEST(Scene, AGoalNeedsItsBodies) {
+  const json scene = json::parse(shipped("stimuli/two-balls.json"));
+  EXPECT_EQ(scene_refusal(changed(scene, "/goal/body", "C")),
+            "/goal/body: expected the name of a body, got \"C\"");
+  EXPECT_EQ(scene_refusal(changed(scene, "/goal/body", "top")),
+            "/goal/body: expected a body that moves, got \"top\"");
+  EXPECT_EQ(scene_refusal(changed(scene, "/goal/missed_at", {"top", "B"})),
+            "/goal/missed_at/1: expected the name of another body, got \"B\"");
+}
+
+TEST(Scene, APrismHasAnOutlineThatNeverTouchesItself) {
+  const auto refused = [](const char* outline) {
+    return scene_refusal(scene_with(std::string(R"({"kind": "prism", "thickness_deg": 1,
+                                                    "outline_deg": )") +
+                                    outline + "}"));
+  };
+  EXPECT_EQ(refused("[[0, 0], [0, 2], [2, 0]]"), "accepted");  // either way round
+  EXPECT_EQ(refused("[[0, 0], [2, 2], [2, 0], [0, 2]]"),
+            "/bodies/1/shape/outline_deg: expected sides that do not touch, but those from corner "
+            "1 and from corner 3 do");
+  EXPECT_EQ(refused("[[0, 0], [1, 0], [2, 0], [0, 2]]"),
+            "/bodies/1/shape/outline_deg: expected corners that turn, but corner 2 lies on a line "
+            "with its neighbours");
 }
 
 TEST(Scene, MeasuresThatMakeNoSolidAreRefused) {

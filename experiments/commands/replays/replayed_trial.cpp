@@ -27,11 +27,13 @@ using nlohmann::json;
 /// Those that the protocol's check has seen: no other scene may be built.
 bool is_shown(const Design& design, const Condition& condition) {
   const std::vector<Condition> cells_shown = cells(design);
+  const auto in_its_group = [&](const Condition& shown) {
+    return with_group(shown, group_of(design, condition), design) == condition;
+  };
   return std::find(cells_shown.begin(), cells_shown.end(), condition) != cells_shown.end() ||
-         std::any_of(
-             design.catch_trials.begin(), design.catch_trials.end(), [&](const CatchTrials& kind) {
-               return with_group(kind.condition, group_of(design, condition), design) == condition;
-             });
+         std::any_of(design.practice.begin(), design.practice.end(), in_its_group) ||
+         std::any_of(design.catch_trials.begin(), design.catch_trials.end(),
+                     [&](const CatchTrials& kind) { return in_its_group(kind.condition); });
 }
 
 Condition condition_of(const StudyFile& study, const StoredAttempt& attempt,

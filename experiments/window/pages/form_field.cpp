@@ -179,7 +179,7 @@ FocusChange FormField::draw_slider(ImFont* font, float width_px, bool focused) {
     lowest = std::max(lowest, ImGui::GetCursorScreenPos().y);
   }
   ImGui::SetCursorScreenPos(ImVec2(from.x, lowest));
-  if (!message_.empty()) {
+  if (!message_.empty() && !mark_) {
     draw_text(message_, font, palette::kWarning, width_px, Align::kCentre);
   }
   return is_held && !focused ? FocusChange::kGained : FocusChange::kNone;

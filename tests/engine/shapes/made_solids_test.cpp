@@ -14,6 +14,7 @@
 #include "engine/shapes/solids/block_meshes.hpp"
 #include "engine/shapes/solids/creature_mesh.hpp"
 #include "engine/shapes/solids/level_set_mesh.hpp"
+#include "engine/shapes/solids/prism_meshes.hpp"
 #include "engine/shapes/solids/ring_meshes.hpp"
 #include "engine/shapes/triangle_distance.hpp"
 #include "tests/engine/builders.hpp"
@@ -247,6 +248,27 @@ TEST(LevelSetMesh, IsASolidWhateverTheSignsAre) {
     ASSERT_TRUE(find_defects(mesh).none());
     ASSERT_EQ(self_crossings(mesh), 0);
   }
+}
+
+/// An arrow head: one corner points inwards.
+const std::vector<OutlinePoint> kArrow{{0, 0}, {3, 2}, {0, 4}, {1, 2}};
+
+TEST(Prism, IsClosedAndAsLargeAsItsOutline) {
+  std::vector<OutlinePoint> clockwise(kArrow.rbegin(), kArrow.rend());
+  for (const auto& outline : {kArrow, clockwise}) {
+    EXPECT_EQ(problem_of(outline), "");
+    const TriangleMesh mesh = prism_mesh(outline, 0.5);
+    EXPECT_TRUE(closed_and_oriented(mesh));
+    EXPECT_EQ(euler_characteristic(mesh), 2);
+    EXPECT_NEAR(solid_of(mesh, 1.0).mass_kg, 0.5 * 4.0,
+                1e-12);  // the triangle's 6 less the notch's 2
+  }
+}
+
+TEST(Prism, ADiscLiesWithinAHairOfItsCircle) {
+  const TriangleMesh mesh = disc_mesh(2.0);
+  EXPECT_TRUE(closed_and_oriented(mesh));
+  EXPECT_NEAR(solid_of(mesh, 1.0).mass_kg, std::numbers::pi * 4.0 * 0.02, 1e-3 * 0.25);
 }
 
 }  // namespace impetus::made_solids_test

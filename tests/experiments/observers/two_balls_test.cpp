@@ -92,6 +92,7 @@ Impact next_impact(const Disc& disc) {
 /// What becomes of discs, the last of which is B.
 struct Course {
   bool through{false};
+  double first_s{kNever};           ///< when anything is first touched
   double first_contact_s{kNever};   ///< of A and B
   double second_s{kNever};          ///< of whatever comes next
   std::vector<Disc> after_contact;  ///< at the first contact, with the velocities after it
@@ -116,8 +117,10 @@ Course computed(std::vector<Disc> discs, double until_s) {
     for (Disc& disc : discs) {
       disc.at += step_s * disc.velocity;
     }
+    course.first_s = std::min(course.first_s, now_s);
     if (step_s == passes_s) {
       course.through = true;
+      course.second_s = std::min(course.second_s, now_s);
       return course;
     }
     for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -208,10 +211,10 @@ TEST(TwoBalls, BallsGoWhereTheClosedFormSaysBeforeTheyMeetAndAfter) {
       now_s = static_cast<double>(run.number()) / clip.scene.step_hz;
       for (std::size_t body = 0; body < 2; ++body) {
         const Disc& start = clip.discs[body];
-        if (now_s < course.first_contact_s) {
+        if (now_s < course.first_s) {
           worst_before_px = std::max(
               worst_before_px, (place_px(run, body) - start.at - now_s * start.velocity).norm());
-        } else if (now_s < course.second_s) {
+        } else if (now_s > course.first_contact_s && now_s < course.second_s) {
           const Disc& met = course.after_contact[body];
           const Eigen::Vector2d expected = met.at + (now_s - course.first_contact_s) * met.velocity;
           worst_after_px = std::max(worst_after_px, (place_px(run, body) - expected).norm());

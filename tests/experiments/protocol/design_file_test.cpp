@@ -204,6 +204,43 @@ TEST(DesignFile, KeysAreAsManyLettersOrDigitsAsThereAreAnswers) {
                 ":/design/factors/0: expected the key \"pointer\", which is missing");
 }
 
+TEST(DesignFile, AFactorMaySetSeveralValuesAtOnce) {
+  const json sets = json::parse(R"({"name": "pace", "levels": ["calm", "hasty"], "sets": {
+    "calm": {"/meeting/speed_deg_s": 5, "/meeting/follow_s": 2},
+    "hasty": {"/meeting/speed_deg_s": 20, "/bodies/0/shape": {"kind": "sphere", "radius_deg": 2}},
+    "drill": {"/meeting/speed_deg_s": 1}}})");
+  const auto study = [&] {
+    Study made;
+    made.with("/design/factors/1", sets)
+        .with("/design/practice",
+              json::parse(R"([{"delay_ms": 0, "pace": "drill", "viewpoint_deg": 0}])"));
+    made.without("/design/practice_until");
+    return made;
+  };
+  EXPECT_EQ(study().refused(), "accepted");
+  const Protocol protocol = study().made();
+  const json hasty = scene_under(protocol, {{"pace", std::string("hasty")}});
+  EXPECT_EQ(hasty["meeting"]["speed_deg_s"], 20);
+  EXPECT_EQ(hasty["bodies"][0]["shape"]["radius_deg"], 2);
+  EXPECT_EQ(scene_under(protocol, {{"pace", std::string("drill")}})["meeting"]["speed_deg_s"], 1);
+  const auto refused = [&](const std::string& pointer, const json& value) {
+    return study().with(pointer, value).refused().substr(std::string(kProtocolName).size() + 1);
+  };
+  EXPECT_EQ(refused("/design/factors/1/levels", json::parse(R"(["calm", "wild"])")),
+            "/design/factors/1/levels/1: expected a word that \"sets\" has, got \"wild\"");
+  EXPECT_EQ(refused("/design/factors/1/pointer", "/meeting/lead_s"),
+            "/design/factors/1: expected either \"pointer\" or \"sets\", got both");
+  EXPECT_EQ(refused("/design/factors/1/sets/calm", json::parse(R"({"/meeting/haste": 5})")),
+            "/design/factors/1/sets: expected pointers to values of stimuli/two-spheres.json, got "
+            "\"/meeting/haste\"");
+  EXPECT_EQ(refused("/design/factors/1/sets/calm", json::parse(R"({"/viewer/azimuth_deg": 5})")),
+            "/design/factors/2/pointer: expected a value that no other factor overrides, got "
+            "\"/viewer/azimuth_deg\" again");
+  EXPECT_NE(refused("/design/factors/1/sets/drill", json::parse(R"({"/meeting/lead_s": -1})"))
+                .find("/design/practice/0"),
+            std::string::npos);
+}
+
 TEST(DesignFile, BlocksAreOfFactorsOrAlike) {
   const auto refused = [](const char* blocks) {
     return Study()

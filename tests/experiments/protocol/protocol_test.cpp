@@ -20,13 +20,13 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
        {"/design/factors/0/level",
         {1},
         "/design/factors/0: expected only the keys \"between\", \"keys_of\", \"label\", "
-        "\"levels\", \"name\", \"pointer\", "
+        "\"levels\", \"name\", \"pointer\", \"sets\", "
         "got \"level\""},
        {"/seed", 1,
         "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
         "\"language\", \"name\", \"participants\", \"question_order\", \"rating\", \"scene\", "
         "\"schema_version\", "
-        "\"session\", \"solve\", \"source\", \"texts\", \"timing\", "
+        "\"session\", \"slider\", \"solve\", \"source\", \"texts\", \"timing\", "
         "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});
 }
 
@@ -291,8 +291,9 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/: expected only the keys \"$schema\", \"appearance\", \"bodies\", \"crowd\", "
         "\"distractors\", \"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"imposed\", \"meeting\", "
-        "\"meshes\", \"schema_version\", \"source\", "
+        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"goal\", \"imposed\", "
+        "\"meeting\", "
+        "\"meshes\", \"plane\", \"schema_version\", \"source\", "
         "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
@@ -301,9 +302,9 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/bodies/0/colour: expected a text such as \"#d9813b\", got "
         "\"red\""},
        {"/bodies/0/shape/kind", "cube",
-        "/bodies/0/shape/kind: expected one of \"sphere\", \"box\", \"plate\", "
+        "/bodies/0/shape/kind: expected one of \"sphere\", \"disc\", \"box\", \"plate\", "
         "\"l-block\", \"torus\", \"knot\", \"creature\", \"line-swept\", "
-        "\"rectangle-swept\", \"mesh\", got \"cube\""},
+        "\"rectangle-swept\", \"prism\", \"mesh\", got \"cube\""},
        {"/bodies/0/shape/radius_deg", 0,
         "/bodies/0/shape/radius_deg: expected a number > 0 and ≤ 45, got 0"},
        {"/bodies/0/density_kg_m3", 1e7,

@@ -8,12 +8,46 @@
 namespace impetus::response_checks_test {
 
 TEST(ResponseChecks, SomethingMustBeAsked) {
-  EXPECT_EQ(asked_refusal(asked_protocol({})),
-            "asked.json:/: expected something that participants answer, a key \"rating\", "
-            "\"yes_no\", \"two_interval\", \"free_text\" or \"clicks\", but there is none");
-  for (const char* question : {kAskRating, kAskYesNo, kAskTwoInterval, kAskFreeText, kAskClicks}) {
+  EXPECT_EQ(
+      asked_refusal(asked_protocol({})),
+      "asked.json:/: expected something that participants answer, a key \"rating\", "
+      "\"yes_no\", \"two_interval\", \"slider\", \"free_text\" or \"clicks\", but there is none");
+  for (const char* question :
+       {kAskRating, kAskYesNo, kAskTwoInterval, kAskSlider, kAskFreeText, kAskClicks}) {
     EXPECT_EQ(asked_refusal(asked_protocol({question})), "accepted") << question;
   }
+}
+
+TEST(ResponseChecks, ASliderHasAScaleForEveryCondition) {
+  json protocol = asked_protocol({kAskSlider});
+  json& scale = protocol["slider"]["scales"][0];
+  scale["when"] = {{"delay_ms", 0}};
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/slider/scales: expected a scale for every condition, got none for "
+            "{\"delay_ms\":300}");
+  scale["when"] = {{"delay_ms", 20}};
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/slider/scales/0/when: expected a level of delay_ms, got 20");
+  scale["when"] = {{"gap", 0}};
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/slider/scales/0/when: expected the name of a factor, got \"gap\"");
+  scale.erase("when");
+  scale["minimum"] = 100;
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/slider/scales/0/maximum: expected more than the minimum 100, got 100");
+}
+
+TEST(ResponseChecks, AFactorMayChangeNothingButTheQuestion) {
+  json protocol = asked_protocol({kAskSlider});
+  protocol["design"]["factors"].push_back(
+      json::parse(R"({"name": "asked", "between": true, "levels": ["how late", "how odd"]})"));
+  EXPECT_EQ(asked_refusal(protocol),
+            "asked.json:/design/factors/1: expected the key \"pointer\", which is missing");
+  json odd = protocol["slider"]["scales"][0];
+  odd["question"] = "How odd was it?";
+  odd["when"] = {{"asked", "how odd"}};
+  protocol["slider"]["scales"].insert(protocol["slider"]["scales"].begin(), odd);
+  EXPECT_EQ(asked_refusal(protocol), "accepted");
 }
 
 TEST(ResponseChecks, YesIsRightByAFactorOfNumbers) {

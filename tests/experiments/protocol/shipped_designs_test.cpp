@@ -68,8 +68,10 @@ TEST(ShippedDesigns, AreBalancedForEveryParticipant) {
         }
       }
       const Design& design = protocol.design;
-      const std::size_t kinds =
-          design.adaptive ? adaptive_tracks(design).size() : cells(design).size();
+      std::size_t kinds = design.adaptive ? adaptive_tracks(design).size() : cells(design).size();
+      for (const Factor& factor : design.factors) {
+        kinds /= factor.between ? factor.levels.size() : 1;
+      }
       const std::int64_t each =
           design.adaptive ? design.adaptive->trials_per_track : design.repetitions;
       EXPECT_EQ(shown.size(), kinds) << protocol.name;

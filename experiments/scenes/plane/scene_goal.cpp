@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/scenes/scene_goal.hpp"
+#include "experiments/scenes/plane/scene_goal.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/scenes/scene_plane.hpp"
+#include "experiments/scenes/plane/scene_plane.hpp"
 
 #include <string>
 #include <utility>
