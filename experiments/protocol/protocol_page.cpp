@@ -127,7 +127,8 @@ std::string trial(const Protocol& protocol) {
   if (script.question_order.is_drawn) {
     questions += table_row({"", "the questions come in an order that is drawn for each trial"});
   }
-  return page + table_row({span, what}) + questions;
+  const char* least = protocol.scene.value.contains("goal") ? "at most " : "";
+  return page + table_row({least + span, what}) + questions;
 }
 
 std::string gaze(const GazeTask& task) {

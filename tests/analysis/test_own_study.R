@@ -68,3 +68,28 @@ test_that("the power of such a study is of its factors", {
   question$factors <- "restitution"
   expect_equal(power_part(bounce_study(many), question)$response, "answer")
 })
+
+test_that("marks on a line are a part of their own, on the line's scale", {
+  folder <- new_folder()
+  dir.create(file.path(folder, "data"), recursive = TRUE)
+  path <- bounce_study(bounce_answers(5, 6))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  DBI::dbExecute(study, paste("UPDATE response SET kind = 'slider', positive = NULL,",
+    "detail = '{\"value\":1,\"minimum\":-50,\"maximum\":100}', answer = CAST((SELECT",
+    "100 * (condition ->> 'restitution') FROM attempt JOIN trial ON trial.id = trial_id",
+    "WHERE attempt.id = attempt_id) + abs(random() % 9) AS INTEGER)"))
+  DBI::dbDisconnect(study)
+  suppressMessages({
+    write_report_data(path, file.path(folder, "data"))
+    write_study_report(folder)
+  })
+  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  for (words in c("Marks: ", "by a mark on a line from -50 to 100", "Mean mark by restitution of both",
+    "Repeated-measures ANOVA", "Friedman")) {
+    expect_match(page, words, fixed = TRUE)
+  }
+  expect_false(grepl("mixed model", page, fixed = TRUE))
+  part <- parts_of_protocol(study_of_report_data(file.path(folder, "data")), "bounce")[[1]]
+  expect_equal(unname(part$line), c(-50, 100))
+  expect_equal(round(mean(part$trials$mark[part$trials$restitution == "0.8"])), 84, tolerance = 0.02)
+})

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <vector>
@@ -274,6 +275,35 @@ TEST(TwoBalls, SimulatedGroupsMarkWhatTheModelSays) {
   EXPECT_LT(mean("causal", 5), -80.0);          // A prevented it
   EXPECT_GT(mean("causal", 14), 80.0);          // A caused it
   EXPECT_LT(std::abs(mean("causal", 18)), 25.0);
+}
+
+TEST(TwoBalls, PredictTellsWhatHappensWhatWouldHaveAndWhatIsExpected) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program(folder, {"predict", source_file("protocols/two-balls.json").string(), "--runs",
+                           "20", "--paths", "paths.csv"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find("clip 6, judgement counterfactual   misses        A        through"),
+            std::string::npos)
+      << result.output;
+  EXPECT_NE(result.output.find("clip 19 "), std::string::npos) << result.output;
+  std::ifstream file(folder / "paths.csv");
+  std::string head;
+  std::string first;
+  std::getline(file, head);
+  std::getline(file, first);
+  EXPECT_EQ(head, "condition,body,time_s,x_px,y_px");
+  EXPECT_EQ(first, "\"clip 1, judgement counterfactual\",\"A\",0.000000,830.0000,550.0000");
+}
+
+TEST(TwoBalls, PredictRefusesAProtocolWithoutAGoal) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program(folder, {"predict", source_file("protocols/causality.json").string()});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find(":/goal: expected a goal, by which something may come of it"),
+            std::string::npos)
+      << result.errors;
 }
 
 }  // namespace impetus::two_balls_test
