@@ -21,6 +21,12 @@ namespace {
 
 using nlohmann::json;
 
+void put_values(const json& values, json& scene) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    scene[json::json_pointer(value.key())] = value.value();
+  }
+}
+
 /// The scene of a trial, as ProtocolScenes makes it.
 json scene_of(const ProtocolTexts& texts, const StoredTrial& trial) {
   json scene = json::parse(texts.scene_json);
@@ -28,13 +34,15 @@ json scene_of(const ProtocolTexts& texts, const StoredTrial& trial) {
   const json condition = json::parse(trial.condition);
   for (const json& factor : design["factors"]) {
     const json& level = condition[factor["name"].get<std::string>()];
-    scene[json::json_pointer(factor["pointer"].get<std::string>())] = to_json(level_value(level));
+    if (factor.contains("pointer")) {
+      scene[json::json_pointer(factor["pointer"].get<std::string>())] = to_json(level_value(level));
+    }
+    if (factor.contains("sets")) {
+      put_values(factor["sets"][level.get<std::string>()], scene);
+    }
   }
   if (!trial.solved.empty()) {
-    const json solved = json::parse(trial.solved);
-    for (auto value = solved.begin(); value != solved.end(); ++value) {
-      scene[json::json_pointer(value.key())] = value.value();
-    }
+    put_values(json::parse(trial.solved), scene);
   }
   return scene;
 }
