@@ -103,9 +103,9 @@ std::vector<ReturnedFiles> returned_files(const fs::path& folder) {
     session.name = name;
     std::sort(session.files.begin(), session.files.end());
     // A download has all lines of its parts.
-    const auto whole =
-        std::find_if(session.files.begin(), session.files.end(),
-                     [&](const fs::path& file) { return file.stem() == session.name; });
+    const auto whole = std::find_if(
+        session.files.begin(), session.files.end(),
+        [&named = session](const fs::path& file) { return file.stem() == named.name; });
     if (whole != session.files.end()) {
       session.files = {*whole};
     }

@@ -30,7 +30,7 @@ SessionProof::SessionProof(std::string name, const PublishedStudy& study, const 
       earlier_(std::move(earlier)),
       replay_(std::in_place, protocol, session) {
   plan_ = planned(earlier_->enrolment.trials, protocol.design);
-  standing_.emplace(plan_, earlier_->enrolment.history);
+  standing_.emplace(Standing{plan_, earlier_->enrolment.history});
 }
 
 std::optional<AnyRecord> SessionProof::take(const std::string& line) {
@@ -110,11 +110,11 @@ void SessionProof::require_plan() {
     refuse_line("expected the trials that code and seed lead to, got others");
   }
   if (earlier_) {
-    standing_.emplace(planned(earlier_->enrolment.trials, protocol_.design),
-                      earlier_->enrolment.history);
+    standing_.emplace(Standing{planned(earlier_->enrolment.trials, protocol_.design),
+                               earlier_->enrolment.history});
     require_same_plan(standing_->plan);
   } else {
-    standing_.emplace(plan_, SessionHistory{});
+    standing_.emplace(Standing{plan_, SessionHistory{}});
   }
 }
 

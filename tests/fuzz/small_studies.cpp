@@ -71,7 +71,7 @@ void make_small(json& protocol) {
       levels.erase(1);
     }
     for (json& level : levels) {
-      make_shallow(level, factor["pointer"].get<std::string>());
+      make_shallow(level, factor.value("pointer", ""));
     }
   }
   if (protocol.contains("session")) {
