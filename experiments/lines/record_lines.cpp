@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/lines/record_lines.hpp"
 
+#include <algorithm>
 #include <array>
+#include <concepts>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -157,6 +162,20 @@ LevelValue level_from(const json& from) {
   return from.get<double>();
 }
 
+/// A number that its type can hold: nlohmann casts any.
+template <std::integral T>
+T integer_from(const json& from) {
+  const bool holds = from.is_number_unsigned()
+                         ? std::in_range<T>(from.get<std::uint64_t>())
+                         : from.is_number_integer() && std::in_range<T>(from.get<std::int64_t>());
+  if (!holds) {
+    refuse_value("an integer from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+                     std::to_string(std::numeric_limits<T>::max()),
+                 from);
+  }
+  return from.get<T>();
+}
+
 template <typename T>
 void read(const json& from, T& value) {
   if constexpr (IsOptional<T>::value) {
@@ -173,10 +192,17 @@ void read(const json& from, T& value) {
   } else if constexpr (std::is_same_v<T, WorkGrants>) {
     value = WorkGrants{};
     if (!from.is_null()) {
-      value.units = from.get<decltype(value.units)>();
+      std::vector<std::int64_t> units;
+      read(from, units);
+      if (units.size() != value.units.size()) {
+        refuse_value("units of each phase", from);
+      }
+      std::copy(units.begin(), units.end(), value.units.begin());
     }
   } else if constexpr (Listed<T>) {
     read_row(from, value);
+  } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+    value = integer_from<T>(from);
   } else {
     value = from.get<T>();
   }

@@ -123,6 +123,15 @@ TEST(RecordLines, WhatIsNoRecordIsRefusedInWords) {
   EXPECT_EQ(sentence_of(line), "clicks: expected a list, got 3");
 }
 
+TEST(RecordLines, NumbersThatNoIntegerHoldsAreRefused) {
+  const std::string holds = " -9223372036854775808 to 9223372036854775807, got ";
+  for (const char* number : {"1647163408917979831362", "9223372036854775808", "1e30", "2.5"}) {
+    json line = json::parse(line_of(full_attempt()));
+    line["slot"] = json::parse(number);
+    EXPECT_EQ(sentence_of(line), "slot: expected an integer from" + holds + line["slot"].dump());
+  }
+}
+
 TEST(RecordLines, AnyChangeOfALetterIsReadOrRefused) {
   const std::string line = line_of(full_attempt(), Digests::kKept);
   RandomStream letters(20'26, "letters of lines");
