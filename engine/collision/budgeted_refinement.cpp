@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
+
+#include "engine/scheduling/perceived_metric.hpp"
 
 namespace impetus::inline collision {
 namespace {
@@ -88,6 +91,13 @@ class Progress final : public PairProgress {
   }
   [[nodiscard]] double eye_distance_m() const override { return pair_.eye_distance_m; }
   [[nodiscard]] double acuity() const override { return pair_.acuity; }
+  [[nodiscard]] std::optional<double> noticed(double gap_deg) const override {
+    constexpr double kArcminPerDegree = 60.0;
+    return pair_.noticing == nullptr
+               ? std::nullopt
+               : std::optional(noticed_share(*pair_.noticing, kArcminPerDegree * gap_deg,
+                                             pair_.noticed_arcmin));
+  }
 
  private:
   const RefinedPair& pair_;

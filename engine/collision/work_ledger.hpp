@@ -16,6 +16,7 @@
 
 #include "engine/collision/contact_reduction.hpp"
 #include "engine/collision/pair_refinement.hpp"
+#include "engine/scheduling/priority.hpp"
 #include "engine/scheduling/work_costs.hpp"
 
 namespace impetus::inline collision {
@@ -28,7 +29,9 @@ struct RefinedPair {
   int walls{1};                ///< for a body and the enclosure: how many walls it could touch
   double eye_distance_m{1.0};  ///< of the place of the collision, for orders by what is seen
   double acuity{1.0};          ///< relative to the fovea's, there; for visible-first traversal
-  bool hinged{false};          ///< one of the bodies is a part of a figure
+  const Noticing* noticing{nullptr};  ///< the same where the metric goes by somebody's
+  double noticed_arcmin{0.0};         ///< with it, the gap that is noticed there half of the time
+  bool hinged{false};                 ///< one of the bodies is a part of a figure
 };
 
 /// What detection, modelling and response of a pair cost, by bounds that hold in advance.

@@ -10,6 +10,7 @@
 #include "engine/scheduling/eccentricity_metric.hpp"
 #include "engine/scheduling/gap_metrics.hpp"
 #include "engine/scheduling/named_kinds.hpp"
+#include "engine/scheduling/perceived_metric.hpp"
 #include "engine/scheduling/speed_metrics.hpp"
 #include "engine/scheduling/visible_frequency.hpp"
 #include "engine/scheduling/weighted_metric.hpp"
@@ -57,12 +58,16 @@ using Metric = std::shared_ptr<const PriorityMetric>;
 template <typename T>
 constexpr bool kTakesPoint = std::is_constructible_v<T, std::optional<ScreenPoint>>;
 template <typename T>
+constexpr bool kNotices = std::is_constructible_v<T, const Noticing&, std::optional<ScreenPoint>>;
+template <typename T>
 constexpr bool kTakesOptions = std::is_constructible_v<T, const MetricOptions&>;
 
 template <typename T>
 Metric made(const MetricOptions& options) {
   if constexpr (kTakesOptions<T>) {
     return std::make_shared<const T>(options);
+  } else if constexpr (kNotices<T>) {
+    return std::make_shared<const T>(options.noticing, options.point);
   } else if constexpr (kTakesPoint<T>) {
     return std::make_shared<const T>(options.point);
   } else {
@@ -82,7 +87,8 @@ struct NamedMetric {
 
 template <typename T>
 constexpr NamedMetric named(std::string_view name, std::string_view words, MeasureRange range) {
-  return {name, words, range, made<T>, kTakesPoint<T> || kTakesOptions<T>, kTakesOptions<T>};
+  constexpr bool kHasPoint = kTakesPoint<T> || kNotices<T> || kTakesOptions<T>;
+  return {name, words, range, made<T>, kHasPoint, kTakesOptions<T>};
 }
 
 /// In alphabetical order. A new metric is one row here.
@@ -100,6 +106,11 @@ constexpr NamedMetric kMetrics[] = {
     named<GapBoundMetric>("gap-bound",
                           "m that the gap cannot exceed: the trees' fit error, the large",
                           {"m", 0.1, 0.0}),
+    named<PerceivedMetric>("perceived",
+                           "probability that the gap a pair may be left with is noticed, at its "
+                           "speed and eccentricity, "
+                           "the high",
+                           {"", 1.0, 0.0}),
     named<ProjectedCentresMetric>("projected-centres",
                                   "degrees between the centres of the two bounds, the large",
                                   {"°", 15.0, 0.0}),

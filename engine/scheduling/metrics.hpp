@@ -28,6 +28,7 @@ struct MetricOptions {
   /// Eccentricity is measured from here, wherever the viewer looks: for metrics that takes_point().
   std::optional<ScreenPoint> point{};
   std::vector<WeightedTerm> terms{};  ///< of a weighted sum
+  Noticing noticing{};                ///< of the metric perceived, alone or in a sum
 };
 
 /// The metric called `name`. Throws std::invalid_argument that lists the names there are, or says

@@ -53,6 +53,15 @@ enum PairTerm : unsigned {
   kFixationTerm = 4,  ///< where the viewer looks: with it the gaze decides what is refined
 };
 
+/// Who notices gaps: where one looks, at rest, half of those of `threshold_arcmin`, but for those
+/// that are missed however large. As it stands, what the simulated participant of the
+/// gaze-contingent study is assumed to be.
+struct Noticing {
+  double threshold_arcmin{10.0};
+  double width_log10{0.2};  ///< a standard deviation
+  double miss_rate{0.1};
+};
+
 /// Which end of a metric's scale is refined first.
 enum class Urgent { kLarge, kSmall };
 
@@ -70,6 +79,9 @@ class PriorityMetric {
   /// In the metric's own unit.
   [[nodiscard]] virtual double measure(const PairBounds& bounds, const Viewer& viewer,
                                        const Fixation& fixation) const = 0;
+
+  /// Whose noticing it goes by; null: nobody's.
+  [[nodiscard]] virtual const Noticing* noticing() const { return nullptr; }
 
   /// Whether `measured` meets a threshold or is more urgent.
   [[nodiscard]] bool meets(double measured, double threshold) const {

@@ -35,6 +35,8 @@ class BreadthFirst final : public Traversal {
 //                    gap expected to open, in degrees at the eye
 //                    × acuity there, relative to the fovea's (eccentricity_metric.hpp)
 //                    / (what the tests of the next level cost × levels until then)
+//                  where somebody's noticing is known (perceived_metric.hpp), of the probability
+//                  that this gap is noticed, in place of its degrees and the acuity
 //
 // A gap shows where coarse bounds touch and surfaces do not. Let the deepest nodes overlap by δ,
 // and let D be what the fit errors lose until a finer level. Its bounds lie closer to the surfaces
@@ -76,19 +78,23 @@ class VisibleFirst final : public Traversal {
     const int reached = pair.level();
     const double error_m = pair.fit_error_m(reached);
     const double overlap_m = pair.deepest_overlap_m();
-    double gap_per_level_m = 0.0;
+    const bool by_noticing = pair.noticed(0.0).has_value();
+    double shown = 0.0;  // per level
     for (int level = reached + 1; level <= pair.finest_level(); ++level) {
       const double gap_m = expected_gap_m(error_m - pair.fit_error_m(level), overlap_m);
-      gap_per_level_m = std::max(gap_per_level_m, gap_m / (level - reached));
+      shown = std::max(
+          shown, (by_noticing ? *pair.noticed(angle_deg(gap_m, pair)) : gap_m) / (level - reached));
     }
-    const double visible_deg =
-        degrees(2.0 * atan2_rad(0.5 * gap_per_level_m, pair.eye_distance_m()));
-    const double gain =
-        pair.acuity() * visible_deg / static_cast<double>(pair.work_of_next_level());
+    shown = by_noticing ? shown : pair.acuity() * angle_deg(shown, pair);
+    const double gain = shown / static_cast<double>(pair.work_of_next_level());
     return gain > 0.0 ? gain : 0.0;
   }
 
  private:
+  static double angle_deg(double gap_m, const PairProgress& pair) {
+    return degrees(2.0 * atan2_rad(0.5 * gap_m, pair.eye_distance_m()));
+  }
+
   /// Of bounds that come closer by at most so much, and overlap so deep.
   static double expected_gap_m(double closer_m, double overlap_m) {
     if (!(closer_m > overlap_m)) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ class PairProgress {
   [[nodiscard]] virtual double eye_distance_m() const = 0;
   /// There, relative to the fovea's, for traversals that look at kAcuityTerm.
   [[nodiscard]] virtual double acuity() const = 0;
+  /// The probability that a gap there is noticed, for the same; none where the schedule's metric
+  /// goes by nobody's noticing.
+  [[nodiscard]] virtual std::optional<double> noticed(double gap_deg) const = 0;
 
  protected:
   ~PairProgress() = default;

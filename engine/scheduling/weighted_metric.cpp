@@ -42,6 +42,7 @@ WeightedMetric::WeightedMetric(const MetricOptions& options) : PriorityMetric(Ur
   for (const WeightedTerm& term : options.terms) {
     check(term);
     MetricOptions own;
+    own.noticing = options.noticing;
     if (takes_point(term.metric)) {
       own.point = options.point;
     }

@@ -9,6 +9,7 @@
 
 #include "engine/numerics/at.hpp"
 #include "engine/scheduling/eccentricity_metric.hpp"
+#include "engine/scheduling/perceived_metric.hpp"
 #include "engine/world/phases.hpp"
 
 namespace impetus::inline world {
@@ -60,6 +61,21 @@ int walls_in_reach(const Step& step, std::size_t body) {
   return count;
 }
 
+/// From when on errors of the pair are noticed, where the metric goes by somebody's noticing.
+void find_noticing(const Step& step, PairBounds bounds, RefinedPair& pair) {
+  pair.noticing = metric_of(step.settings.schedule).noticing();
+  if (pair.noticing == nullptr) {
+    return;
+  }
+  const auto velocity_of = [&world = step.world](std::int32_t body) {
+    return velocity(world.models[at(body)], world.states[at(body)]);
+  };
+  bounds.velocity_a = velocity_of(pair.bodies.a);
+  bounds.velocity_b = velocity_of(is_wall(pair.bodies.b) ? pair.bodies.a : pair.bodies.b);
+  pair.noticed_arcmin = noticed_threshold_arcmin(*pair.noticing, bounds, step.input.viewer,
+                                                 step.input.fixation, /*point=*/std::nullopt);
+}
+
 /// For traversals that go by what is seen of a pair.
 void find_sight(const Step& step, RefinedPair& pair) {
   const unsigned terms = step.settings.schedule.traversal->terms();
@@ -76,6 +92,7 @@ void find_sight(const Step& step, RefinedPair& pair) {
   if ((terms & kAcuityTerm) != 0) {
     pair.acuity = relative_acuity(eccentricity_deg(bounds, step.input.viewer, step.input.fixation,
                                                    /*point=*/std::nullopt));
+    find_noticing(step, bounds, pair);
   }
 }
 

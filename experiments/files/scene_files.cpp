@@ -10,8 +10,10 @@
 #include "experiments/models/mesh_report.hpp"
 #include "experiments/models/readable_file.hpp"
 #include "experiments/protocol/checked_scene.hpp"
+#include "experiments/protocol/observer_file.hpp"
 #include "experiments/scenes/scene_checks.hpp"
 #include "experiments/scenes/scene_meshes.hpp"
+#include "experiments/settings/named_file.hpp"
 
 namespace impetus::inline files {
 namespace {
@@ -46,6 +48,28 @@ void hold_figure(JsonDocument& scene, const FigureFile& named,
     refuse(figure, broken->pointer, broken->message);
   }
   scene.value["figure_files"][named.file] = figure.value;
+}
+
+/// Puts the numbers of whom the schedule names in place of the file's name.
+void hold_noticing(JsonDocument& scene, const std::filesystem::path& path) {
+  const std::string place = "/engine/schedule/noticing";
+  const json::json_pointer pointer(place);
+  if (!scene.value.contains(pointer) || !scene.value[pointer].is_string()) {
+    return;
+  }
+  const std::filesystem::path file =
+      named_file(scene, path, place, "a file of a simulated participant");
+  const ObserverFile observer = load_observer(file.string(), path);
+  if (observer.kind->name != "gaze-contingent") {
+    refuse(observer.document, "/observer",
+           "expected gaze-contingent, who notices gaps, got " + json_text(observer.kind->name));
+  }
+  json numbers;
+  for (const char* name : {"threshold_arcmin", "crowding_per_body", "width_log10", "miss_rate"}) {
+    numbers[name] = observer.document.value["parameters"][name]["value"];
+  }
+  scene.value[pointer] = std::move(numbers);
+  scene.text = scene.value.dump();
 }
 
 /// Figures first: their parts may be meshes.
@@ -98,6 +122,7 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
 JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more) {
   JsonDocument scene = read_json(path);
   require_scene_schema(scene);
+  hold_noticing(scene, path);
   hold_files(scene, more, path.parent_path());
   return scene;
 }

@@ -55,6 +55,7 @@ MetricOptions options_for(const std::string& name, const MetricOptions& own) {
   if (needs_terms(name)) {
     options.terms = own.terms;
   }
+  options.noticing = own.noticing;
   return options;
 }
 

@@ -32,6 +32,28 @@ Kind<WeightedTerm> term_kind() {
            required("relaxed", &WeightedTerm::relaxed, measure, "In the metric's own unit.")});
 }
 
+/// Said in numbers, or by a file that holds them, which is put in when a scene is read.
+Kind<WhoNotices> noticing_kind() {
+  using N = WhoNotices;
+  const Kind<N> numbers = object<N>(
+      "",
+      {required("threshold_arcmin", &N::threshold_arcmin, number(above(0, 10000)),
+                "The gap that is noticed half of the time where one looks, at rest, with two "
+                "bodies."),
+       row("crowding_per_body", &N::crowding_per_body, number({0, 100}),
+           "Share by which it rises for each body beyond two; 0 when left out."),
+       required("width_log10", &N::width_log10, number({1e-3, 10}),
+                "How wide its function is: a standard deviation of the gap's decimal logarithm."),
+       required("miss_rate", &N::miss_rate, number({0, 0.99}),
+                "The share of the largest gaps that goes unnoticed.")});
+  Kind<N> kind = numbers;
+  kind.schema["type"] = {"object", "string"};
+  kind.read = [numbers](const nlohmann::json& said) {
+    return said.is_object() ? numbers.read(said) : N{};
+  };
+  return kind;
+}
+
 Kind<PriorityList> list_kind() {
   return object<PriorityList>(
       "",
@@ -71,12 +93,17 @@ Kind<ScheduleSettings> schedule_kind() {
                 "    shares of the pairs; of region the finest inside, the\n"
                 "    coarsest outside"),
       row("point_deg", &S::point_deg,
-          screen_place_kind("For eccentricity, visible-frequency and weighted sums of them: "
-                            "degrees are counted from this point of the screen, wherever the "
-                            "viewer looks.")),
+          screen_place_kind(
+              "For eccentricity, perceived, visible-frequency and weighted sums of them: "
+              "degrees are counted from this point of the screen, wherever the "
+              "viewer looks.")),
       row("terms", &S::terms, list(term_kind(), {1, 16}),
           "Of the scheduler weighted: each metric counts 1 at urgent and beyond, 0 at relaxed and "
           "beyond, linear between them, times its weight."),
+      row("noticing", &S::noticing, noticing_kind(),
+          "Who notices gaps, for the scheduler perceived and for that term of a sum; others do not "
+          "ask. The file of a gaze-contingent participant, as `impetus fit` writes it, or its "
+          "numbers; left out: 10, 0, 0.2 and 0.1, which are assumed."),
       row("traversal", &S::traversal, one_of(texts(traversal_names())),
           "Which pair of a list gets the next work; " + std::string(traversal_names().front()) +
               " when left out. " + traversals_in_words())

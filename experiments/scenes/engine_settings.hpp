@@ -32,11 +32,24 @@ struct ContactSettings {
   int most_per_pair{ContactModel{}.most_per_pair};
 };
 
+/// Who notices gaps, whose threshold rises by a share for each body beyond two.
+struct WhoNotices : Noticing {
+  double crowding_per_body{0.0};
+
+  [[nodiscard]] Noticing among(std::size_t bodies) const {
+    Noticing noticing = *this;
+    const double others = bodies > 2 ? static_cast<double>(bodies - 2) : 0.0;
+    noticing.threshold_arcmin *= 1.0 + crowding_per_body * others;
+    return noticing;
+  }
+};
+
 /// Which collisions are refined first, and how deep.
 struct ScheduleSettings {
   std::string scheduler;  ///< a metric's name, or "region"
   std::optional<ScreenPlace> point_deg;
   std::optional<std::vector<WeightedTerm>> terms;
+  std::optional<WhoNotices> noticing;
   std::optional<std::string> traversal;  ///< one of traversal_names()
   double persistence_ms{0.0};
   std::vector<PriorityList> lists;

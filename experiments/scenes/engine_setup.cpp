@@ -80,7 +80,7 @@ WorkBudget budget_of(const EngineSettings& engine) {
   return budget;
 }
 
-Schedule schedule_of(const EngineSettings& engine, double metres_per_degree) {
+Schedule schedule_of(const EngineSettings& engine, double metres_per_degree, std::size_t bodies) {
   Schedule result;
   if (engine.level) {
     result.lists.front().least_level = *engine.level;
@@ -93,7 +93,8 @@ Schedule schedule_of(const EngineSettings& engine, double metres_per_degree) {
   result.lists = schedule.lists;
   set_rule(schedule, result);
   if (!follows_region(result)) {
-    result.metric = make_metric(schedule.scheduler, metric_options_of(engine, metres_per_degree));
+    result.metric =
+        make_metric(schedule.scheduler, metric_options_of(engine, metres_per_degree, bodies));
   }
   result.traversal = traversal_in(schedule);
   result.persistence_steps = std::llround(steps_of(schedule.persistence_ms, engine));
@@ -123,13 +124,17 @@ int deepest_level_of(const EngineSettings& engine) {
   return deepest;
 }
 
-MetricOptions metric_options_of(const EngineSettings& engine, double metres_per_degree) {
+MetricOptions metric_options_of(const EngineSettings& engine, double metres_per_degree,
+                                std::size_t bodies) {
   MetricOptions options;
   if (engine.schedule) {
     if (engine.schedule->point_deg) {
       options.point = screen_point_of(*engine.schedule->point_deg, metres_per_degree);
     }
     options.terms = engine.schedule->terms.value_or(options.terms);
+    if (engine.schedule->noticing) {
+      options.noticing = engine.schedule->noticing->among(bodies);
+    }
   }
   return options;
 }

@@ -20,7 +20,8 @@ int material_number(const Scene& scene, const std::string& name);
 WorkBudget budget_of(const EngineSettings& engine);
 
 /// One list to the finest level, or to `level`, when the scene asks for none.
-Schedule schedule_of(const EngineSettings& engine, double metres_per_degree);
+Schedule schedule_of(const EngineSettings& engine, double metres_per_degree,
+                     std::size_t bodies = 2);
 
 /// Of several of limited_list_rule_names() that a schedule says, the last; of none, the first.
 std::string limits_key(const ScheduleSettings& schedule);
@@ -30,7 +31,8 @@ std::string limits_key(const ScheduleSettings& schedule);
 int deepest_level_of(const EngineSettings& engine);
 
 /// What the scheduler's metric needs beside its name.
-MetricOptions metric_options_of(const EngineSettings& engine, double metres_per_degree);
+MetricOptions metric_options_of(const EngineSettings& engine, double metres_per_degree,
+                                std::size_t bodies = 2);
 
 /// The region of high priority; kNone when the scheduler is another.
 RegionRule region_of(const EngineSettings& engine, double metres_per_degree);

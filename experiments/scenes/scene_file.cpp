@@ -161,7 +161,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   settings.imposed_spin = imposed_spin_of(scene, seed);
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
-  settings.schedule = schedule_of(engine, m_per_deg);
+  settings.schedule = schedule_of(engine, m_per_deg, bodies.models.size());
   settings.figures = std::move(bodies.figures);
 
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
@@ -178,7 +178,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   staged.budget = budget_of(engine);
   staged.depends_on_gaze = depends_on_gaze(engine);
   staged.scheduler = engine.scheduler();
-  staged.metric_options = metric_options_of(engine, m_per_deg);
+  staged.metric_options = metric_options_of(engine, m_per_deg, staged.world.models().size());
   staged.reduction = engine.contacts.reduction;
   staged.turn = {scene.viewer.azimuth_deg, scene.viewer.turn_deg_s, scene.viewer.elevation_deg};
   staged.gaze_latency_s = scene.imposed ? scene.imposed->gaze_latency_ms / 1e3 : 0.0;

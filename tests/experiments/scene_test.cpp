@@ -120,9 +120,25 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
 TEST(Scene, AnUnknownSchedulerIsRefusedWithTheKnownOnes) {
   EXPECT_EQ(scene_refusal(changed(crowd_scene(), "/engine/schedule/scheduler", "nearest")),
             "/engine/schedule/scheduler: expected one of \"collision-speed\", \"distance\", "
-            "\"eccentricity\", \"gap\", \"gap-bound\", \"projected-centres\", \"projected-gap\", "
+            "\"eccentricity\", \"gap\", \"gap-bound\", \"perceived\", \"projected-centres\", "
+            "\"projected-gap\", "
             "\"region\", "
             "\"size\", \"velocity\", \"visible-frequency\", \"weighted\", got \"nearest\"");
+}
+
+TEST(Scene, WhoNoticesIsSaidToTheSchedulerPerceived) {
+  json scene = free_scene();
+  scene["engine"]["schedule"] = {
+      {"scheduler", "perceived"},
+      {"lists", {json::object()}},
+      {"noticing", {{"threshold_arcmin", 7}, {"width_log10", 0.3}, {"miss_rate", 0}}}};
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  EXPECT_EQ(built(scene).metric_options.noticing.threshold_arcmin, 7.0);
+  scene["engine"]["schedule"]["scheduler"] = "size";  // as where schedulers are a factor
+  EXPECT_EQ(scene_refusal(scene), "accepted");
+  scene["engine"]["schedule"]["noticing"]["threshold_arcmin"] = 0;
+  EXPECT_EQ(scene_refusal(scene),
+            "/engine/schedule/noticing/threshold_arcmin: expected a number > 0 and ≤ 10000, got 0");
 }
 
 TEST(Scene, ListsAndThresholdsMustFitTogether) {

@@ -54,6 +54,7 @@ MetricOptions options_for(const std::string& name, const StagedScene& scene) {
   if (needs_terms(name)) {
     options.terms = scene.metric_options.terms;
   }
+  options.noticing = scene.metric_options.noticing;
   return options;
 }
 

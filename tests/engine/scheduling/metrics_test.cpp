@@ -263,8 +263,28 @@ TEST(Metrics, EveryNameMakesAMetricAndOthersAreRefused) {
   }
   EXPECT_EQ(refusal("loudness"),
             "scheduler: expected one of collision-speed, distance, eccentricity, gap, gap-bound, "
-            "projected-centres, projected-gap, size, velocity, visible-frequency, weighted, got "
+            "perceived, projected-centres, projected-gap, size, velocity, visible-frequency, "
+            "weighted, got "
             "\"loudness\"");
+}
+
+TEST(Metrics, PerceivedIsTheProbabilityThatTheGapIsNoticed) {
+  MetricOptions options;
+  options.noticing = {10.0, 0.2, 0.1};
+  const auto metric = make_metric("perceived", options);
+  PairBounds pair = pair_at(Vector3::Zero());
+  const auto noticed = [&](double gap_arcmin, const Fixation& fixation = {}) {
+    pair.fit_error_m = 2.0 * 0.5 * std::tan(0.5 * gap_arcmin / 60.0 * std::numbers::pi / 180.0);
+    return metric->measure(pair, kViewer, fixation);
+  };
+  EXPECT_NEAR(noticed(10.0), 0.45, 1e-9);  // the threshold: half of those that are not missed
+  EXPECT_NEAR(noticed(1000.0), 0.9, 1e-9);
+  EXPECT_EQ(noticed(0.0), 0.0);
+  const double aside_m = 0.5 * std::tan(2.3 * std::numbers::pi / 180.0);
+  EXPECT_NEAR(noticed(20.0, ScreenPoint{aside_m, 0.0}), 0.45, 1e-6);  // half the acuity is left
+  pair.velocity_a = {0.2, 0.0, 0.0};
+  EXPECT_LT(noticed(10.0), 0.4);
+  EXPECT_GT(metric->priority(0.5), metric->priority(0.4));
 }
 
 TEST(Metrics, OptionsWithoutAUseAreRefused) {

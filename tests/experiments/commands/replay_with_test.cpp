@@ -130,7 +130,8 @@ TEST(ReplayWith, RefusesInOneSentence) {
   refused("budget=-1", "expected a whole number ≥ 0 and ≤ 1000000000, got -1");
   refused("scheduler=nearest",
           "expected one of \"collision-speed\", \"distance\", \"eccentricity\", \"gap\", "
-          "\"gap-bound\", \"projected-centres\", \"projected-gap\", \"region\", \"size\", "
+          "\"gap-bound\", \"perceived\", \"projected-centres\", \"projected-gap\", \"region\", "
+          "\"size\", "
           "\"velocity\", \"visible-frequency\", \"weighted\", got \"nearest\"");
   refused("depth=2",
           "at /engine/schedule/lists/0/least_level of the scene: expected at most 2, the deepest "

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/numerics/elementary_functions.hpp"
+#include "engine/scheduling/perceived_metric.hpp"
 #include "experiments/protocol/observer_file.hpp"
 #include "tests/experiments/fakes.hpp"
 
@@ -138,6 +139,25 @@ TEST(GazeObserver, SeesAGapByTheStatedModel) {
   EXPECT_NEAR(seen(14.0, 0.0, 0.0, 10), 0.9 * 0.5, 1e-12);
   EXPECT_NEAR(seen(10.0 * std::pow(10.0, 0.2), 0.0, 0.0, 2), 0.9 * 0.841345, 1e-6);
   EXPECT_EQ(seen(0.0, 0.0, 0.0, 2), 0.0);
+}
+
+TEST(GazeObserver, SeesWhatTheSchedulerPerceivedThinksIsNoticed) {
+  const Noticing assumed;
+  const GazeObserverParameters own = shipped();
+  EXPECT_EQ(assumed.threshold_arcmin, own.threshold_arcmin);
+  EXPECT_EQ(assumed.width_log10, own.width_log10);
+  EXPECT_EQ(assumed.miss_rate, own.miss_rate);
+  Participant participant(own);
+  for (const double gap_arcmin : {0.0, 5.0, 20.0, 300.0}) {
+    for (const double eccentricity_deg : {0.0, 3.0, 15.0}) {
+      for (const double speed_deg_s : {0.0, 10.0, 60.0}) {
+        const double threshold = noticed_threshold_arcmin(assumed, eccentricity_deg, speed_deg_s);
+        EXPECT_NEAR(noticed_share(assumed, gap_arcmin, threshold),
+                    participant.observer.seen_gap(gap_arcmin, eccentricity_deg, speed_deg_s, 2),
+                    1e-12);
+      }
+    }
+  }
 }
 
 TEST(GazeObserver, ClicksLessWhereTheGapIsPeripheralFastCrowdedOrSmall) {
