@@ -48,6 +48,7 @@ Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_solve(protocol);
   check_levels(protocol);
   check_catch_scenes(protocol);
+  check_named_bodies(protocol);
   check_practice(protocol);
   check_practice_rule(protocol);
   check_training(protocol);

@@ -95,6 +95,13 @@ std::vector<std::size_t> listed_order(Script script) {
   return order_of_questions(script, 0);
 }
 
+/// "500 ms", or "500 to 1500 ms, drawn for each stimulus".
+std::string span_words(const FixationTime& cross) {
+  return number_words(cross.least_ms) +
+         (cross.is_drawn() ? " to " + number_words(cross.most_ms) + " ms, drawn for each stimulus"
+                           : " ms");
+}
+
 std::string trial(const Protocol& protocol) {
   const Script& script = protocol.script;
   const StimulusLength length = stimulus_length(protocol);
@@ -102,7 +109,7 @@ std::string trial(const Protocol& protocol) {
   page += table_head({"for", "what"});
   page += table_row({"at least " + number_words(script.timing.interval_ms) + " ms",
                      "blank; the trial before is saved"});
-  page += table_row({number_words(script.timing.fixation_ms) + " ms", "fixation cross"});
+  page += table_row({span_words(script.timing.fixation), "fixation cross"});
   const TwoIntervalQuestion* two = find_two_interval(script);
   std::string what = two != nullptr ? "two stimuli, in random order, " +
                                           number_words(two->between_ms()) + " ms apart"

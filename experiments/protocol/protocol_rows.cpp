@@ -333,9 +333,10 @@ Row<S> timing_row() {
   using T = TrialTiming;
   const Kind<double> duration = number({0, 60000});
   return row("timing", &S::timing,
-             object<T>("", {required("fixation_ms", &T::fixation_ms, duration,
+             object<T>("", {required("fixation_ms", &T::fixation, fixation_time_kind(),
                                      "Fixation cross before the stimulus: a whole number of "
-                                     "frames."),
+                                     "frames, or the least and the most, between which each "
+                                     "stimulus has its own, drawn by the trial's seed."),
                             required("interval_ms", &T::interval_ms, duration,
                                      "Blank between trials, at least this long.")}));
 }
