@@ -78,8 +78,8 @@ Schedule no_deeper_than(int level, Schedule schedule) {
   return schedule;
 }
 
-/// Of the imagined runs from `start` on, which last until `scene` ends, the share in which it happens.
-/// The bodies at `unsteady` places turn a little in every step.
+/// Of the imagined runs from `start` on, which last until `scene` ends, the share in which it
+/// happens. The bodies at `unsteady` places turn a little in every step.
 template <typename HasHappened>
 double share_of_runs(const HasHappened& has_happened, World start, double time_s,
                      const std::vector<std::size_t>& unsteady, const StagedScene& scene,

@@ -58,8 +58,8 @@ bool gets_through(const StagedScene& scene, std::optional<std::size_t> without =
 double imagined_share(const StagedScene& scene, const Meeting& from, const Imagination& by,
                       RandomStream& draws);
 
-/// In how many of the imagined runs from an instant on the bodies at two places of the scene touch by
-/// its end: a share, drawn as above; the heading of every body that can move is unsteady.
+/// In how many of the imagined runs from an instant on the bodies at two places of the scene touch
+/// by its end: a share, drawn as above; the heading of every body that can move is unsteady.
 /// Precondition: the scene has no figures.
 double imagined_touching(const StagedScene& scene, const Instant& from, const BodyPair& pair,
                          const Imagination& by, RandomStream& draws);

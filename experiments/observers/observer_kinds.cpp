@@ -16,9 +16,9 @@ DeclaredObserver causality_observer, counterfactual_observer, foreseeing_observe
 
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() {
   static const std::vector<std::reference_wrapper<const ObserverKind>> kinds{
-      causality_observer(),    counterfactual_observer(), foreseeing_observer(),
-      gap_observer(),          gap_thresholds_observer(), gaze_observer(),
-      launching_observer(),    psychometric_observer(),   response_observer()};
+      causality_observer(), counterfactual_observer(), foreseeing_observer(),
+      gap_observer(),       gap_thresholds_observer(), gaze_observer(),
+      launching_observer(), psychometric_observer(),   response_observer()};
   return kinds;
 }
 

@@ -23,8 +23,9 @@ Kind<FixationTime> fixation_time_kind() {
 void check_fixation(const JsonDocument& protocol, const FixationTime& time) {
   if (time.least_ms > time.most_ms) {
     const std::string place = "/timing/fixation_ms";
-    refuse(protocol, place, "expected the least before the most, got " +
-                                protocol.value[nlohmann::json::json_pointer(place)].dump());
+    refuse(protocol, place,
+           "expected the least before the most, got " +
+               protocol.value[nlohmann::json::json_pointer(place)].dump());
   }
 }
 
@@ -36,7 +37,8 @@ std::int64_t fixation_frames(const FixationTime& time, std::uint64_t seed, std::
     return least;
   }
   RandomStream stream(seed, "fixation/" + std::to_string(interval));
-  return least + static_cast<std::int64_t>(stream.below(static_cast<std::uint64_t>(most - least + 1)));
+  return least +
+         static_cast<std::int64_t>(stream.below(static_cast<std::uint64_t>(most - least + 1)));
 }
 
 }  // namespace impetus::inline questions

@@ -52,9 +52,9 @@ void add_showing_problems(const Scene& scene, SceneProblems& problems) {
   if (said.hidden_after_s && (scene.meeting || scene.duration_s)) {
     const double moving_s = scene.moving_s(scene.intended_hold_s());
     if (*said.hidden_after_s >= moving_s) {
-      problems.add_got("/hidden_after_s", "expected less than the " +
-                                              nlohmann::json(moving_s).dump() +
-                                              " s that the scene lasts");
+      problems.add_got(
+          "/hidden_after_s",
+          "expected less than the " + nlohmann::json(moving_s).dump() + " s that the scene lasts");
     }
   }
 }

@@ -41,7 +41,8 @@ TEST(ProtocolSchema, AMissingKeyIsRefused) {
 TEST(ProtocolSchema, AWrongTypeIsRefused) {
   expect_protocol_refusals(
       {{"/timing/fixation_ms", "500",
-        "/timing/fixation_ms: expected a number ≥ 0 and ≤ 60000, got \"500\""},
+        "/timing/fixation_ms: expected a number or a list of 2 values ≥ 0 and ≤ 60000, got "
+        "\"500\""},
        {"/design/repetitions", 1.5,
         "/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, got 1.5"},
        {"/design/factors/0/levels/1",
@@ -69,7 +70,7 @@ TEST(ProtocolSchema, AnEmptyFactorOrDesignIsRefused) {
 TEST(ProtocolSchema, AValueOutOfRangeIsRefused) {
   expect_protocol_refusals(
       {{"/timing/fixation_ms", -5,
-        "/timing/fixation_ms: expected a number ≥ 0 and ≤ 60000, got -5"},
+        "/timing/fixation_ms: expected a number or a list of 2 values ≥ 0 and ≤ 60000, got -5"},
        {"/design/repetitions", 0,
         "/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, got 0"},
        {"/design/longest_runs/0/longest", 0,

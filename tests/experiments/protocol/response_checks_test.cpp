@@ -63,6 +63,28 @@ TEST(ResponseChecks, YesIsRightByAFactorOfNumbers) {
             "\"colour\", which has \"#ffffff\"");
 }
 
+TEST(ResponseChecks, YesIsRightWhereTwoBodiesTouch) {
+  const auto refused = [](const json& right_when) {
+    json protocol = asked_protocol({kAskYesNo});
+    protocol["yes_no"]["right_when"] = right_when;
+    return asked_refusal(protocol);
+  };
+  EXPECT_EQ(refused({{"touch", {"left", "right"}}}), "accepted");
+  EXPECT_EQ(refused({{"touch", {"left", "middle"}}}),
+            "asked.json:/yes_no/right_when/touch/1: expected the name of a body of the scene, got "
+            "\"middle\"");
+  EXPECT_EQ(refused({{"touch", {"left", "left"}}}),
+            "asked.json:/yes_no/right_when/touch: expected two bodies, got \"left\" twice");
+  EXPECT_EQ(refused({{"touch", {"left"}}}),
+            "asked.json:/yes_no/right_when/touch: expected a list of 2 values, got [\"left\"]");
+  const std::string either =
+      "asked.json:/yes_no/right_when: expected either \"factor\" and \"above\" or \"touch\"";
+  EXPECT_EQ(refused({{"touch", {"left", "right"}}, {"above", 0}}), either);
+  EXPECT_EQ(refused(json::object()), either);
+  EXPECT_EQ(refused({{"factor", "delay_ms"}}),
+            "asked.json:/yes_no/right_when: expected the key \"above\", which is missing");
+}
+
 TEST(ResponseChecks, TheStandardNamesFactorsAndHasLevelsThatTheSceneCanShow) {
   const auto refused = [](const json& standard) {
     json protocol = asked_protocol({kAskTwoInterval});
