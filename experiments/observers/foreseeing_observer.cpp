@@ -32,7 +32,7 @@ class ForeseeingObserver final : public RatingObserver {
       return 0.0;
     }
     const BodyPair pair{static_cast<std::int32_t>(meant[0]), static_cast<std::int32_t>(meant[1])};
-    return imagined_touching(scene, last_shown(scene), pair, imagination_, draws_);
+    return imagined_touching(scene, last_shown_instant(scene), pair, imagination_, draws_);
   }
 
   Imagination imagination_;

@@ -113,8 +113,8 @@ double share_of_runs(const HasHappened& has_happened, World start, double time_s
 
 }  // namespace
 
-Instant last_shown(const StagedScene& scene) {
-  SceneRun run(from_onset(scene));
+Instant last_shown_instant(const StagedScene& scene) {
+  SceneRun run(scene_at_onset(scene));
   const std::int64_t steps = steps_in(scene.duration_s, scene.step_hz);
   while (run.number() < steps) {
     run.step_whole();
@@ -126,7 +126,7 @@ std::optional<Meeting> first_meeting(const StagedScene& scene) {
   if (!scene.goal) {
     return std::nullopt;
   }
-  SceneRun run(from_onset(scene));
+  SceneRun run(scene_at_onset(scene));
   const auto mine = static_cast<std::int32_t>(scene.goal->body);
   const std::int64_t steps = steps_in(scene.whole_s(), scene.step_hz);
   while (run.number() < steps) {

@@ -42,7 +42,7 @@ struct Meeting : Instant {
 };
 
 /// The last of a scene that is shown, with all the work there is until then.
-Instant last_shown(const StagedScene& scene);
+Instant last_shown_instant(const StagedScene& scene);
 
 /// Of a scene with a goal, from its start; none where nobody meets, and without a goal.
 std::optional<Meeting> first_meeting(const StagedScene& scene);

@@ -52,6 +52,7 @@ Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_practice(protocol);
   check_practice_rule(protocol);
   check_training(protocol);
+  check_exclusion_rules(protocol.document, protocol.exclude_when, protocol.script, protocol.design);
   check_demonstrations(protocol);
   check_gaze(protocol);
   check_standard(protocol);

@@ -13,6 +13,7 @@
 #include "experiments/protocol/expected_length.hpp"
 #include "experiments/questions/question_order.hpp"
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -102,6 +103,16 @@ std::string span_words(const FixationTime& cross) {
                            : " ms");
 }
 
+/// What of the scene is not shown moving: "; still for the first 2 s; then hidden, though ...".
+std::string showing_words(const Scene& scene) {
+  const ShowingSettings& showing = scene.showing;
+  return (showing.still_s > 0.0
+              ? "; still for the first " + number_words(showing.still_s) + " s" +
+                    (showing.flashing ? ", in which what is asked about flashes" : "")
+              : "") +
+         (showing.hidden_after_s ? std::string("; hidden then, though the scene would go on") : "");
+}
+
 std::string trial(const Protocol& protocol) {
   const Script& script = protocol.script;
   const StimulusLength length = stimulus_length(protocol);
@@ -114,6 +125,7 @@ std::string trial(const Protocol& protocol) {
   std::string what = two != nullptr ? "two stimuli, in random order, " +
                                           number_words(two->between_ms()) + " ms apart"
                                     : "the stimulus";
+  what += showing_words(Scene(protocol.scene.value));
   std::string questions;
   for (const std::size_t place : listed_order(script)) {
     const auto& question = script.asked[place];
@@ -201,6 +213,14 @@ std::string resuming(const Script& script) {
   return page + " Instructions are shown again" +
          (script.gaze && script.gaze->calibration ? ", and the gaze is calibrated anew" : "") +
          ".\n";
+}
+
+std::string left_out(const ExclusionRules& rules) {
+  std::string page;
+  for (const std::string& line : exclusion_lines(rules)) {
+    page += "- " + line + "\n";
+  }
+  return page.empty() ? page : heading("Who is left out of the analysis") + "Whoever\n\n" + page;
 }
 
 /// Of what the protocol does not say: in which language, and what it says in place of that.
@@ -307,7 +327,7 @@ std::string protocol_page(const Protocol& protocol) {
   if (protocol.has_participants) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
-    page += resuming(protocol.script) + words_shown(protocol);
+    page += resuming(protocol.script) + left_out(protocol.exclude_when) + words_shown(protocol);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }

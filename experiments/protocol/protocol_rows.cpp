@@ -353,7 +353,8 @@ const Kind<P>& protocol_kind() {
             "out: people or simulated participants, who need timing and session."),
         row("solve", &P::solve, list(solve_kind(), kSome),
             "Values of the scene that are computed before the plan is stored, by simulation, and "
-            "kept with every trial; protocol and scene alone decide them.")};
+            "kept with every trial; protocol and scene alone decide them."),
+        row("exclude_when", &P::exclude_when, exclusion_rules_kind())};
     const std::vector<Row<P>> language = language_rows();
     rows.insert(rows.end(), language.begin(), language.end());
     std::vector<Row<S>> script = question_rows();

@@ -7,7 +7,7 @@
 
 namespace impetus::inline run {
 
-StagedScene from_onset(const StagedScene& scene) {
+StagedScene scene_at_onset(const StagedScene& scene) {
   StagedScene anew = scene;
   anew.world = World(scene.world.models(), scene.start, scene.world.settings());
   return anew;
@@ -25,7 +25,7 @@ bool touch_by_the_end(const StagedScene& scene, const NamedPair& names) {
     const NamedPair touching{name_of(collision.bodies.a), name_of(collision.bodies.b)};
     return touching == names || touching == NamedPair{names[1], names[0]};
   };
-  SceneRun run(from_onset(scene));
+  SceneRun run(scene_at_onset(scene));
   while (run.number() < last) {
     const std::vector<CollisionReport>& collisions = run.step_whole().collisions;
     if (std::any_of(collisions.begin(), collisions.end(), are_the_two)) {

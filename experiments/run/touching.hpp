@@ -10,7 +10,7 @@
 namespace impetus::inline run {
 
 /// A copy of the scene whose world is as it was at onset.
-StagedScene from_onset(const StagedScene& scene);
+StagedScene scene_at_onset(const StagedScene& scene);
 
 /// Two bodies of a scene, by their names.
 using NamedPair = std::array<std::string, 2>;

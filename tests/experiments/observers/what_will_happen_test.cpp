@@ -65,7 +65,7 @@ TEST(WhatWillHappen, YesIsRightAboutAsOftenAsNo) {
 TEST(WhatWillHappen, WithoutNoiseTheImaginedIsWhatHappens) {
   for (const Clip& clip : staged(protocol(), protocol().design.practice)) {
     RandomStream draws(1, "still");
-    const double share = imagined_touching(clip.scene, last_shown(clip.scene), {0, 1},
+    const double share = imagined_touching(clip.scene, last_shown_instant(clip.scene), {0, 1},
                                            {1, 0.0, clip.scene.step_hz}, draws);
     EXPECT_EQ(share, touch_by_the_end(clip.scene, kAsked) ? 1.0 : 0.0);
   }
@@ -76,7 +76,7 @@ TEST(WhatWillHappen, TheLessSteadyTheHeadingTheLessCertain) {
   double last = 1.0;
   for (const double noise_deg : {0.0, 4.0, 40.0}) {
     RandomStream draws(1, "noise");
-    const double share = imagined_touching(clip.scene, last_shown(clip.scene), {0, 1},
+    const double share = imagined_touching(clip.scene, last_shown_instant(clip.scene), {0, 1},
                                            {100, noise_deg, 50.0}, draws);
     EXPECT_LE(share, last) << noise_deg;
     last = share;

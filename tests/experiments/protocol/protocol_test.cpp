@@ -23,7 +23,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "\"levels\", \"name\", \"pointer\", \"sets\", "
         "got \"level\""},
        {"/seed", 1,
-        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
+        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"exclude_when\", "
+        "\"free_text\", \"gaze\", "
         "\"language\", \"name\", \"participants\", \"question_order\", \"rating\", \"scene\", "
         "\"schema_version\", "
         "\"session\", \"slider\", \"solve\", \"source\", \"texts\", \"timing\", "

@@ -63,6 +63,30 @@ TEST(ResponseChecks, YesIsRightByAFactorOfNumbers) {
             "\"colour\", which has \"#ffffff\"");
 }
 
+TEST(ResponseChecks, WhoIsLeftOutByRulesIsAskedWhatTheyGoBy) {
+  const auto refused = [](json protocol, const json& rules) {
+    protocol["exclude_when"] = rules;
+    return asked_refusal(protocol);
+  };
+  const json yes_no = asked_protocol({kAskYesNo});
+  EXPECT_EQ(refused(yes_no, {{"equal_answers_in_a_row", 4}, {"practice_right_below", 2}}),
+            "accepted");
+  EXPECT_EQ(refused(yes_no, {{"practice_right_below", 3}}),
+            "asked.json:/exclude_when/practice_right_below: expected at most the 2 trials of "
+            "practice, got 3");
+  json unknown = yes_no;
+  unknown["yes_no"].erase("right_when");
+  EXPECT_EQ(refused(unknown, {{"practice_right_below", 1}}),
+            "asked.json:/exclude_when/practice_right_below: expected a question that has a right "
+            "answer (yes_no with right_when, or two_interval), but there is none");
+  EXPECT_EQ(refused(asked_protocol({kAskRating}), {{"equal_answers_in_a_row", 4}}),
+            "asked.json:/exclude_when: expected a question that rules of answers go by, a key "
+            "\"yes_no\" or \"two_interval\", but there is none");
+  EXPECT_EQ(refused(yes_no, {{"equal_answers_in_a_row", 1}}),
+            "asked.json:/exclude_when/equal_answers_in_a_row: expected a whole number ≥ 2 and ≤ "
+            "10000, got 1");
+}
+
 TEST(ResponseChecks, YesIsRightWhereTwoBodiesTouch) {
   const auto refused = [](const json& right_when) {
     json protocol = asked_protocol({kAskYesNo});
