@@ -1,7 +1,7 @@
 // Who is left out by rules of a protocol, against a count of the answers one by one.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <map>
+#include <memory>
 
 #include "experiments/settings/json_document.hpp"
 #include "tests/experiments/program.hpp"
@@ -16,23 +16,31 @@ class ExcludedByRule : public testing::Test {
   static constexpr int kAlternations = 5;
   static constexpr int kRight = 9;
 
-  void SetUp() override {
+  static void SetUpTestSuite() {
     using nlohmann::json;
+    const TemporaryFolder& folder = *(shared() = std::make_unique<TemporaryFolder>());
     json protocol = json::parse(text_of(source_file("protocols/what-will-happen.json")));
     protocol["design"]["repetitions"] = 1;
     protocol["exclude_when"] = {{"equal_answers_in_a_row", kEqual},
                                 {"alternations_in_a_row", kAlternations},
                                 {"practice_right_below", kRight}};
-    std::filesystem::create_directories(folder_ / "protocols");
-    std::filesystem::create_directories(folder_ / "stimuli");
-    folder_.write("protocols/short.json", protocol.dump());
-    folder_.write("stimuli/what-will-happen.json",
-                  text_of(source_file("stimuli/what-will-happen.json")));
+    std::filesystem::create_directories(folder / "protocols");
+    std::filesystem::create_directories(folder / "stimuli");
+    folder.write("protocols/short.json", protocol.dump());
+    folder.write("stimuli/what-will-happen.json",
+                 text_of(source_file("stimuli/what-will-happen.json")));
     const ProgramResult result =
-        run_program(folder_, {"run", "protocols/short.json", "--db", "a.sqlite", "--participants",
-                              "6", "--observer",
-                              source_file("experiments/observers/what-will-happen.json").string()});
+        run_program(folder, {"run", "protocols/short.json", "--db", "a.sqlite", "--participants",
+                             "6", "--observer",
+                             source_file("experiments/observers/what-will-happen.json").string()});
     ASSERT_EQ(result.status, 0) << result.errors;
+  }
+
+  static void TearDownTestSuite() { shared().reset(); }
+
+  /// Each test has a copy of the study.
+  void SetUp() override {
+    std::filesystem::copy_file(*shared() / "a.sqlite", folder_ / "a.sqlite");
   }
 
   [[nodiscard]] std::string asked(const std::string& sql) const {
@@ -40,6 +48,12 @@ class ExcludedByRule : public testing::Test {
   }
 
   TemporaryFolder folder_;
+
+ private:
+  static std::unique_ptr<TemporaryFolder>& shared() {
+    static std::unique_ptr<TemporaryFolder> folder;
+    return folder;
+  }
 };
 
 /// The longest run, in letters of answers such as "ynny": alike, or each unlike the one before.
