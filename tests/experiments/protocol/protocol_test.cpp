@@ -293,9 +293,10 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/: expected only the keys \"$schema\", \"appearance\", \"bodies\", \"crowd\", "
         "\"distractors\", \"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"goal\", \"imposed\", "
+        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", "
+        "\"flashing\", \"goal\", \"hidden_after_s\", \"imposed\", "
         "\"meeting\", "
-        "\"meshes\", \"plane\", \"schema_version\", \"source\", "
+        "\"meshes\", \"plane\", \"schema_version\", \"source\", \"still_s\", "
         "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
