@@ -2,6 +2,8 @@
 #
 #   rated_trial ─────────────────────────────> a part "rating"      ordinal
 #   trial_response: yes_no, two_interval ─┬──> "answer"             binary, of levels that the plan set
+#                                         ├──> the same of whether yes or no was right, where no
+#                                         │    single factor says which of the two is
 #                                         └──> "threshold"          a level chosen trial by trial, or
 #                                                                   four numbers or more
 #   trial_response: slider ──────────────────> "mark"               a number on a line, by question
@@ -66,10 +68,17 @@ mark_part <- function(path, protocol, question) {
   with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
 
-# Answers by condition, where the plan set it; and thresholds, where there are levels for them.
+# Answers of one kind: whether they were right, where that is a question of its own, and they
+# themselves.
 answer_parts <- function(path, protocol, kind) {
   part <- read_part(answer_part(path, protocol, kind))
-  if (!is.null(part$why) || is.null(threshold_factor(part))) return(list(part))
+  if (!is.null(part$why)) return(list(part))
+  c(right_parts(part), given_parts(part))
+}
+
+# Answers by condition, where the plan set it; and thresholds, where there are levels for them.
+given_parts <- function(part) {
+  if (is.null(threshold_factor(part))) return(list(part))
   thresholds <- read_part(threshold_part(part))
   if (is_tracked(part)) return(list(thresholds))
   list(part, if (is.null(thresholds$why)) why_no_function(thresholds) else thresholds)
@@ -82,6 +91,21 @@ answer_part <- function(path, protocol, kind) {
   part$kind <- kind
   part$response <- "answer"
   part
+}
+
+# The part of whether answers were right; none where nothing is right, or where the answers by one
+# factor tell it already.
+right_parts <- function(part) {
+  trials <- part$trials
+  if (part$kind != "yes_no" || anyNA(trials$correct) || is_tracked(part)) return(list())
+  yes_is_right <- trials$positive == trials$correct
+  decides <- vapply(c(unname(part$factors), part$constant), function(f) {
+    all(tapply(yes_is_right, droplevels(trials[[f]]), function(x) length(unique(x))) == 1)
+  }, NA)
+  if (any(decides)) return(list())
+  part$trials$positive <- trials$correct
+  part$kind <- "right"
+  list(part)
 }
 
 # Were levels chosen trial by trial?
@@ -181,5 +205,6 @@ title_of_part <- function(part) {
   switch(part$response, rating = "Ratings", clicks = "Clicks",
     mark = sprintf("Marks: %s", part$question),
     threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
-    answer = if (part$kind == "two_interval") "Choices of an interval" else "Answers yes or no")
+    answer = switch(part$kind, two_interval = "Choices of an interval", right = "Right answers",
+      "Answers yes or no"))
 }

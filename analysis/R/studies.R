@@ -2,8 +2,8 @@
 # analysis/studies/NAME.dcf describes, field by field:
 #
 #   Title, Question, Thesis  of the report; what is asked; what the thesis found
-#   Kind     ratings (rating_study.R), thresholds (threshold_study.R), scheduling (gaze_study.R) or
-#            distribution (scheduler_distribution.R)
+#   Kind     ratings (rating_study.R), thresholds (threshold_study.R), accuracy (accuracy_study.R),
+#            scheduling (gaze_study.R) or distribution (scheduler_distribution.R)
 #   Factors  without units, the one of interest first
 #   Views    that a file must have beside those of every study
 #
@@ -12,6 +12,7 @@
 #            Depths, Depths of  what the three levels of a tree are called, and what they are
 #   thresholds: Scale           logarithmic, or the factor's own
 #               Level           realised freeze: of the display's frames, or that of the plan
+#   accuracy: Published         the accuracy that others found, by level: "collide .81, drop .75"
 #   scheduling: Kinds           as figures order them, those with the fewest bad collisions near the
 #                               gaze first
 #               Planned, Beside the pairs compared (planned_contrast.R)
@@ -36,7 +37,10 @@ study_description <- function(name) {
     interactions = has("Interactions"),
     depth_names = if (has("Depths")) list(words("Depths"), fields[["Depths of"]]),
     log10 = has("Scale"), realised_hold = has("Level"), kinds = words("Kinds"), pairs = pairs,
-    thesis = has("Thesis tests"))
+    thesis = has("Thesis tests"), published = unlist(lapply(words("Published"), function(one) {
+      two <- strsplit(one, " ", fixed = TRUE)[[1]]
+      stats::setNames(as.numeric(two[2]), two[1])
+    })))
 }
 
 # Reports on the study of this name, from the files that `words` of the command line name.
@@ -45,6 +49,7 @@ report_study <- function(name, words) {
   switch(study$kind,
     ratings = report_rating_study(open_rating_study(study, words)),
     thresholds = report_threshold_study(open_threshold_study(study, words)),
+    accuracy = report_accuracy_study(open_accuracy_study(study, words)),
     scheduling = report_gaze_study(open_gaze_study(study, words)),
     distribution = report_distribution_study(open_distribution_study(study, words)))
 }

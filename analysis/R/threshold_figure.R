@@ -74,7 +74,7 @@ thresholds_panel <- function(study, rows) {
 }
 
 positive_label <- function(study) {
-  if (is.null(study$guess) && !identical(study$kind, "two_interval")) "Share answered yes" else "Share answered right"
+  if (is.null(study$guess) && !isTRUE(study$kind %in% c("two_interval", "right"))) "Share answered yes" else "Share answered right"
 }
 
 condition_label <- function(study) {

@@ -18,30 +18,9 @@ const ObserverKind& counterfactual_observer();
 namespace {
 
 std::vector<ParameterEntry> counterfactual_entries(CounterfactualParameters& own) {
-  return {{"heading_noise_deg", 0.0, 90.0, &own.heading_noise_deg,
-           "Standard deviation of the turn of the imagined heading in each imagined step."},
-          {"runs", 1.0, 1e6, &own.runs, "Imagined runs for each clip."},
-          {"step_hz", 1.0, 10000.0, &own.step_hz, "Imagined steps a second."},
-          {"level", -1.0, 30.0, &own.level,
-           "The deepest level of detail imagined; -1, when left out: as the scene has it.", true},
-          {"tests_per_step", -1.0, kAny, &own.tests_per_step,
-           "Units of work in an imagined step; -1, when left out: no limit.", true},
-          {"mark_sd", 0.0, 1.0, &own.mark_sd,
-           "Standard deviation of a mark from what is meant, as a share of the line from nothing "
-           "to everything."},
-          {"lapse_rate", 0.0, 1.0, &own.lapse_rate, "The share of answers that are anything."},
-          {"reaction_median_ms", 0.0, kAny, &own.reaction_median_ms,
-           "Median of the times from question to answer, which are lognormal."},
-          {"reaction_sigma_log", 0.0, kAny, &own.reaction_sigma_log,
-           "Standard deviation of the natural logarithm of these times."}};
-}
-
-std::shared_ptr<const RatingParameters> read_counterfactual(const JsonDocument& document) {
-  auto own = std::make_shared<CounterfactualParameters>();
-  read_numbers(document, counterfactual_entries(*own), {}, nullptr);
-  own->yes_guess_rate = 0.5 * own->lapse_rate;
-  own->yes_miss_rate = 0.5 * own->lapse_rate;
-  return own;
+  return imagining_entries(own, {{"mark_sd", 0.0, 1.0, &own.mark_sd,
+                                  "Standard deviation of a mark from what is meant, as a share of "
+                                  "the line from nothing to everything."}});
 }
 
 /// Imagines each clip anew.
@@ -77,17 +56,6 @@ class CounterfactualObserver final : public RatingObserver {
 
 }  // namespace
 
-Imagination CounterfactualParameters::imagination() const {
-  Imagination by{static_cast<std::int64_t>(runs), heading_noise_deg, step_hz};
-  if (level >= 0.0) {
-    by.level = static_cast<int>(level);
-  }
-  if (tests_per_step >= 0.0) {
-    by.tests_per_step = static_cast<std::int64_t>(tests_per_step);
-  }
-  return by;
-}
-
 Foresight foresee(const StagedScene& scene, const Imagination& by, RandomStream& draws) {
   Foresight foresight;
   foresight.through = gets_through(scene);
@@ -110,7 +78,7 @@ const ObserverKind& counterfactual_observer() {
           "and answers by the share of runs in which the goal's body gets through.",
       .attention = {"where the bodies are and where they go", {"position", "velocity", "shape"}},
       .parameters = counterfactual_entries(nobody),
-      .read = read_counterfactual,
+      .read = read_imagining<CounterfactualParameters, counterfactual_entries>,
       .make = make_own<CounterfactualParameters, CounterfactualObserver>,
       .has_own_scale = true,
       .effect_is_of_all = false};

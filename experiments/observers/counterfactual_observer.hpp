@@ -2,21 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/observers/imagined_runs.hpp"
-#include "experiments/observers/observer_kinds.hpp"
+#include "experiments/observers/imagining_parameters.hpp"
 
 namespace impetus::inline observers {
 
 /// How it imagines, and how it marks a line.
-struct CounterfactualParameters : RatingParameters {
-  double heading_noise_deg{1.0};
-  double runs{100.0};
-  double step_hz{50.0};
-  double level{-1.0};           ///< −1: as deep as the scene goes
-  double tests_per_step{-1.0};  ///< −1: no limit
-  double mark_sd{0.0};          ///< of a mark, as a share of the line
-
-  [[nodiscard]] Imagination imagination() const;
+struct CounterfactualParameters : ImaginingParameters {
+  double mark_sd{0.0};  ///< of a mark, as a share of the line
 };
 
 /// What became of a clip, and what might have.

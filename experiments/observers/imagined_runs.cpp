@@ -7,16 +7,10 @@
 
 #include "experiments/observers/draws.hpp"
 #include "experiments/run/scene_run.hpp"
+#include "experiments/run/touching.hpp"
 
 namespace impetus::inline observers {
 namespace {
-
-/// The scene at its start.
-StagedScene from_start(const StagedScene& scene) {
-  StagedScene anew = scene;
-  anew.world = World(scene.world.models(), scene.start, scene.world.settings());
-  return anew;
-}
 
 /// The bodies at these states but for one, and where the goal's body is among them.
 struct Rest {
@@ -38,22 +32,21 @@ Rest rest_of(const StagedScene& scene, const std::vector<BodyState>& states,
   return {World(std::move(models), std::move(left), scene.world.settings()), body};
 }
 
-/// Steps until the body is through, or its time is over.
-class Passage {
+/// Steps worlds until something happens, or their time is over.
+class Course {
  public:
-  Passage(const StagedScene& scene, std::size_t body, double step_hz, std::int64_t tests)
-      : goal_(*scene.goal), body_(body), meter_(tests) {
+  Course(const Viewer& viewer, double step_hz, std::int64_t tests) : meter_(tests) {
     input_.dt_s = 1.0 / step_hz;
-    input_.viewer = scene.viewer;
+    input_.viewer = viewer;
   }
 
-  /// `before_step` may change the world.
-  template <typename BeforeStep>
-  bool leads_through(World& world, std::int64_t steps, const BeforeStep& before_step) {
+  /// `before_step` may change the world; `has_happened` is asked after each step.
+  template <typename BeforeStep, typename HasHappened>
+  bool leads_to(const HasHappened& has_happened, World& world, std::int64_t steps,
+                const BeforeStep& before_step) {
     for (std::int64_t step = 0; step < steps; ++step) {
       before_step(world);
-      world.step(input_, meter_);
-      if (goal_.is_passed_at(world.states()[body_].pose.position)) {
+      if (has_happened(world, world.step(input_, meter_))) {
         return true;
       }
     }
@@ -61,11 +54,16 @@ class Passage {
   }
 
  private:
-  const Goal& goal_;
-  std::size_t body_;
   StepInput input_;
   FixedWork meter_;
 };
+
+/// Whether the body is through.
+auto passage_of(const Goal& goal, std::size_t body) {
+  return [&goal, body](const World& world, const StepReport& /*of_step*/) {
+    return goal.is_passed_at(world.states()[body].pose.position);
+  };
+}
 
 std::int64_t steps_in(double seconds, double step_hz) {
   constexpr double kOfAStep = 1e-9;
@@ -80,15 +78,57 @@ Schedule no_deeper_than(int level, Schedule schedule) {
   return schedule;
 }
 
+/// Of the imagined runs from `start` on, which last until `scene` ends, the share in which it
+/// happens. The bodies at `unsteady` places turn a little in every step.
+template <typename HasHappened>
+double share_of_runs(const HasHappened& has_happened, World start, double time_s,
+                     const std::vector<std::size_t>& unsteady, const StagedScene& scene,
+                     const Imagination& by, RandomStream& draws) {
+  start.set_schedule(no_deeper_than(by.level, start.settings().schedule));
+  const std::int64_t steps = steps_in(scene.whole_s() - time_s, by.step_hz);
+  Course course(scene.viewer, by.step_hz, by.tests_per_step);
+  const Vector3 axis = scene.viewer.eye.normalized();
+  RandomStream of_pair = draws;
+  double sign = 1.0;
+  const auto turn_headings = [&](World& world) {
+    for (const std::size_t body : unsteady) {
+      const double angle_rad = sign * kRadiansPerDegree * by.heading_noise_deg * draw_normal(draws);
+      Vector3& momentum = world.mutable_states()[body].linear_momentum;
+      momentum = Eigen::AngleAxisd(angle_rad, axis) * momentum;
+    }
+  };
+  std::int64_t happened = 0;
+  for (std::int64_t run = 0; run < by.runs; ++run) {
+    sign = run % 2 == 0 ? 1.0 : -1.0;
+    if (run % 2 == 0) {
+      of_pair = draws;
+    } else {
+      draws = of_pair;
+    }
+    World world = start;
+    happened += course.leads_to(has_happened, world, steps, turn_headings) ? 1 : 0;
+  }
+  return static_cast<double>(happened) / static_cast<double>(by.runs);
+}
+
 }  // namespace
+
+Instant last_shown_instant(const StagedScene& scene) {
+  SceneRun run(scene_at_onset(scene));
+  const std::int64_t steps = steps_in(scene.duration_s, scene.step_hz);
+  while (run.number() < steps) {
+    run.step_whole();
+  }
+  return {static_cast<double>(run.number()) / scene.step_hz, run.world().states()};
+}
 
 std::optional<Meeting> first_meeting(const StagedScene& scene) {
   if (!scene.goal) {
     return std::nullopt;
   }
-  SceneRun run(from_start(scene));
+  SceneRun run(scene_at_onset(scene));
   const auto mine = static_cast<std::int32_t>(scene.goal->body);
-  const std::int64_t steps = steps_in(scene.duration_s, scene.step_hz);
+  const std::int64_t steps = steps_in(scene.whole_s(), scene.step_hz);
   while (run.number() < steps) {
     const StepReport& report = run.step_whole();
     for (const CollisionReport& collision : report.collisions) {
@@ -96,8 +136,8 @@ std::optional<Meeting> first_meeting(const StagedScene& scene) {
       const std::int32_t other = a == mine ? b : a;
       if ((a == mine || b == mine) && !is_wall(other) &&
           scene.world.models()[static_cast<std::size_t>(other)].inverse_mass > 0.0) {
-        return Meeting{static_cast<double>(run.number() - 1) / scene.step_hz,
-                       static_cast<std::size_t>(other), run.before()};
+        return Meeting{{static_cast<double>(run.number() - 1) / scene.step_hz, run.before()},
+                       static_cast<std::size_t>(other)};
       }
     }
   }
@@ -106,37 +146,37 @@ std::optional<Meeting> first_meeting(const StagedScene& scene) {
 
 bool gets_through(const StagedScene& scene, std::optional<std::size_t> without) {
   Rest rest = rest_of(scene, scene.start, without);
-  Passage passage(scene, rest.body, scene.step_hz, kUnlimitedTests);
-  return passage.leads_through(rest.world, steps_in(scene.duration_s, scene.step_hz),
-                               [](const World& /*as_it_is*/) {});
+  Course course(scene.viewer, scene.step_hz, kUnlimitedTests);
+  return course.leads_to(passage_of(*scene.goal, rest.body), rest.world,
+                         steps_in(scene.whole_s() - scene.still_s, scene.step_hz),
+                         [](const World& /*as_it_is*/) {});
 }
 
 double imagined_share(const StagedScene& scene, const Meeting& from, const Imagination& by,
                       RandomStream& draws) {
   Rest start = rest_of(scene, from.states, from.other);
-  start.world.set_schedule(no_deeper_than(by.level, start.world.settings().schedule));
-  const std::int64_t steps = steps_in(scene.duration_s - from.time_s, by.step_hz);
-  Passage passage(scene, start.body, by.step_hz, by.tests_per_step);
-  const Vector3 axis = scene.viewer.eye.normalized();
-  RandomStream of_pair = draws;
-  double sign = 1.0;
-  const auto turn_heading = [&](World& world) {
-    const double angle_rad = sign * kRadiansPerDegree * by.heading_noise_deg * draw_normal(draws);
-    Vector3& momentum = world.mutable_states()[start.body].linear_momentum;
-    momentum = Eigen::AngleAxisd(angle_rad, axis) * momentum;
+  return share_of_runs(passage_of(*scene.goal, start.body), std::move(start.world), from.time_s,
+                       {start.body}, scene, by, draws);
+}
+
+double imagined_touching(const StagedScene& scene, const Instant& from, const BodyPair& pair,
+                         const Imagination& by, RandomStream& draws) {
+  const auto touch = [&](const World& /*now*/, const StepReport& report) {
+    return std::any_of(report.collisions.begin(), report.collisions.end(),
+                       [&](const CollisionReport& collision) {
+                         const BodyPair& touching = collision.bodies;
+                         return (touching.a == pair.a && touching.b == pair.b) ||
+                                (touching.a == pair.b && touching.b == pair.a);
+                       });
   };
-  std::int64_t through = 0;
-  for (std::int64_t run = 0; run < by.runs; ++run) {
-    sign = run % 2 == 0 ? 1.0 : -1.0;
-    if (run % 2 == 0) {
-      of_pair = draws;
-    } else {
-      draws = of_pair;
+  std::vector<std::size_t> unsteady;
+  for (std::size_t body = 0; body < from.states.size(); ++body) {
+    if (scene.world.models()[body].inverse_mass > 0.0) {
+      unsteady.push_back(body);
     }
-    World world = start.world;
-    through += passage.leads_through(world, steps, turn_heading) ? 1 : 0;
   }
-  return static_cast<double>(through) / static_cast<double>(by.runs);
+  return share_of_runs(touch, World(scene.world.models(), from.states, scene.world.settings()),
+                       from.time_s, unsteady, scene, by, draws);
 }
 
 }  // namespace impetus::inline observers

@@ -35,8 +35,9 @@ double expected_minutes(const Protocol& protocol, const Plan& plan) {
     }
     seconds += kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3;
     for (const PlannedTrial& shown : stimuli_of(protocol.script, trial)) {
+      const FixationTime& cross = protocol.script.timing.fixation;
       seconds +=
-          duration_under(protocol, shown.condition) + protocol.script.timing.fixation_ms / 1e3;
+          duration_under(protocol, shown.condition) + 0.5 * (cross.least_ms + cross.most_ms) / 1e3;
     }
   }
   return seconds / 60.0;

@@ -48,9 +48,11 @@ Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_solve(protocol);
   check_levels(protocol);
   check_catch_scenes(protocol);
+  check_named_bodies(protocol);
   check_practice(protocol);
   check_practice_rule(protocol);
   check_training(protocol);
+  check_exclusion_rules(protocol.document, protocol.exclude_when, protocol.script, protocol.design);
   check_demonstrations(protocol);
   check_gaze(protocol);
   check_standard(protocol);

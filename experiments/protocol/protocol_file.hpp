@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/design/design.hpp"
+#include "experiments/protocol/exclusion_rules.hpp"
 #include "experiments/questions/level_value.hpp"
 #include "experiments/questions/script.hpp"
 #include "experiments/scenes/shape_library.hpp"
@@ -42,6 +43,7 @@ struct Protocol {
   Design design;
   Script script;
   std::vector<SolveEntry> solve;
+  ExclusionRules exclude_when;
   JsonDocument document;
   JsonDocument scene;
   std::string hash;  ///< of both values; white space does not count

@@ -13,6 +13,7 @@
 #include "experiments/protocol/expected_length.hpp"
 #include "experiments/questions/question_order.hpp"
 #include "experiments/questions/two_interval.hpp"
+#include "experiments/scenes/scene.hpp"
 #include "experiments/tables/plain_text.hpp"
 
 namespace impetus::inline protocol {
@@ -95,6 +96,23 @@ std::vector<std::size_t> listed_order(Script script) {
   return order_of_questions(script, 0);
 }
 
+/// "500 ms", or "500 to 1500 ms, drawn for each stimulus".
+std::string span_words(const FixationTime& cross) {
+  return number_words(cross.least_ms) +
+         (cross.is_drawn() ? " to " + number_words(cross.most_ms) + " ms, drawn for each stimulus"
+                           : " ms");
+}
+
+/// What of the scene is not shown moving: "; still for the first 2 s; then hidden, though ...".
+std::string showing_words(const Scene& scene) {
+  const ShowingSettings& showing = scene.showing;
+  return (showing.still_s > 0.0
+              ? "; still for the first " + number_words(showing.still_s) + " s" +
+                    (showing.flashing ? ", in which what is asked about flashes" : "")
+              : "") +
+         (showing.hidden_after_s ? std::string("; hidden then, though the scene would go on") : "");
+}
+
 std::string trial(const Protocol& protocol) {
   const Script& script = protocol.script;
   const StimulusLength length = stimulus_length(protocol);
@@ -102,11 +120,12 @@ std::string trial(const Protocol& protocol) {
   page += table_head({"for", "what"});
   page += table_row({"at least " + number_words(script.timing.interval_ms) + " ms",
                      "blank; the trial before is saved"});
-  page += table_row({number_words(script.timing.fixation_ms) + " ms", "fixation cross"});
+  page += table_row({span_words(script.timing.fixation), "fixation cross"});
   const TwoIntervalQuestion* two = find_two_interval(script);
   std::string what = two != nullptr ? "two stimuli, in random order, " +
                                           number_words(two->between_ms()) + " ms apart"
                                     : "the stimulus";
+  what += showing_words(Scene(protocol.scene.value));
   std::string questions;
   for (const std::size_t place : listed_order(script)) {
     const auto& question = script.asked[place];
@@ -194,6 +213,14 @@ std::string resuming(const Script& script) {
   return page + " Instructions are shown again" +
          (script.gaze && script.gaze->calibration ? ", and the gaze is calibrated anew" : "") +
          ".\n";
+}
+
+std::string left_out(const ExclusionRules& rules) {
+  std::string page;
+  for (const std::string& line : exclusion_lines(rules)) {
+    page += "- " + line + "\n";
+  }
+  return page.empty() ? page : heading("Who is left out of the analysis") + "Whoever\n\n" + page;
 }
 
 /// Of what the protocol does not say: in which language, and what it says in place of that.
@@ -300,7 +327,7 @@ std::string protocol_page(const Protocol& protocol) {
   if (protocol.has_participants) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
-    page += resuming(protocol.script) + words_shown(protocol);
+    page += resuming(protocol.script) + left_out(protocol.exclude_when) + words_shown(protocol);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);
 }

@@ -333,9 +333,10 @@ Row<S> timing_row() {
   using T = TrialTiming;
   const Kind<double> duration = number({0, 60000});
   return row("timing", &S::timing,
-             object<T>("", {required("fixation_ms", &T::fixation_ms, duration,
+             object<T>("", {required("fixation_ms", &T::fixation, fixation_time_kind(),
                                      "Fixation cross before the stimulus: a whole number of "
-                                     "frames."),
+                                     "frames, or the least and the most, between which each "
+                                     "stimulus has its own, drawn by the trial's seed."),
                             required("interval_ms", &T::interval_ms, duration,
                                      "Blank between trials, at least this long.")}));
 }
@@ -352,7 +353,8 @@ const Kind<P>& protocol_kind() {
             "out: people or simulated participants, who need timing and session."),
         row("solve", &P::solve, list(solve_kind(), kSome),
             "Values of the scene that are computed before the plan is stored, by simulation, and "
-            "kept with every trial; protocol and scene alone decide them.")};
+            "kept with every trial; protocol and scene alone decide them."),
+        row("exclude_when", &P::exclude_when, exclusion_rules_kind())};
     const std::vector<Row<P>> language = language_rows();
     rows.insert(rows.end(), language.begin(), language.end());
     std::vector<Row<S>> script = question_rows();

@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,9 @@ struct AskedTrial {
   const PlannedTrial& trial;
   const SessionProgress& progress;
   std::int64_t test_interval{1};  ///< which of two intervals showed the condition's own stimulus
+  /// Whether two bodies of the condition's own stimulus touch until its scene's end, seen or not;
+  /// none where there is no scene.
+  std::function<bool(const std::array<std::string, 2>& names)> touch{};
 };
 
 /// A simulated participant, as a question meets it after the stimulus.
@@ -86,6 +90,12 @@ struct ResponseKind {
   void (*simulate)(const Page& page, Judge& judge, Answer& answer){nullptr};
 };
 
+/// A body that a question is about.
+struct NamedBody {
+  std::string place;  ///< JSON Pointer into the protocol
+  std::string name;
+};
+
 /// What a script asks by one kind of response, with the parameters that its protocol gives.
 class Question {
  public:
@@ -104,6 +114,8 @@ class Question {
   [[nodiscard]] virtual std::vector<std::string> keys() const { return {}; }
   /// Factors by whose levels it is chosen what is asked: they need change nothing of the scene.
   [[nodiscard]] virtual std::vector<std::string> asked_by() const { return {}; }
+  /// Bodies that every scene of the protocol must have, each with its place in the protocol.
+  [[nodiscard]] virtual std::vector<NamedBody> named_bodies() const { return {}; }
   /// The page after the stimulus; none: nothing is asked then, and nothing kept.
   [[nodiscard]] virtual std::optional<Page> page(const AskedTrial& /*asked*/) const { return {}; }
   /// Puts what was answered, or that the time was up, into the record.

@@ -11,6 +11,7 @@
 
 #include "experiments/design/design.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
+#include "experiments/questions/fixation_time.hpp"
 #include "experiments/record/page.hpp"
 
 namespace impetus::inline questions {
@@ -44,7 +45,7 @@ struct TrainingRule {
 
 /// How long a trial takes besides its stimulus.
 struct TrialTiming {
-  double fixation_ms{500.0};
+  FixationTime fixation;
   double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
 };
 

@@ -1,7 +1,8 @@
 // Yes or no after the stimulus; right or wrong where the protocol says when yes is right.
 //
 //   yes counts as positive: seen
-//   yes is right   where the level of a factor is above a number, no elsewhere
+//   yes is right   where the level of a factor is above a number, no elsewhere;
+//                  or where two bodies touch until the scene's end, shown or hidden, no elsewhere
 //
 // SPDX-License-Identifier: MIT
 #include "experiments/questions/answer_keys.hpp"
@@ -30,14 +31,35 @@ class YesNoQuestion final : public Question {
          row("no", &Y::no_, text()), row("keys", &Y::keys_, answer_keys_kind()),
          row("timeout_ms", &Y::timeout_ms_, timeout_kind()),
          group<Y>("right_when",
-                  {required("factor", &Y::right_factor_, any_text()),
-                   required("above", &Y::right_above_, number({}))},
-                  "Yes is right where the factor's level is above this, no "
-                  "elsewhere.")});
+                  {row("factor", &Y::right_factor_, any_text()),
+                   row("above", &Y::right_above_, number({})),
+                   row("touch", &Y::right_touch_, several<2>(text()),
+                       "In place of factor and above: two bodies of the scene.")},
+                  "Yes is right where the factor's level is above this, no elsewhere; or where the "
+                  "two bodies touch by the scene's end, though it be hidden.")});
+  }
+
+  void check_block(const JsonDocument& protocol) const override {
+    const std::string place = "/yes_no/right_when";
+    if (!protocol.value["yes_no"].contains("right_when")) {
+      return;
+    }
+    if (right_touch_.has_value() == (right_factor_ || right_above_)) {
+      refuse(protocol, place, "expected either \"factor\" and \"above\" or \"touch\"");
+    }
+    if (right_factor_.has_value() != right_above_.has_value()) {
+      refuse(protocol, place,
+             std::string("expected the key \"") + (right_factor_ ? "above" : "factor") +
+                 "\", which is missing");
+    }
+    if (right_touch_ && (*right_touch_)[0] == (*right_touch_)[1]) {
+      refuse(protocol, place + "/touch",
+             "expected two bodies, got " + json_text((*right_touch_)[0]) + " twice");
+    }
   }
 
   void check_in_design(const JsonDocument& protocol, const Design& design) const override {
-    if (!has_right_answer()) {
+    if (!right_factor_) {
       return;
     }
     const std::string place = "/yes_no/right_when/factor";
@@ -54,7 +76,14 @@ class YesNoQuestion final : public Question {
   [[nodiscard]] const ResponseKind& kind() const override { return yes_no_kind(); }
   [[nodiscard]] std::size_t keyed_answers() const override { return 2; }
   [[nodiscard]] std::vector<std::string> keys() const override { return keys_; }
-  [[nodiscard]] bool has_right_answer() const override { return right_factor_.has_value(); }
+  [[nodiscard]] bool has_right_answer() const override { return right_factor_ || right_touch_; }
+  [[nodiscard]] std::vector<NamedBody> named_bodies() const override {
+    if (!right_touch_) {
+      return {};
+    }
+    const std::string place = "/yes_no/right_when/touch/";
+    return {{place + "0", (*right_touch_)[0]}, {place + "1", (*right_touch_)[1]}};
+  }
 
   [[nodiscard]] std::optional<Page> page(const AskedTrial& asked) const override {
     Page page;
@@ -76,7 +105,7 @@ class YesNoQuestion final : public Question {
       response.positive = answer.choice == kYes;
       response.answer = *response.positive ? "yes" : "no";
     }
-    if (const std::optional<bool> right = yes_is_right(asked.trial.condition)) {
+    if (const std::optional<bool> right = yes_is_right(asked)) {
       response.correct = response.positive == right;
     }
     record.responses.push_back(response);
@@ -99,7 +128,10 @@ class YesNoQuestion final : public Question {
 
   [[nodiscard]] std::string explanation(const Words& words) const override {
     return "“" + words(question_) + "” " + words(yes_.value_or("yes")) + " or " +
-           words(no_.value_or("no"));
+           words(no_.value_or("no")) +
+           (right_touch_ ? "; yes is right where " + words((*right_touch_)[0]) + " and " +
+                               words((*right_touch_)[1]) + " touch by the scene's end"
+                         : "");
   }
 
  private:
@@ -107,9 +139,12 @@ class YesNoQuestion final : public Question {
     return yes ? yes_.value_or(language.text("yes")) : no_.value_or(language.text("no"));
   }
 
-  /// Whether yes is right in this condition; none without a rule, or a number to go by.
-  [[nodiscard]] std::optional<bool> yes_is_right(const Condition& condition) const {
-    for (const FactorLevel& level : condition) {
+  /// Whether yes is right in this trial; none without a rule, or without what it goes by.
+  [[nodiscard]] std::optional<bool> yes_is_right(const AskedTrial& asked) const {
+    if (right_touch_ && asked.touch) {
+      return asked.touch(*right_touch_);
+    }
+    for (const FactorLevel& level : asked.trial.condition) {
       const auto* number = std::get_if<double>(&level.value);
       if (number != nullptr && level.factor == right_factor_) {
         return *number > right_above_;
@@ -123,9 +158,11 @@ class YesNoQuestion final : public Question {
   std::optional<std::string> no_;
   std::vector<std::string> keys_;  ///< none: the language's
   double timeout_ms_{0.0};         ///< 0: none
-  std::optional<std::string>
-      right_factor_;  ///< yes is right where its level is above; none: nothing is right
-  double right_above_{0.0};
+  /// Yes is right where the level of one is above the other, or where these touch; none: nothing is
+  /// right.
+  std::optional<std::string> right_factor_;
+  std::optional<double> right_above_;
+  std::optional<std::array<std::string, 2>> right_touch_;
 };
 
 void simulate_yes_no(const Page& page, Judge& judge, Answer& answer) {

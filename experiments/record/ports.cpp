@@ -15,6 +15,9 @@ Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, dou
   for (std::size_t body = 0; body < poses.size(); ++body) {
     picture.bodies.push_back({poses[body], scene.looks[body]});
   }
+  if (!poses.empty()) {
+    flash(scene.flashing, time_s, picture.bodies);
+  }
   return picture;
 }
 

@@ -17,6 +17,7 @@
 #include "engine/world/world.hpp"
 #include "experiments/design/design.hpp"
 #include "experiments/record/appearance.hpp"
+#include "experiments/record/flashing.hpp"
 #include "experiments/record/gaze.hpp"
 
 namespace impetus::inline record {
@@ -134,6 +135,9 @@ struct StagedScene {
   std::vector<DrawnBody> looks;  ///< one per body of the world
   double step_hz{240.0};
   double duration_s{0.0};      ///< from onset to the end of the stimulus, an imposed hold included
+  double still_s{0.0};         ///< from onset: the world stands still for so long
+  double unseen_s{0.0};        ///< after duration_s: what would happen then is hidden
+  Flashing flashing{};         ///< while it is still
   std::optional<Goal> goal{};  ///< which may end it sooner
   std::vector<BodyState> start{};  ///< of the bodies at onset, whatever becomes of the world
   double contact_s{0.0};           ///< when two bodies are to meet, from onset; 0: nothing is to
@@ -153,6 +157,9 @@ struct StagedScene {
   /// How bodies and what is about them are painted; none: as a scene that says nothing of it.
   std::shared_ptr<const Appearance> appearance{};
   Condition condition{};  ///< that it was staged for; a simulated participant may go by it
+
+  /// From onset to the scene's end, what is hidden of it included.
+  [[nodiscard]] double whole_s() const { return duration_s + unseen_s; }
 
   [[nodiscard]] Viewer viewer_at_time(double time_s) const {
     return turned_viewer(viewer, turn, time_s);

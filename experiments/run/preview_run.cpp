@@ -211,6 +211,7 @@ std::vector<PosedBody> PreviewRun::bodies() const {
   for (std::size_t body = 0; body < poses.size(); ++body) {
     bodies.push_back({poses[body], scene().looks[body]});
   }
+  flash(scene().flashing, position_ / scene().step_hz, bodies);
   return bodies;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/dynamics/motion.hpp"
+#include "engine/dynamics/state_hash.hpp"
 
 namespace impetus::inline run {
 
@@ -51,11 +52,21 @@ const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<G
   before_ = scene_.world.states();
   ++number_;
   input_ = {1.0 / scene_.step_hz, viewer_at(number_), fixation, region};
+  if (is_still()) {
+    stillness_.state = hash_state(before_);
+    return stillness_;
+  }
   const StepReport& report = scene_.world.step(input_, meter);
   if (scene_.goal) {
     watch_goal(report);
   }
   return report;
+}
+
+/// Whether the step that was begun ends within the still part.
+bool SceneRun::is_still() const {
+  constexpr double kOfAStep = 1e-6;
+  return static_cast<double>(number_) <= scene_.still_s * scene_.step_hz + kOfAStep;
 }
 
 /// A body may be through on the way back from what kept it from it, until the end.

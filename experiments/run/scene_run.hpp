@@ -6,7 +6,8 @@
 // Whoever runs a scene watches one of these: the live trial and the preview give each step what the
 // scene's own rules say, a replay and a what-if what was recorded, pilots and `impetus trade` what
 // they try. The number of a step times the length of one is the time at its end, so step 1 is the
-// first and the start has the number 0.
+// first and the start has the number 0. While a scene is still its steps are counted, but its world
+// takes none.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -68,6 +69,7 @@ class SceneRun {
   [[nodiscard]] std::vector<Pose> poses(double fraction) const;
 
  private:
+  [[nodiscard]] bool is_still() const;
   void watch_goal(const StepReport& report);
 
   StagedScene scene_;
@@ -77,6 +79,7 @@ class SceneRun {
   std::optional<DeadlineWork> deadline_;  ///< of a budget in milliseconds, where there is a clock
   bool needs_clock_{false};
   std::int64_t number_{0};
+  StepReport stillness_;  ///< what a step reports in which the world takes none
   std::optional<bool> is_through_;
   double ends_s_;
   StepInput input_;

@@ -146,7 +146,7 @@ DistractorBounds distractor_bounds(const Scene& scene, double m_per_deg, double 
                                    double hold_s) {
   const DistractorSettings& distractors = *scene.distractors;
   return {m_per_deg * distractors.within_deg[0], m_per_deg * distractors.within_deg[1],
-          m_per_deg * distractors.apart_deg, speed_m_s, scene.lasting_s(hold_s)};
+          m_per_deg * distractors.apart_deg, speed_m_s, scene.moving_s(hold_s)};
 }
 
 /// Whether the two turn straight back, so that their paths are known before they meet.

@@ -351,10 +351,18 @@ Kind<FigureSettings> figure_content_kind() {
   return {{OrderedJson{{"type", "object"}}}, figure_kind().read};
 }
 
+/// A scene's rows, and those of what of it is shown.
+std::vector<Row<Scene>> with_showing(std::vector<Row<Scene>> rows) {
+  for (const Row<ShowingSettings>& each : showing_rows()) {
+    rows.push_back(row_within(&Scene::showing, each));
+  }
+  return rows;
+}
+
 const Kind<Scene>& scene_kind() {
   using S = Scene;
   static const Kind<S> kind = object<S>(
-      "", rows_of_file<S>(
+      "", rows_of_file<S>(with_showing(
               {required("engine", &S::engine, engine_kind()),
                row("meshes", &S::meshes, by_name(mesh_kind()),
                    "The content of mesh files, by file: put in when a scene is read, so that a "
@@ -373,10 +381,10 @@ const Kind<Scene>& scene_kind() {
                    "recording holds all that it needs. A file that is here is not read."),
                row("enclosure", &S::enclosure, enclosure_kind()),
                row("duration_s", &S::duration_s, number(above(0, 3600)),
-                   "Of the stimulus, where nothing meets."),
+                   "Of the scene from where it begins to move, where nothing meets."),
                row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
                row("distractors", &S::distractors, distractors_kind()),
-               row("imposed", &S::imposed, imposed_kind())}));
+               row("imposed", &S::imposed, imposed_kind())})));
   return kind;
 }
 

@@ -26,6 +26,7 @@
 #include "experiments/scenes/engine_settings.hpp"
 #include "experiments/scenes/figures/figure_settings.hpp"
 #include "experiments/scenes/shape_settings.hpp"
+#include "experiments/scenes/showing/showing_settings.hpp"
 
 namespace impetus::inline scenes {
 
@@ -194,6 +195,7 @@ struct Scene {
   std::map<std::string, FigureSettings> figure_files;
   std::optional<EnclosureSettings> enclosure;
   std::optional<double> duration_s;
+  ShowingSettings showing;
   std::optional<GoalSettings> goal;
   std::optional<MeetingSettings> meeting;
   std::optional<DistractorSettings> distractors;
@@ -221,9 +223,13 @@ struct Scene {
   [[nodiscard]] double intended_hold_s() const {
     return imposed ? imposed->contact_hold_ms.value_or(0.0) / 1e3 : 0.0;
   }
-  /// From onset to the end of the stimulus, seconds, with a hold of `hold_s`.
-  [[nodiscard]] double lasting_s(double hold_s) const {
+  /// From the first step of the world to the scene's end, seconds, with a hold of `hold_s`.
+  [[nodiscard]] double moving_s(double hold_s) const {
     return meeting ? meeting->lead_s + hold_s + meeting->follow_s : *duration_s;
+  }
+  /// From onset to the end of the stimulus: still, then as much of the moving as is not hidden.
+  [[nodiscard]] double lasting_s(double hold_s) const {
+    return showing.still_s + showing.hidden_after_s.value_or(moving_s(hold_s));
   }
 };
 

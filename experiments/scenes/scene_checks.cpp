@@ -16,6 +16,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
+#include "experiments/scenes/showing/scene_showing.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -158,6 +159,7 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_appearance_problems(scene, problems);
   add_plane_problems(scene, problems);
   add_goal_problems(scene, problems);
+  add_showing_problems(scene, problems);
   if (scene.has_figures()) {
     add_figure_problems(scene, problems);
   }

@@ -21,6 +21,7 @@
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
+#include "experiments/scenes/showing/scene_showing.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -168,9 +169,9 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
                      viewer, std::move(bodies.looks)};
   staged.start = staged.world.states();
   staged.step_hz = engine.step_hz;
-  staged.duration_s = scene.lasting_s(realised_s);
+  apply_showing(scene, realised_s, staged);
   staged.goal = goal_of(scene, m_per_deg);
-  staged.contact_s = scene.meeting ? scene.meeting->lead_s : 0.0;
+  staged.contact_s = scene.meeting ? staged.still_s + scene.meeting->lead_s : 0.0;
   staged.intended_hold_s = intended_s;
   staged.no_spin = scene.no_spin();
   staged.realised_hold_s = realised_s;
@@ -188,7 +189,8 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
 }  // namespace
 
 const std::vector<FrameBoundValue>& frame_bound_values() {
-  static const std::vector<FrameBoundValue> values{{"/meeting/lead_s", 1.0, false},
+  static const std::vector<FrameBoundValue> values{{"/still_s", 1.0, false},
+                                                   {"/meeting/lead_s", 1.0, false},
                                                    {"/imposed/contact_hold_ms", 1e-3, true}};
   return values;
 }

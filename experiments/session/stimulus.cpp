@@ -37,6 +37,7 @@ StagedScene staged(const PlannedTrial& trial, const Ports& ports) {
 Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Script& script,
                    const SessionProgress& progress, const Ports& ports, GazeFollower& follower)
     : interval_(interval),
+      seed_(shown.seed),
       script_(script),
       progress_(progress),
       ports_(ports),
@@ -69,7 +70,7 @@ bool Stimulus::show_fixation() {
   Picture cross = blank();
   cross.fixation_cross = true;
   const std::int64_t frames =
-      whole_frames(script_.timing.fixation_ms / 1e3, ports_.display.refresh_hz());
+      fixation_frames(script_.timing.fixation, seed_, interval_, ports_.display.refresh_hz());
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
       return false;

@@ -14,6 +14,7 @@
 #include "experiments/questions/response_kinds.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/record/frame_grid.hpp"
+#include "experiments/run/touching.hpp"
 #include "experiments/session/stimulus.hpp"
 
 namespace impetus::inline session {
@@ -32,7 +33,8 @@ class Attempt {
           const SessionProgress& progress, const Ports& ports, bool may_be_repeated)
       : script_(script),
         progress_(progress),
-        asked_{trial, progress_, test_interval(script, trial)},
+        asked_{trial, progress_, test_interval(script, trial),
+               [this](const NamedPair& names) { return touch_by_the_end(own().scene(), names); }},
         ports_(ports),
         may_be_repeated_(may_be_repeated),
         follower_(script.gaze ? ports.gaze : nullptr, ports.clock, ports.gaze_correction) {

@@ -143,7 +143,7 @@ std::string expectation(const json& schema) {
     }
     return (options.size() > 1 ? "one of " : "") + joined(options, ", ");
   }
-  std::string words = type_words(schema) + range_words(schema) + size_words(schema);
+  std::string words = type_words(schema) + size_words(schema) + range_words(schema);
   if (schema.value("minLength", 0) > 0) {
     words += " that is not empty";
   }

@@ -105,6 +105,7 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   if (version < 9) {
     database.exec(kMigrationFrom8To9Sql);
   }
+  // From 9 to 10 only views changed.
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));
   transaction.commit();

@@ -112,7 +112,59 @@ JOIN enrolment ON enrolment.id = session.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
 
--- What the analysis leaves out, and why; `trial` is NULL where that is all of a participant's.
+-- Who meets a rule of the protocol's exclude_when, by answers yes or no and choices of an interval; a
+-- row for each rule that is met. Answers in a row are those of one question, in the main phase.
+CREATE VIEW excluded_by_rule AS
+WITH rule (protocol_id, name, bound) AS MATERIALIZED (
+  SELECT protocol.id, rules.key, rules.value
+  FROM protocol, json_each(protocol.protocol_json, '$.exclude_when') rules
+), given (enrolment_id, phase, saved_utc, correct, question, place, is_equal) AS MATERIALIZED (
+  SELECT trial.enrolment_id, trial.phase, attempt.saved_utc, response.correct, response.question,
+         row_number() OVER in_order,
+         response.answer IS lag(response.answer) OVER in_order
+  FROM (SELECT DISTINCT protocol_id FROM rule) ruled
+  JOIN enrolment ON enrolment.protocol_id = ruled.protocol_id
+  JOIN trial ON trial.enrolment_id = enrolment.id
+  JOIN attempt ON attempt.trial_id = trial.id AND attempt.outcome = 'completed'
+  JOIN response ON response.attempt_id = attempt.id
+    AND response.kind IN ('yes_no', 'two_interval') AND response.timed_out = 0
+  WINDOW in_order AS (PARTITION BY trial.enrolment_id, trial.phase, response.question
+                      ORDER BY trial.slot)
+), with_runs (enrolment_id, question, alike, unlike) AS MATERIALIZED (
+  -- A run of equal answers ends where one differs, and the other way round.
+  SELECT enrolment_id, question, sum(NOT is_equal) OVER so_far,
+         sum(is_equal OR place = 1) OVER so_far
+  FROM given WHERE phase = 'main'
+  WINDOW so_far AS (PARTITION BY enrolment_id, question ORDER BY place)
+), counted (enrolment_id, name, number) AS MATERIALIZED (
+  SELECT enrolment_id, 'equal_answers_in_a_row', count(*)
+  FROM with_runs GROUP BY enrolment_id, question, alike
+  UNION ALL
+  SELECT enrolment_id, 'alternations_in_a_row', count(*) - 1
+  FROM with_runs GROUP BY enrolment_id, question, unlike
+  UNION ALL
+  SELECT enrolment_id, 'practice_right_below', sum(correct IS 1 AND phase = 'practice')
+  FROM given GROUP BY enrolment_id
+  HAVING max(phase = 'main')  -- practice is over
+)
+SELECT participant.pseudonym AS participant,
+       protocol.name AS protocol,
+       rule.name AS rule,  -- its key in the protocol
+       CASE rule.name WHEN 'practice_right_below' THEN min(counted.number)
+         ELSE max(counted.number) END AS number,  -- of answers or alternations, that meets it
+       rule.bound AS bound,  -- that the rule has
+       (SELECT max(saved_utc) FROM given WHERE given.enrolment_id = enrolment.id) AS latest_utc  -- when the last of the answers was saved
+FROM rule
+JOIN enrolment ON enrolment.protocol_id = rule.protocol_id
+JOIN counted ON counted.enrolment_id = enrolment.id AND counted.name = rule.name
+JOIN participant ON participant.id = enrolment.participant_id
+JOIN protocol ON protocol.id = rule.protocol_id
+GROUP BY enrolment.id, rule.name
+HAVING CASE rule.name WHEN 'practice_right_below' THEN min(counted.number) < rule.bound
+  ELSE max(counted.number) >= rule.bound END;
+
+-- What the analysis leaves out, and why; `trial` is NULL where that is all of a participant's. Who
+-- meets a rule is among them, unless somebody has taken that back.
 CREATE VIEW excluded AS
 SELECT participant.pseudonym AS participant,
        exclusion.trial_id AS trial,
@@ -123,7 +175,17 @@ JOIN participant ON participant.id = exclusion.participant_id
 WHERE exclusion.excluded = 1
   AND exclusion.id = (SELECT max(later.id) FROM exclusion AS later
                       WHERE later.participant_id = exclusion.participant_id
-                        AND later.trial_id IS exclusion.trial_id);
+                        AND later.trial_id IS exclusion.trial_id)
+UNION ALL
+SELECT participant, NULL, group_concat(
+         CASE rule WHEN 'practice_right_below' THEN 'right in practice: ' || number || ', below ' || bound
+           ELSE replace(rule, '_', ' ') || ': ' || number || ', at least ' || bound END, ' and '),
+       max(latest_utc)
+FROM excluded_by_rule
+WHERE NOT EXISTS (SELECT 1 FROM exclusion
+                  JOIN participant AS decided ON decided.id = exclusion.participant_id
+                  WHERE decided.pseudonym = excluded_by_rule.participant AND trial_id IS NULL)
+GROUP BY participant;
 
 -- One row per attempt that was not completed: what interrupted it.
 CREATE VIEW interrupted_attempt AS

@@ -77,7 +77,7 @@ FlipSeries flip_series(int bodies, const std::vector<Flip>& flips, double nomina
 
 Script timed_script() {
   Script script;
-  script.timing = {500.0, 0.0};
+  script.timing = {{500.0, 500.0}, 0.0};
   script.gaze.emplace();
   return script;
 }

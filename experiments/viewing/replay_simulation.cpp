@@ -62,6 +62,7 @@ ReplayView view_at_start(const StagedScene& scene) {
   view.viewer = scene.viewer;
   view.turn = scene.turn;
   view.looks = scene.looks;
+  view.flashing = scene.flashing;
   view.enclosure = scene.world.settings().enclosure;
   view.appearance = scene.appearance;
   view.step_hz = scene.step_hz;

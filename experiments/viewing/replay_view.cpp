@@ -39,6 +39,7 @@ std::vector<PosedBody> bodies_at(const ReplayView& view, double time_s) {
         after > before ? between(here, view.states[after][body], fraction) : here.pose;
     bodies.push_back({pose, view.looks[body]});
   }
+  flash(view.flashing, time_s, bodies);
   return bodies;
 }
 

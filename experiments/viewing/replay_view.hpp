@@ -52,6 +52,7 @@ struct ReplayView {
   Viewer viewer;                   ///< at the onset
   ViewerTurn turn;
   std::vector<DrawnBody> looks;
+  Flashing flashing;
   std::optional<Enclosure> enclosure;
   std::shared_ptr<const Appearance> appearance;
   double step_hz{240.0};

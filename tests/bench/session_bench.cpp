@@ -177,7 +177,7 @@ class NotedRecorder final : public Recorder {
 
 Script bench_script() {
   Script script;
-  script.timing = {500.0, 700.0};
+  script.timing = {{500.0, 500.0}, 700.0};
   script.gaze.emplace();
   script.asked = {find_kind("click")->block.read({{"merge_within_ms", 100}})};
   return script;

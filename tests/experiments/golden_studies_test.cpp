@@ -26,6 +26,7 @@ constexpr Recording kRecordings[] = {
     {"launching", 24U},              // one of two spheres rests; delays and gaps
     {"scheduler-distribution", 7U},  // nobody takes part
     {"two-balls", 4U},               // discs and walls in a plane; a goal ends each trial
+    {"what-will-happen", 6U},        // still at first; gravity; hidden before the end
 };
 
 TEST(GoldenStudies, EveryTrialReplaysBitForBit) {

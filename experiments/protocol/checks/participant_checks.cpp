@@ -108,7 +108,7 @@ void check_participants(const Protocol& protocol) {
     keys.push_back(item("/design/factors", i) + "/keys_of");
   }
   keys.insert(keys.end(), {"/gaze", "/question_order", "/design/practice", "/design/practice_until",
-                           "/design/train_until", "/design/adaptive"});
+                           "/design/train_until", "/design/adaptive", "/exclude_when"});
   for (const std::string& key : keys) {
     if (document.value.contains(json::json_pointer(key))) {
       refuse(document, key, "expected none where nobody takes part");

@@ -280,6 +280,7 @@ void check_design(const Protocol& protocol) {
   check_resume(protocol);
   check_breaks(protocol);
   check_lateness(protocol);
+  check_fixation(protocol.document, protocol.script.timing.fixation);
   for (const auto& question : protocol.script.asked) {
     question->check_block(protocol.document);
     if (!question->keys().empty()) {

@@ -142,6 +142,22 @@ void check_catch_scenes(const Protocol& protocol) {
   }
 }
 
+void check_named_bodies(const Protocol& protocol) {
+  for (const auto& question : protocol.script.asked) {
+    for (const NamedBody& body : question->named_bodies()) {
+      for (const Condition& condition : shown_conditions(protocol.design)) {
+        const Scene scene = scene_under(protocol, condition);
+        const auto bodies = scene.named_bodies();
+        if (std::none_of(bodies.begin(), bodies.end(),
+                         [&](const BodySettings& each) { return each.name == body.name; })) {
+          refuse(protocol.document, body.place,
+                 "expected the name of a body of the scene, got " + json_text(body.name));
+        }
+      }
+    }
+  }
+}
+
 void check_demonstrations(const Protocol& protocol) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < protocol.script.demonstrations.size(); ++i) {
@@ -194,8 +210,10 @@ void check_frames(const Protocol& protocol, double refresh_hz, bool allow_roundi
   if (!protocol.has_participants || allow_rounding) {
     return;
   }
-  require_frames(protocol.document, "/timing/fixation_ms", protocol.script.timing.fixation_ms, 1e-3,
-                 refresh_hz);
+  const FixationTime& cross = protocol.script.timing.fixation;
+  for (const double duration_ms : {cross.least_ms, cross.most_ms}) {
+    require_frames(protocol.document, "/timing/fixation_ms", duration_ms, 1e-3, refresh_hz);
+  }
   if (const TwoIntervalQuestion* two = find_two_interval(protocol.script)) {
     require_frames(protocol.document, "/two_interval/between_ms", two->between_ms(), 1e-3,
                    refresh_hz);

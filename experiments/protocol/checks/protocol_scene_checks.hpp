@@ -21,6 +21,9 @@ void check_levels(const Protocol& protocol);
 /// Every catch trial leaves a scene that can be shown. Throws InputError.
 void check_catch_scenes(const Protocol& protocol);
 
+/// Bodies that questions are about are in every scene. Throws InputError.
+void check_named_bodies(const Protocol& protocol);
+
 /// Every demonstration's scene can be shown and needs no gaze. Throws InputError.
 void check_demonstrations(const Protocol& protocol);
 

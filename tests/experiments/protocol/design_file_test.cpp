@@ -42,6 +42,15 @@ TEST(Frames, EveryDurationThatIsShownIsChecked) {
       refusal([] { check_frames(Study().with("/timing/fixation_ms", 490).made(), 60.0, false); }),
       "protocols/causality.json:/timing/fixation_ms: expected a whole number of 60 Hz frames "
       "(16.67 ms), got 490");
+  EXPECT_EQ(refusal([] {
+              check_frames(Study().with("/timing/fixation_ms", {490, 500}).made(), 60.0, false);
+            }),
+            "protocols/causality.json:/timing/fixation_ms: expected a whole number of 60 Hz frames "
+            "(16.67 ms), got 490");
+  EXPECT_EQ(
+      refusal([] { check_frames(Study().scene_with("/still_s", 0.1125).made(), 60.0, false); }),
+      "stimuli/two-spheres.json:/still_s: expected a whole number of 60 Hz frames (16.67 ms), got "
+      "0.1125");
 }
 
 TEST(Frames, RoundingIsForImposedHoldsAndNotForTheContact) {

@@ -23,7 +23,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "\"levels\", \"name\", \"pointer\", \"sets\", "
         "got \"level\""},
        {"/seed", 1,
-        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"free_text\", \"gaze\", "
+        "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"exclude_when\", "
+        "\"free_text\", \"gaze\", "
         "\"language\", \"name\", \"participants\", \"question_order\", \"rating\", \"scene\", "
         "\"schema_version\", "
         "\"session\", \"slider\", \"solve\", \"source\", \"texts\", \"timing\", "
@@ -41,7 +42,8 @@ TEST(ProtocolSchema, AMissingKeyIsRefused) {
 TEST(ProtocolSchema, AWrongTypeIsRefused) {
   expect_protocol_refusals(
       {{"/timing/fixation_ms", "500",
-        "/timing/fixation_ms: expected a number ≥ 0 and ≤ 60000, got \"500\""},
+        "/timing/fixation_ms: expected a number or a list of 2 values ≥ 0 and ≤ 60000, got "
+        "\"500\""},
        {"/design/repetitions", 1.5,
         "/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, got 1.5"},
        {"/design/factors/0/levels/1",
@@ -69,7 +71,7 @@ TEST(ProtocolSchema, AnEmptyFactorOrDesignIsRefused) {
 TEST(ProtocolSchema, AValueOutOfRangeIsRefused) {
   expect_protocol_refusals(
       {{"/timing/fixation_ms", -5,
-        "/timing/fixation_ms: expected a number ≥ 0 and ≤ 60000, got -5"},
+        "/timing/fixation_ms: expected a number or a list of 2 values ≥ 0 and ≤ 60000, got -5"},
        {"/design/repetitions", 0,
         "/design/repetitions: expected a whole number ≥ 1 and ≤ 1000, got 0"},
        {"/design/longest_runs/0/longest", 0,
@@ -291,9 +293,10 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "/: expected only the keys \"$schema\", \"appearance\", \"bodies\", \"crowd\", "
         "\"distractors\", \"duration_s\", "
         "\"enclosure\", "
-        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", \"goal\", \"imposed\", "
+        "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", "
+        "\"flashing\", \"goal\", \"hidden_after_s\", \"imposed\", "
         "\"meeting\", "
-        "\"meshes\", \"plane\", \"schema_version\", \"source\", "
+        "\"meshes\", \"plane\", \"schema_version\", \"source\", \"still_s\", "
         "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},

@@ -63,6 +63,52 @@ TEST(ResponseChecks, YesIsRightByAFactorOfNumbers) {
             "\"colour\", which has \"#ffffff\"");
 }
 
+TEST(ResponseChecks, WhoIsLeftOutByRulesIsAskedWhatTheyGoBy) {
+  const auto refused = [](json protocol, const json& rules) {
+    protocol["exclude_when"] = rules;
+    return asked_refusal(protocol);
+  };
+  const json yes_no = asked_protocol({kAskYesNo});
+  EXPECT_EQ(refused(yes_no, {{"equal_answers_in_a_row", 4}, {"practice_right_below", 2}}),
+            "accepted");
+  EXPECT_EQ(refused(yes_no, {{"practice_right_below", 3}}),
+            "asked.json:/exclude_when/practice_right_below: expected at most the 2 trials of "
+            "practice, got 3");
+  json unknown = yes_no;
+  unknown["yes_no"].erase("right_when");
+  EXPECT_EQ(refused(unknown, {{"practice_right_below", 1}}),
+            "asked.json:/exclude_when/practice_right_below: expected a question that has a right "
+            "answer (yes_no with right_when, or two_interval), but there is none");
+  EXPECT_EQ(refused(asked_protocol({kAskRating}), {{"equal_answers_in_a_row", 4}}),
+            "asked.json:/exclude_when: expected a question that rules of answers go by, a key "
+            "\"yes_no\" or \"two_interval\", but there is none");
+  EXPECT_EQ(refused(yes_no, {{"equal_answers_in_a_row", 1}}),
+            "asked.json:/exclude_when/equal_answers_in_a_row: expected a whole number ≥ 2 and ≤ "
+            "10000, got 1");
+}
+
+TEST(ResponseChecks, YesIsRightWhereTwoBodiesTouch) {
+  const auto refused = [](const json& right_when) {
+    json protocol = asked_protocol({kAskYesNo});
+    protocol["yes_no"]["right_when"] = right_when;
+    return asked_refusal(protocol);
+  };
+  EXPECT_EQ(refused({{"touch", {"left", "right"}}}), "accepted");
+  EXPECT_EQ(refused({{"touch", {"left", "middle"}}}),
+            "asked.json:/yes_no/right_when/touch/1: expected the name of a body of the scene, got "
+            "\"middle\"");
+  EXPECT_EQ(refused({{"touch", {"left", "left"}}}),
+            "asked.json:/yes_no/right_when/touch: expected two bodies, got \"left\" twice");
+  EXPECT_EQ(refused({{"touch", {"left"}}}),
+            "asked.json:/yes_no/right_when/touch: expected a list of 2 values, got [\"left\"]");
+  const std::string either =
+      "asked.json:/yes_no/right_when: expected either \"factor\" and \"above\" or \"touch\"";
+  EXPECT_EQ(refused({{"touch", {"left", "right"}}, {"above", 0}}), either);
+  EXPECT_EQ(refused(json::object()), either);
+  EXPECT_EQ(refused({{"factor", "delay_ms"}}),
+            "asked.json:/yes_no/right_when: expected the key \"above\", which is missing");
+}
+
 TEST(ResponseChecks, TheStandardNamesFactorsAndHasLevelsThatTheSceneCanShow) {
   const auto refused = [](const json& standard) {
     json protocol = asked_protocol({kAskTwoInterval});

@@ -33,6 +33,27 @@ TEST(Responses, YesIsPositiveAndRightOnlyWhereTheLevelIsAboveTheRule) {
   EXPECT_EQ(yes_no_answer(0, kNo).answer, "no");
 }
 
+TEST(Responses, YesIsRightWhereTwoBodiesTouchThoughTheyDoSoUnseen) {
+  json protocol = asked_protocol({kAskYesNo});
+  protocol["yes_no"]["right_when"] = {{"touch", {"left", "right"}}};
+  const auto answered = [&](double lead_s, std::size_t choice) {
+    json scene = asked_scene();
+    scene["meeting"]["lead_s"] = lead_s;
+    scene["hidden_after_s"] = 0.05;
+    TestLab lab(60.0, make_protocol(parse_json("asked.json", protocol.dump()),
+                                    parse_json("spheres.json", scene.dump())));
+    const AttemptRecord record = answered_trial(lab, trial_with_delay(0), choice);
+    EXPECT_TRUE(record.collisions.empty());
+    EXPECT_EQ(record.steps.back().step, 12);  // of 1/240 s
+    const auto page = practice_feedback(lab.protocol.script, record, {});
+    EXPECT_EQ(page->paragraphs.front(),
+              choice == kYes ? "That was right." : "That was not right: the answer was “yes”.");
+    return record.responses.front().correct;
+  };
+  EXPECT_EQ(answered(0.1, kYes), true);
+  EXPECT_EQ(answered(0.1, kNo), false);
+}
+
 TEST(Responses, WithoutARuleNothingIsRightOrWrong) {
   json protocol = asked_protocol({kAskYesNo});
   protocol["yes_no"].erase("right_when");

@@ -1,0 +1,37 @@
+// What simulated participants are made of who answer by what they imagine.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "experiments/observers/imagined_runs.hpp"
+#include "experiments/observers/observer_kinds.hpp"
+
+namespace impetus::inline observers {
+
+/// How they imagine.
+struct ImaginingParameters : RatingParameters {
+  double heading_noise_deg{1.0};
+  double runs{100.0};
+  double step_hz{50.0};
+  double level{-1.0};           ///< −1: as deep as the scene goes
+  double tests_per_step{-1.0};  ///< −1: no limit
+
+  [[nodiscard]] Imagination imagination() const;
+};
+
+/// Their numbers, with those that a kind has `beside` how it imagines and how it answers.
+std::vector<ParameterEntry> imagining_entries(ImaginingParameters& own,
+                                              const std::vector<ParameterEntry>& beside = {});
+
+/// Reads these numbers of a file. A lapse answers yes as often as no.
+template <typename Parameters, std::vector<ParameterEntry> (*entries)(Parameters&)>
+std::shared_ptr<const RatingParameters> read_imagining(const JsonDocument& document) {
+  auto own = std::make_shared<Parameters>();
+  read_numbers(document, entries(*own), {}, nullptr);
+  own->yes_guess_rate = 0.5 * own->lapse_rate;
+  own->yes_miss_rate = 0.5 * own->lapse_rate;
+  return own;
+}
+
+}  // namespace impetus::inline observers
