@@ -15,6 +15,8 @@ measure_of <- function(part) {
       axis = axis_of_rating(part$scale, words = TRUE, width = 13)),
     mark = list(of = "mark", title = "Mean mark", axis = list(
       ggplot2::scale_y_continuous("Mean mark"), ggplot2::coord_cartesian(ylim = part$line))),
+    press = list(of = "press_s", title = "Mean time of the click (s)", axis = list(
+      ggplot2::scale_y_continuous("Mean time of the click (s)"))),
     clicks = list(of = "click_rate", title = "Clicks per second", axis = list(
       ggplot2::scale_y_continuous("Clicks per second", limits = c(0, NA)))),
     list(of = "positive", title = positive_label(part), axis = list(

@@ -95,6 +95,7 @@ part_methods <- function(part) {
       rating = sprintf("Participants rated from %s.", describe_scale(part$scale)),
       mark = sprintf("Participants answered “%s” by a mark on a line from %g to %g.", part$question,
         part$line[1], part$line[2]),
+      press = "Participants clicked once in each stimulus, which ended it; its time from onset is analysed.",
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",
       threshold = scale_sentence(part),
       answer = if (part$kind == "two_interval") "Participants chose one of two intervals." else
@@ -114,7 +115,7 @@ analysis_words <- function(parts) {
 
 package_versions <- function(kinds) {
   packages <- unique(c(unlist(list(rating = c("ordinal", "afex"), answer = c("lme4", "afex"),
-    threshold = c("lme4", "afex"), mark = "afex", clicks = c("glmmTMB", "lme4", "afex"))[kinds]), "ggplot2"))
+    threshold = c("lme4", "afex"), mark = "afex", press = "afex", clicks = c("glmmTMB", "lme4", "afex"))[kinds]), "ggplot2"))
   packages <- packages[vapply(packages, requireNamespace, NA, quietly = TRUE)]
   paste(packages, vapply(packages, function(p) as.character(utils::packageVersion(p)), ""))
 }

@@ -12,7 +12,9 @@ results_of_part <- function(part, everything = NULL) {
   measure <- measure_of(part)
   none <- why_no_test_of(part)
   tested <- is.null(none) && length(part$factors) > 0
-  fitted <- if (tested && part$response != "mark") factor_tests(part$trials, unname(part$factors), part$response)
+  fitted <- if (tested && !is_by_means(part)) {
+    factor_tests(part$trials, unname(part$factors), part$response)
+  }
   clicked <- clicked_events(part)
   tests <- combine_outcomes(outcome(remarks = none), constant_remarks(part$constant), fitted,
     if (tested) tests_of_means(part, measure), clicked$tests)
@@ -59,7 +61,7 @@ tests_of_means <- function(part, measure) {
 factor_paragraph <- function(factor, part, tests, measure) {
   with_minus_signs(c(
     means_words(part$trials, factor, measure),
-    if (part$response != "mark") factor_words(tests, factor, part$response),
+    if (!is_by_means(part)) factor_words(tests, factor, part$response),
     equivalence_words(level_comparisons(tests, kEquivalenceFamily, factor), factor),
     anova_words(tests, factor), friedman_words(tests, factor)))
 }

@@ -74,7 +74,7 @@ steps_of_results <- function(part) {
   if (part$response == "threshold") {
     return(c(stats::setNames(10 * share, kFunctionsStep), stats::setNames(20 * share, kHierarchicalStep)))
   }
-  if (part$response == "mark") return(stats::setNames(2, kMeansStep))
+  if (is_by_means(part)) return(stats::setNames(2, kMeansStep))
   links <- if (part$response != "clicks") unlist(lapply(factors, link_step, kOtherLinks))
   seconds <- 0.3 + c(rating = 1, answer = 5, clicks = 10)[[part$response]] * share
   c(

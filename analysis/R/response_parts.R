@@ -7,7 +7,9 @@
 #                                         └──> "threshold"          a level chosen trial by trial, or
 #                                                                   four numbers or more
 #   trial_response: slider ──────────────────> "mark"               a number on a line, by question
-#   click_trial ─────────────────────────────> "clicks"             counts in a time
+#   click_trial ─────────────────────────┬───> "clicks"             counts in a time
+#                                        └───> "press"              when the first came, where it ended
+#                                                                   the stimulus
 #
 # A part is a study as read_studies gives it, with `response`, `factors` (every factor of the design
 # that varies, in columns of `trials`) and `noun`. Where a part cannot be read its `why` says it.
@@ -31,7 +33,10 @@ parts_of_protocol <- function(path, protocol) {
     lapply(mark_questions(answers), function(question) {
       read_part(mark_part(path, protocol, question))
     }),
-    if (any(clicks$phase == "main")) list(read_part(click_part(path, protocol))))
+    if (any(clicks$phase == "main")) {
+      list(read_part(if (all(clicks$first_ends == 1)) press_part(path, protocol) else
+        click_part(path, protocol)))
+    })
   Filter(Negate(is.null), parts)
 }
 
@@ -173,6 +178,18 @@ click_part <- function(path, protocol) {
   with_factors_that_vary(keep_people_apart(with_every_factor(part)))
 }
 
+# Trials that a click ended, and when it came.
+press_part <- function(path, protocol) {
+  part <- read_trials(path, protocol, "click_trial", "main trials with a click",
+    where = "first_click_s IS NOT NULL")
+  part$trials$press_s <- part$trials$first_click_s
+  part$response <- "press"
+  with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+}
+
+# Is this response analysed by participants' means alone?
+is_by_means <- function(part) part$response %in% c("mark", "press")
+
 # A column for each factor of any main trial, under its own name or, where that is taken,
 # factor_NAME: R factors with their levels in rising order.
 with_every_factor <- function(part) {
@@ -203,7 +220,7 @@ with_factors_that_vary <- function(part) {
 # The title of a part's section.
 title_of_part <- function(part) {
   switch(part$response, rating = "Ratings", clicks = "Clicks",
-    mark = sprintf("Marks: %s", part$question),
+    mark = sprintf("Marks: %s", part$question), press = "Times of the click",
     threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
     answer = switch(part$kind, two_interval = "Choices of an interval", right = "Right answers",
       "Answers yes or no"))

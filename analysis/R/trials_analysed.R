@@ -169,6 +169,7 @@ catch_sentence <- function(study) {
 # What a participant gives in a trial of this study: a rating, an answer or, with clicks, the trial.
 answer_noun <- function(study) {
   if (!is.null(study$scale)) "rating" else if (identical(study$response, "clicks")) "trial" else
+    if (identical(study$response, "press")) "click" else
     if (identical(study$response, "mark")) "mark" else "answer"
 }
 

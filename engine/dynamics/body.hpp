@@ -21,6 +21,7 @@ struct BodyModel {
   double inverse_mass{0.0};                  ///< 1/kg
   Matrix3 inverse_inertia{Matrix3::Zero()};  ///< 1/(kg m²), body frame
   int material{0};                           ///< a number that restitutions are stated for
+  bool passes_through{false};                ///< touches nothing, neither bodies nor walls
 };
 
 /// Changes from step to step. The first four fields are what the state hash covers.

@@ -1,7 +1,8 @@
 // The second phase of a step: who may have met, by the bounds of where bodies went.
 //
-//   candidates   bodies whose swept bounds touch, but those that are out or neighbours in a figure;
-//                of more than can be found, those that begin near each other along an axis
+//   candidates   bodies whose swept bounds touch, but those that are out, pass through others or
+//                are neighbours in a figure; of more than can be found, those that begin near each
+//                other along an axis
 //   leave        of more than are granted, those that reach least into each other
 //   stop         fast pairs that would pass through each other, where they first touch
 //   walls        bodies that reach beyond the enclosure where they stand now
@@ -37,6 +38,11 @@ bool find_pairs(const Step& step, std::vector<BodyPair>& found) {
   if (world.finite.any_out()) {
     std::erase_if(found, [&world](const BodyPair& pair) {
       return world.finite.is_out(at(pair.a)) || world.finite.is_out(at(pair.b));
+    });
+  }
+  if (world.some_pass_through) {
+    std::erase_if(found, [&world](const BodyPair& pair) {
+      return world.models[at(pair.a)].passes_through || world.models[at(pair.b)].passes_through;
     });
   }
   if (world.figures) {
@@ -141,11 +147,12 @@ void stop_fast_pairs(const Step& step) {
   }
 }
 
-void add_wall_candidates(const Enclosure& enclosure, StepMemory& memory) {
+void add_wall_candidates(const Enclosure& enclosure, const std::vector<BodyModel>& models,
+                         StepMemory& memory) {
   const WallReach reaches(enclosure);
   for (std::size_t body = 0; body < memory.bounds.size(); ++body) {
     const auto& [bound, travelled_m, movable] = memory.bounds[body];
-    if (movable && reaches(bound)) {
+    if (movable && !models[body].passes_through && reaches(bound)) {
       memory.candidates.push_back({{static_cast<std::int32_t>(body), kEnclosure}, bound, bound});
     }
   }
@@ -166,7 +173,7 @@ void pair_bodies(const Step& step) {
     step.memory.bounds[body].bound.centre = world.states[body].pose.position;
   }
   if (step.settings.enclosure) {
-    add_wall_candidates(*step.settings.enclosure, step.memory);
+    add_wall_candidates(*step.settings.enclosure, world.models, step.memory);
   }
 }
 

@@ -171,7 +171,8 @@ void keep_centres_inside(const Step& step) {
   }
   for (const MovedBound& bound : step.memory.bounds) {
     const auto body = static_cast<std::size_t>(&bound - step.memory.bounds.data());
-    if (bound.movable && !step.world.finite.is_out(body)) {
+    if (bound.movable && !step.world.finite.is_out(body) &&
+        !step.world.models[body].passes_through) {
       stop_centre_at_walls(*settings.enclosure, settings.gravity_m_s2, step.input.dt_s,
                            step.world.models[body], step.world.states[body]);
     }

@@ -27,13 +27,16 @@ std::vector<BodyPair> overlapping_at_start(const World& world, int level) {
   const auto& enclosure = world.settings().enclosure;
   std::vector<BodyPair> found;
   for (std::size_t a = 0; a < placed.size(); ++a) {
+    if (world.models()[a].passes_through) {
+      continue;
+    }
     const bool movable = world.models()[a].inverse_mass > 0.0;
     const auto index_a = static_cast<std::int32_t>(a);
     if (enclosure && movable && touches(PairRefinement(placed[a], *enclosure, level))) {
       found.push_back({index_a, kEnclosure});
     }
     for (std::size_t b = a + 1; b < placed.size(); ++b) {
-      if ((movable || world.models()[b].inverse_mass > 0.0) &&
+      if (!world.models()[b].passes_through && (movable || world.models()[b].inverse_mass > 0.0) &&
           touches(PairRefinement(placed[a], placed[b], level))) {
         found.push_back({index_a, static_cast<std::int32_t>(b)});
       }

@@ -88,6 +88,7 @@ WorldState::WorldState(std::vector<BodyModel> bodies, std::vector<BodyState> beg
     if (body.inverse_mass == 0.0) {
       body.inverse_inertia.setZero();
     }
+    some_pass_through = some_pass_through || body.passes_through;
     placed.emplace_back(*body.tree);
   }
   order_bodies();

@@ -78,6 +78,7 @@ struct WorldState {
   std::vector<TouchingPair> touching;  ///< when the last step ended, sorted by bodies
   /// Of those that the last step had no work left for, the first in line.
   std::optional<BodyPair> next_to_begin;
+  bool some_pass_through{false};  ///< of the bodies
   bool has_spun{false};  ///< bodies 0 and 1 had the collision that an imposed spin waits for
   bool was_cut{false};   ///< some step so far was granted less than it asked for, but refinement
   bool watches_node_contacts{false};

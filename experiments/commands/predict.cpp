@@ -16,7 +16,7 @@
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/files/protocol_files.hpp"
-#include "experiments/observers/counterfactual_observer.hpp"
+#include "experiments/observers/imagining/counterfactual_observer.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/record/ports.hpp"

@@ -76,6 +76,11 @@ Design design_of_group(Design design, const Condition& group) {
   for (CatchTrials& kind : design.catch_trials) {
     kind.condition = with_group(kind.condition, group, design);
   }
+  for (Adaptation& stream : design.adaptation) {
+    for (Condition& condition : stream.conditions) {
+      condition = with_group(condition, group, design);
+    }
+  }
   for (Factor& factor : design.factors) {
     if (factor.between) {
       factor.levels = {find_level(group, factor.name)->value};

@@ -22,6 +22,31 @@ bool has_level(const Factor& factor, const LevelValue& level) {
   return std::find(factor.levels.begin(), factor.levels.end(), level) != factor.levels.end();
 }
 
+std::vector<ConditionBeside> conditions_beside(const Design& design) {
+  std::vector<ConditionBeside> beside;
+  const auto add = [&](const std::string& place, const Condition& condition) {
+    beside.push_back({place, condition});
+  };
+  for (std::size_t i = 0; i < design.catch_trials.size(); ++i) {
+    add("/design/catch_trials/" + std::to_string(i) + "/condition",
+        design.catch_trials[i].condition);
+  }
+  for (std::size_t i = 0; i < design.adaptation.size(); ++i) {
+    const std::vector<Condition>& conditions = design.adaptation[i].conditions;
+    for (std::size_t j = 0; j < conditions.size(); ++j) {
+      add("/design/adaptation/" + std::to_string(i) + "/conditions/" + std::to_string(j),
+          conditions[j]);
+    }
+  }
+  return beside;
+}
+
+bool has_levels(const Condition& condition, const Condition& levels) {
+  return std::all_of(levels.begin(), levels.end(), [&](const FactorLevel& level) {
+    return std::find(condition.begin(), condition.end(), level) != condition.end();
+  });
+}
+
 std::vector<double> numbers(const std::vector<LevelValue>& levels) {
   std::vector<double> numbers;
   numbers.reserve(levels.size());

@@ -61,6 +61,15 @@ struct CatchTrials {
   std::int64_t count{0};  ///< in each block
 };
 
+/// Trials that nothing is asked of, shown before the main trials whose conditions have the levels
+/// of `when`: so many before the first of each block, and before each other one.
+struct Adaptation {
+  Condition when;
+  std::vector<Condition> conditions;  ///< in turn; each with a level for every factor
+  std::int64_t first{0};
+  std::int64_t before_each{0};
+};
+
 /// Up-down (Levitt 1971): `down` positives in a row make the next trial harder, `up` negatives in a
 /// row easier. Levels are those of the factor, from hard (first) to easy (last).
 struct Staircase {
@@ -102,6 +111,7 @@ struct Design {
   std::int64_t practice_rounds{1};  ///< planned; later ones are for who needs them
   std::optional<Blocks> blocks{};
   std::vector<CatchTrials> catch_trials{};
+  std::vector<Adaptation> adaptation{};
   std::optional<Adaptive> adaptive{};    ///< `repetitions` is then 1
   std::int64_t most_practice_trials{0};  ///< the last round may be cut short; 0: it is whole
 };
@@ -113,6 +123,16 @@ const Factor* find_factor(const Design& design, const std::string& name);
 
 /// Every cell of the design, the last factor varying fastest.
 std::vector<Condition> cells(const Design& design);
+
+/// What is shown beside the cells and practice, and where a protocol says it, as a JSON Pointer.
+struct ConditionBeside {
+  std::string place;
+  Condition condition;
+};
+std::vector<ConditionBeside> conditions_beside(const Design& design);
+
+/// Whether all these levels are the condition's.
+bool has_levels(const Condition& condition, const Condition& levels);
 
 /// Whether it is one of the factor's.
 bool has_level(const Factor& factor, const LevelValue& level);

@@ -165,7 +165,42 @@ void order_main_trials(TrialBlocks& blocks, const Design& design, RandomStream& 
       std::to_string(kMostOrders) + " draws");
 }
 
+/// The block with what its trials adapt to; numbered in each of the adaptations, as shown.
+std::vector<PlannedTrial> with_adaptation(const std::vector<PlannedTrial>& block,
+                                          const std::vector<Adaptation>& adaptations,
+                                          std::vector<std::int64_t>& shown) {
+  std::vector<PlannedTrial> merged;
+  std::vector<bool> begun(adaptations.size());
+  for (const PlannedTrial& trial : block) {
+    for (std::size_t i = 0; i < adaptations.size(); ++i) {
+      const Adaptation& stream = adaptations[i];
+      if (!has_levels(trial.condition, stream.when)) {
+        continue;
+      }
+      const std::int64_t count = begun[i] ? stream.before_each : stream.first;
+      begun[i] = true;
+      for (std::int64_t number = 0; number < count; ++number) {
+        const auto turn = static_cast<std::size_t>(shown[i]) % stream.conditions.size();
+        PlannedTrial adaptor;
+        adaptor.phase = TrialPhase::kAdaptation;
+        adaptor.repetition = ++shown[i];
+        adaptor.condition = stream.conditions[turn];
+        adaptor.block = trial.block;
+        merged.push_back(std::move(adaptor));
+      }
+    }
+    merged.push_back(trial);
+  }
+  return merged;
+}
+
 }  // namespace
+
+TrialPhase phase_named(std::string_view name) {
+  const auto* const found = std::find(kTrialPhases.begin(), kTrialPhases.end(), name);
+  return found == kTrialPhases.end() ? TrialPhase::kMain
+                                     : static_cast<TrialPhase>(found - kTrialPhases.begin());
+}
 
 Plan make_plan(const Design& all_groups, const PlanKey& key) {
   const Design design =
@@ -179,8 +214,10 @@ Plan make_plan(const Design& all_groups, const PlanKey& key) {
   order_main_trials(blocks, design, order, catches);
 
   Plan plan = practice_trials(design);
+  std::vector<std::int64_t> adaptors(design.adaptation.size());
   for (const std::vector<PlannedTrial>& block : blocks) {
-    plan.insert(plan.end(), block.begin(), block.end());
+    const std::vector<PlannedTrial> shown = with_adaptation(block, design.adaptation, adaptors);
+    plan.insert(plan.end(), shown.begin(), shown.end());
   }
   for (std::size_t index = 0; index < plan.size(); ++index) {
     plan[index].slot = static_cast<std::int64_t>(index) + 1;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/design/design.hpp"
@@ -19,8 +21,17 @@ struct SolvedValue {
   friend bool operator==(const SolvedValue&, const SolvedValue&) = default;
 };
 
-/// Whether a trial is practice, which is never pooled, or counts.
-enum class TrialPhase { kPractice, kMain };
+/// Whether a trial is practice, which is never pooled, or counts; or adapts to what it shows, among
+/// those that count, and nothing is asked of it.
+enum class TrialPhase { kPractice, kMain, kAdaptation };
+
+/// Their names, as they are kept.
+inline constexpr std::array<std::string_view, 3> kTrialPhases{"practice", "main", "adaptation"};
+[[nodiscard]] constexpr std::string_view name_of(TrialPhase phase) {
+  return kTrialPhases[static_cast<std::size_t>(phase)];
+}
+/// The phase of this name; main when there is none.
+TrialPhase phase_named(std::string_view name);
 
 /// One trial to be shown.
 struct PlannedTrial {
@@ -35,6 +46,10 @@ struct PlannedTrial {
   std::optional<std::int64_t> track{};
   std::vector<SolvedValue> solved{};             ///< put into the scene beside the condition
   std::optional<std::int64_t> yoked_trial_id{};  ///< of the study, whose gaze the region follows
+
+  [[nodiscard]] bool is_practice() const { return phase == TrialPhase::kPractice; }
+  /// Whether its questions are asked.
+  [[nodiscard]] bool is_asked() const { return phase != TrialPhase::kAdaptation; }
 
   friend bool operator==(const PlannedTrial&, const PlannedTrial&) = default;
 };
@@ -62,8 +77,9 @@ struct PlanKey {
 ///
 /// Practice in its given order, then every cell × repetition (or the trials of every adaptive
 /// track) block by block, in an order drawn uniformly from those that satisfy the design's longest
-/// runs, with the catch trials spread among them. Throws std::runtime_error when no such order was
-/// found, and InputError when the participant's code has no number for a Latin square.
+/// runs, with the catch trials spread among them and what they adapt to before them. Throws
+/// std::runtime_error when no such order was found, and InputError when the participant's code has
+/// no number for a Latin square.
 Plan make_plan(const Design& design, const PlanKey& key);
 
 }  // namespace impetus::inline design

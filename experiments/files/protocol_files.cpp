@@ -28,8 +28,8 @@ MoreFiles files_of_design(const Protocol& protocol) {
     }
   };
   std::vector<Condition> beside;  // what is shown besides the design's own levels
-  for (const CatchTrials& kind : protocol.design.catch_trials) {
-    beside.push_back(kind.condition);
+  for (const ConditionBeside& each : conditions_beside(protocol.design)) {
+    beside.push_back(each.condition);
   }
   if (const TwoIntervalQuestion* question = find_two_interval(protocol.script)) {
     beside.push_back(question->standard_levels());

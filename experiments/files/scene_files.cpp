@@ -62,7 +62,7 @@ void hold_noticing(JsonDocument& scene, const std::filesystem::path& path) {
   const ObserverFile observer = load_observer(file.string(), path);
   if (observer.kind->name != "gaze-contingent") {
     refuse(observer.document, "/observer",
-           "expected gaze-contingent, who notices gaps, got " + json_text(observer.kind->name));
+           "expected gaze-contingent, who notices gaps, got " + json(observer.kind->name).dump());
   }
   json numbers;
   for (const char* name : {"threshold_arcmin", "crowding_per_body", "width_log10", "miss_rate"}) {

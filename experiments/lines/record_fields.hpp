@@ -278,7 +278,7 @@ template <typename E>
 struct Names;
 template <>
 struct Names<TrialPhase> {
-  static constexpr std::array kAll{"practice", "main"};
+  static constexpr auto kAll = kTrialPhases;
 };
 template <>
 struct Names<StateField> {

@@ -6,6 +6,9 @@
 // τ is the freeze, g the gap, as they were really shown; μ_i belongs to the participant. What is
 // rated is the impression: the better, the less is seen.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <optional>
+
 #include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/shown_truths.hpp"
 
@@ -22,25 +25,41 @@ struct LaunchingParameters : RatingParameters {
   double delay_width_ms{1.0};
   double gap_threshold_arcmin{0.0};
   double gap_width_arcmin{1.0};
+  double level{-1.0};
+  double mark_sd{0.1};
 };
 
 std::vector<ParameterEntry> launching_entries(LaunchingParameters& own) {
-  return {{"delay_threshold_ms", -kAny, kAny, &own.delay_threshold_ms,
-           "The delay at contact that breaks the impression half of the time, ms."},
-          {"delay_threshold_sd_ms", 0.0, kAny, &own.delay_threshold_sd_ms,
-           "Spread of that threshold between participants."},
-          {"delay_width_ms", 1e-3, kAny, &own.delay_width_ms,
-           "How wide its function is: a standard deviation."},
-          {"gap_threshold_arcmin", -kAny, kAny, &own.gap_threshold_arcmin,
-           "The gap that breaks the impression half of the time."},
-          {"gap_width_arcmin", 1e-3, kAny, &own.gap_width_arcmin,
-           "How wide its function is: a standard deviation."}};
+  return {
+      {"delay_threshold_ms", -kAny, kAny, &own.delay_threshold_ms,
+       "The delay at contact that breaks the impression half of the time, ms."},
+      {"delay_threshold_sd_ms", 0.0, kAny, &own.delay_threshold_sd_ms,
+       "Spread of that threshold between participants."},
+      {"delay_width_ms", 1e-3, kAny, &own.delay_width_ms,
+       "How wide its function is: a standard deviation."},
+      {"gap_threshold_arcmin", -kAny, kAny, &own.gap_threshold_arcmin,
+       "The gap that breaks the impression half of the time."},
+      {"gap_width_arcmin", 1e-3, kAny, &own.gap_width_arcmin,
+       "How wide its function is: a standard deviation."},
+      {"level", -1.0, 30.0, &own.level,
+       "Of an imposed launch, the level of the bodies' trees at which the gap is seen; -1, when "
+       "left out: of the outlines.",
+       true},
+      {"mark_sd", 0.0, 1.0, &own.mark_sd,
+       "Standard deviation of a mark on a line from what is meant, as a share of the line; 0.1 "
+       "when left out.",
+       true}};
 }
 
 /// Of what was shown: the longest freeze (ms) and the widest gap (minutes of arc).
-Percept shown_launch(const RatingParameters& /*parameters*/, const AttemptRecord& shown,
+Percept shown_launch(const RatingParameters& parameters, const AttemptRecord& shown,
                      const StagedScene& scene) {
-  return {longest_delay_ms(shown), widest_gap_arcmin(shown, scene)};
+  const double level = static_cast<const LaunchingParameters&>(parameters).level;
+  const double gap_arcmin = !scene.launch ? widest_gap_arcmin(shown, scene)
+                            : level < 0.0 ? launch_gap_arcmin(scene, std::nullopt)
+                                          : launch_gap_arcmin(scene, static_cast<int>(level));
+  return {scene.launch ? 1e3 * scene.launch->hold_s : longest_delay_ms(shown),
+          std::max(0.0, gap_arcmin)};
 }
 
 double seen_launch(const RatingParameters& parameters, const Traits& traits,
@@ -68,6 +87,10 @@ class LaunchingObserver final : public RatingObserver {
       : RatingObserver(parameters, birth, "launching"), parameters_(parameters) {
     traits_.threshold = normal();
     draw_traits();
+  }
+
+  double mark() override {
+    return std::clamp(1.0 - clearest() + parameters_.mark_sd * normal(), 0.0, 1.0);
   }
 
  private:

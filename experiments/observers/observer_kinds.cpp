@@ -10,15 +10,16 @@ namespace impetus::inline observers {
 
 using nlohmann::json;
 using DeclaredObserver = const ObserverKind&();
-DeclaredObserver causality_observer, counterfactual_observer, foreseeing_observer, gap_observer,
-    gap_thresholds_observer, gaze_observer, launching_observer, response_observer,
-    psychometric_observer;
+DeclaredObserver adapting_observer, awaiting_observer, causality_observer, counterfactual_observer,
+    foreseeing_observer, gap_observer, gap_thresholds_observer, gaze_observer, launching_observer,
+    response_observer, psychometric_observer;
 
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() {
   static const std::vector<std::reference_wrapper<const ObserverKind>> kinds{
-      causality_observer(), counterfactual_observer(), foreseeing_observer(),
-      gap_observer(),       gap_thresholds_observer(), gaze_observer(),
-      launching_observer(), psychometric_observer(),   response_observer()};
+      causality_observer(),    counterfactual_observer(), foreseeing_observer(),
+      gap_observer(),          gap_thresholds_observer(), gaze_observer(),
+      launching_observer(),    adapting_observer(),       awaiting_observer(),
+      psychometric_observer(), response_observer()};
   return kinds;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "experiments/run/collision_truth.hpp"
+#include "experiments/run/meeting.hpp"
 
 namespace impetus::inline observers {
 
@@ -13,6 +14,24 @@ double longest_delay_ms(const AttemptRecord& shown) {
     longest_s = std::max(longest_s, collision.report.imposed_hold_s);
   }
   return 1e3 * longest_s;
+}
+
+double launch_gap_arcmin(const StagedScene& scene, std::optional<int> level) {
+  constexpr double kArcminPerDegree = 60.0;
+  const Launch& launch = *scene.launch;
+  if (!level) {
+    return kArcminPerDegree * launch.gap_deg;
+  }
+  const std::vector<BodyModel>& models = scene.world.models();
+  const Pose& first = launch.stops;
+  const Pose& second = scene.start[launch.second].pose;
+  const Quaternion to_right = Quaternion::FromTwoVectors(launch.along, Vector3::UnitX());
+  const MeetingPlaces touching =
+      meeting_places(*models[launch.first].tree, to_right * first.orientation,
+                     *models[launch.second].tree, to_right * second.orientation, *level);
+  const double apart_m = launch.along.dot(second.position - first.position);
+  return kArcminPerDegree * (apart_m - (touching.b_m - touching.a_m)) /
+         metres_per_degree(scene.viewer.screen.viewing_distance_m);
 }
 
 double widest_gap_arcmin(const AttemptRecord& shown, const StagedScene& scene) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "experiments/record/record.hpp"
 #include "experiments/record/staged_scene.hpp"
 
@@ -9,6 +11,10 @@ namespace impetus::inline observers {
 
 /// The longest freeze at contact, ms; 0: none.
 double longest_delay_ms(const AttemptRecord& shown);
+
+/// Between the two bodies of a launch that is imposed where the first stops, along their way: of
+/// what is drawn, or of their bounds at a level of their trees. Below 0: it is over the second.
+double launch_gap_arcmin(const StagedScene& scene, std::optional<int> level);
 
 /// The widest gap between two bodies that collide, as seen, less its hidden share.
 double widest_gap_arcmin(const AttemptRecord& shown, const StagedScene& scene);

@@ -158,6 +158,17 @@ std::vector<std::string> design_lines(const Design& design,
                     (design.blocks ? " in each block" : "") +
                     ", outside the design: " + text_of(condition_words(trials.condition)) + ".");
   }
+  for (const Adaptation& stream : design.adaptation) {
+    std::string conditions;
+    for (const Condition& condition : stream.conditions) {
+      conditions += (conditions.empty() ? "" : "; ") + condition_words(condition);
+    }
+    lines.push_back("Adaptation where " + text_of(condition_words(stream.when)) + ": " +
+                    count_of(stream.first, "trial", "trials") + " before the first of a block, " +
+                    std::to_string(stream.before_each) +
+                    " before each other one, of which nothing is asked: " + text_of(conditions) +
+                    ".");
+  }
   if (!design.practice.empty()) {
     lines.push_back(practice_line(design));
   }

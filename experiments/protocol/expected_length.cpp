@@ -30,8 +30,13 @@ StimulusLength stimulus_length(const Protocol& protocol) {
 double expected_minutes(const Protocol& protocol, const Plan& plan) {
   double seconds = kAssumedReading_s;
   for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kPractice && trial.repetition > 1) {
+    if (trial.is_practice() && trial.repetition > 1) {
       continue;  // most need one round
+    }
+    if (!trial.is_asked()) {
+      seconds += duration_under(protocol, trial.condition) +
+                 protocol.script.timing.between_adaptors_ms / 1e3;
+      continue;
     }
     seconds += kAssumedAnswer_s + protocol.script.timing.interval_ms / 1e3;
     for (const PlannedTrial& shown : stimuli_of(protocol.script, trial)) {

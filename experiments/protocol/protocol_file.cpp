@@ -47,7 +47,7 @@ Protocol with_scene(Protocol protocol, JsonDocument scene) {
   check_responses(protocol);
   check_solve(protocol);
   check_levels(protocol);
-  check_catch_scenes(protocol);
+  check_scenes_beside(protocol);
   check_named_bodies(protocol);
   check_practice(protocol);
   check_practice_rule(protocol);

@@ -64,6 +64,11 @@ std::string summary(const Protocol& protocol, const Plan& plan) {
   if (practice > 0) {
     words += " after " + std::to_string(practice) + " of practice";
   }
+  const auto adaptors = std::count_if(plan.begin(), plan.end(),
+                                      [](const PlannedTrial& trial) { return !trial.is_asked(); });
+  if (adaptors > 0) {
+    words += ", among " + std::to_string(adaptors) + " of adaptation";
+  }
   return words + ", about " + number_words(std::ceil(expected_minutes(protocol, plan))) +
          " minutes. Everything below is read from " + file_code(protocol) +
          " and its scene; a change there changes the study.\n";

@@ -87,6 +87,19 @@ Kind<CatchTrials> catch_kind() {
                         required("count", &C::count, count(1, 1000), "In each block.")});
 }
 
+Kind<Adaptation> adaptation_kind() {
+  using A = Adaptation;
+  const Kind<std::int64_t> some = count(0, 10000);
+  return object<A>(
+      "Trials of which nothing is asked, so that what is seen after them is seen after them; never "
+      "pooled, and without fixation (timing/between_adaptors_ms).",
+      {required("when", &A::when, condition_kind(), "Levels of the trials that they precede."),
+       required("conditions", &A::conditions, list(condition_kind(), kSome),
+                "Shown in turn: a level for every factor, which need not be one of the design's."),
+       required("first", &A::first, some, "Before the first such trial of each block."),
+       required("before_each", &A::before_each, some, "Before each other one.")});
+}
+
 Kind<Staircase> staircase_kind() {
   using U = Staircase;
   const Kind<double> any = number({});
@@ -163,6 +176,7 @@ std::vector<Row<P>> design_rows() {
           row("blocks", &P::design, &D::blocks, blocks_kind()),
           row("catch_trials", &P::design, &D::catch_trials, list(catch_kind(), {}),
               "Trials outside the design, spread among the main ones and never pooled with them."),
+          row("adaptation", &P::design, &D::adaptation, list(adaptation_kind(), {1, 20})),
           row("adaptive", &P::design, &D::adaptive, adaptive_kind()),
           row("practice", &P::design, &D::practice, list(condition_kind(), {}),
               "Conditions shown first, in this order, with feedback on use of the scale."),
@@ -338,7 +352,9 @@ Row<S> timing_row() {
                                      "frames, or the least and the most, between which each "
                                      "stimulus has its own, drawn by the trial's seed."),
                             required("interval_ms", &T::interval_ms, duration,
-                                     "Blank between trials, at least this long.")}));
+                                     "Blank between trials, at least this long."),
+                            row("between_adaptors_ms", &T::between_adaptors_ms, duration,
+                                "The same before trials of adaptation; 0 when left out.")}));
 }
 
 const Kind<P>& protocol_kind() {
@@ -388,6 +404,11 @@ void complete(Protocol& protocol) {
   }
   for (CatchTrials& kind : design.catch_trials) {
     sort_levels(design, kind.condition);
+  }
+  for (Adaptation& stream : design.adaptation) {
+    for (Condition& condition : stream.conditions) {
+      sort_levels(design, condition);
+    }
   }
   for (Condition& condition : design.practice) {
     sort_levels(design, condition);

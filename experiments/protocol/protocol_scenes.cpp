@@ -95,8 +95,8 @@ int deepest_level_of(const Protocol& protocol) {
       look_at(condition);
     }
   }
-  for (const CatchTrials& kind : protocol.design.catch_trials) {
-    for (const Condition& condition : in_every_group(kind.condition, protocol.design)) {
+  for (const ConditionBeside& beside : conditions_beside(protocol.design)) {
+    for (const Condition& condition : in_every_group(beside.condition, protocol.design)) {
       look_at(condition);
     }
   }
@@ -137,8 +137,8 @@ void ProtocolScenes::build_shapes(const ScreenGeometry& screen) const {
       static_cast<void>(stage(shown, screen));
     }
   }
-  for (const CatchTrials& kind : protocol_->design.catch_trials) {
-    for (const Condition& condition : in_every_group(kind.condition, protocol_->design)) {
+  for (const ConditionBeside& beside : conditions_beside(protocol_->design)) {
+    for (const Condition& condition : in_every_group(beside.condition, protocol_->design)) {
       static_cast<void>(stage(condition, screen));
     }
   }

@@ -55,6 +55,14 @@ nlohmann::json with_own_levels(nlohmann::json document, const OwnLevels& own) {
       put_own(own, kind["condition"]);
     }
   }
+  if (design.contains("adaptation")) {
+    for (nlohmann::json& stream : design["adaptation"]) {
+      put_own(own, stream["when"]);
+      for (nlohmann::json& condition : stream["conditions"]) {
+        put_own(own, condition);
+      }
+    }
+  }
   if (design.contains("practice_until")) {
     nlohmann::json& rule = design["practice_until"];
     put_own(own, rule["factor"], rule["best"]);

@@ -188,12 +188,6 @@ std::vector<Condition> conditions_of(const Protocol& protocol, const SolveEntry&
   return cells(part);
 }
 
-bool has_levels(const Condition& condition, const Condition& levels) {
-  return std::all_of(levels.begin(), levels.end(), [&](const FactorLevel& level) {
-    return std::find(condition.begin(), condition.end(), level) != condition.end();
-  });
-}
-
 std::vector<SolvedValue> solve_one(const SolveTask& task, ShapeLibrary& shapes,
                                    const Progress& progress) {
   return task.entry.kind == kEqualLists ? solve_equal_lists(task, shapes, progress)

@@ -12,6 +12,20 @@ namespace {
 /// Nothing of its block matters before the analysis, which reads it from the protocol.
 class ClickTask final : public Question {
  public:
+  static Kind<std::shared_ptr<const Question>> rows() {
+    return block<ClickTask>(
+        "Clicks (mouse, or the space bar) during the stimulus, all kept raw.",
+        {unread<ClickTask>(
+             "merge_within_ms",
+             described("For the analysis: collisions of one kind closer than this are one event.",
+                       number({0, 10000})),
+             /*is_required=*/true),
+         row("first_ends", &ClickTask::first_ends_, flag(),
+             "The stimulus is over with the first, and when it comes is what counts; false when "
+             "left out.")});
+  }
+
+  [[nodiscard]] bool first_ends() const { return first_ends_; }
   [[nodiscard]] const ResponseKind& kind() const override { return click_kind(); }
 
   [[nodiscard]] Text feedback(const AttemptRecord& record,
@@ -23,13 +37,21 @@ class ClickTask final : public Question {
   }
 
   [[nodiscard]] std::string explanation(const Words& /*words*/) const override {
-    return "clicks are recorded";
+    return first_ends_ ? "a click is recorded, which ends it" : "clicks are recorded";
   }
+
+ private:
+  bool first_ends_{false};
 };
 
 }  // namespace
 
 bool takes_clicks(const Script& script) { return find_question<ClickTask>(script) != nullptr; }
+
+bool ends_with_click(const Script& script) {
+  const auto* task = find_question<ClickTask>(script);
+  return task != nullptr && task->first_ends();
+}
 
 const ResponseKind& click_kind() {
   static const ResponseKind kind{
@@ -37,13 +59,7 @@ const ResponseKind& click_kind() {
       .protocol_key = "clicks",
       .when = "during the stimulus",
       .table = "click",
-      .block = block<ClickTask>(
-          "Clicks (mouse, or the space bar) during the stimulus, all kept raw.",
-          {unread<ClickTask>(
-              "merge_within_ms",
-              described("For the analysis: collisions of one kind closer than this are one event.",
-                        number({0, 10000})),
-              /*is_required=*/true)}),
+      .block = ClickTask::rows(),
       .recorded = {{"number", "from 1"},
                    {"device", "mouse, key or simulated"},
                    {"arrived_ns", "own stamp when the event was taken from the queue"},

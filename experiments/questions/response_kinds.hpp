@@ -175,6 +175,8 @@ const Asked* find_question(const Script& script) {
 
 /// Whether clicks during the stimulus are asked for.
 bool takes_clicks(const Script& script);
+/// Whether the first of them ends it.
+bool ends_with_click(const Script& script);
 
 /// Whether the script has a question that can be answered right or wrong.
 bool has_right_answers(const Script& script);

@@ -46,7 +46,8 @@ struct TrainingRule {
 /// How long a trial takes besides its stimulus.
 struct TrialTiming {
   FixationTime fixation;
-  double interval_ms{700.0};  ///< blank, between trials; nothing in it is timed
+  double interval_ms{700.0};        ///< blank, between trials; nothing in it is timed
+  double between_adaptors_ms{0.0};  ///< the same before trials of adaptation, without fixation
 };
 
 /// A calibration of the gaze before practice: 9 points, then a validation; a drift check at breaks.

@@ -72,10 +72,9 @@ Page demographics_page(const std::vector<Field>& fields, const SessionProgress& 
   return page;
 }
 
-Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
+Page phase_intro(TrialPhase phase, std::int64_t round, std::int64_t count,
                  const SessionProgress& progress) {
   const Language& language = progress.language;
-  const auto count = static_cast<std::int64_t>(trials);
   if (phase == TrialPhase::kPractice) {
     return text_page({language.text("practice"),
                       {round > 1 ? language.counted_text("practice_another", count)

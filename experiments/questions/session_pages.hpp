@@ -33,7 +33,7 @@ Page refusal_page(const SessionProgress& progress);
 Page declined_page(const SessionProgress& progress);
 Page demographics_page(const std::vector<Field>& fields, const SessionProgress& progress);
 /// Before the trials of a phase; `round` is of practice, 1 for the first.
-Page phase_intro(TrialPhase phase, std::int64_t round, std::size_t trials,
+Page phase_intro(TrialPhase phase, std::int64_t round, std::int64_t count,
                  const SessionProgress& progress);
 /// Before training.
 Page training_intro(const TrainingRule& rule, const SessionProgress& progress);

@@ -138,6 +138,9 @@ std::int64_t test_interval(const Script& script, const PlannedTrial& trial) {
 }
 
 std::vector<PlannedTrial> stimuli_of(const Script& script, const PlannedTrial& trial) {
+  if (!trial.is_asked()) {
+    return {trial};
+  }
   std::vector<PlannedTrial> stimuli;
   for (Condition& condition : shown_conditions(script, trial.condition)) {
     stimuli.push_back(trial);

@@ -13,7 +13,7 @@ Picture picture_of(const StagedScene& scene, const std::vector<Pose>& poses, dou
     picture.appearance = scene.appearance;
   }
   for (std::size_t body = 0; body < poses.size(); ++body) {
-    picture.bodies.push_back({poses[body], scene.looks[body]});
+    picture.bodies.push_back({poses[body], scene.looks[body].at(time_s)});
   }
   if (!poses.empty()) {
     flash(scene.flashing, time_s, picture.bodies);

@@ -78,6 +78,12 @@ struct DrawnBody {
   /// Meshes to draw instead where the body is one of a crowd; none: always its own.
   std::shared_ptr<const DrawnLevels> coarser{};
   std::optional<SurfaceTexture> texture{};  ///< its own; none: the appearance's
+  double from_s{0.0};                       ///< it is not seen before
+
+  /// So long after onset: a sphere of nothing while it is not seen.
+  [[nodiscard]] DrawnBody at(double time_s) const {
+    return time_s < from_s ? DrawnBody{name, 0.0, colour} : *this;
+  }
 };
 
 /// Where collisions are of high priority, for schedules by region.
@@ -122,6 +128,25 @@ struct Goal {
   }
 };
 
+/// A body that moves on as nothing in the world makes it: not physics.
+struct ImposedMotion {
+  std::size_t body{0};
+  std::int64_t after_step{0};  ///< 0: from onset on
+  Vector3 velocity_m_s{Vector3::Zero()};
+};
+
+/// One body that stops at another, which then moves off: what is imposed, as it is seen.
+struct Launch {
+  std::size_t first{0};
+  std::size_t second{0};
+  Vector3 along{Vector3::UnitX()};  ///< the way of both
+  double speed_deg_s{0.0};          ///< of the first
+  Pose stops;                       ///< the first, then; the second is where it starts
+  double gap_deg{0.0};           ///< between their outlines then, along the way; below 0: over it
+  double second_width_deg{0.0};  ///< of the second's outline along the way
+  double hold_s{0.0};            ///< until the second moves off
+};
+
 /// How much a step may do; at most one of the two limits.
 struct WorkBudget {
   std::int64_t tests_per_step{kUnlimitedTests};  ///< units of work: see WorldSettings::costs
@@ -139,6 +164,8 @@ struct StagedScene {
   double unseen_s{0.0};        ///< after duration_s: what would happen then is hidden
   Flashing flashing{};         ///< while it is still
   std::optional<Goal> goal{};  ///< which may end it sooner
+  std::optional<Launch> launch{};
+  std::vector<ImposedMotion> imposed_motions{};
   std::vector<BodyState> start{};  ///< of the bodies at onset, whatever becomes of the world
   double contact_s{0.0};           ///< when two bodies are to meet, from onset; 0: nothing is to
   double intended_hold_s{0.0};     ///< the freeze at contact that the condition asks for

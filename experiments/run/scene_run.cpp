@@ -49,6 +49,7 @@ const StepReport& SceneRun::step(const Fixation& fixation,
 
 const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<GazeRegion>& region,
                                  WorkMeter& meter) {
+  impose_motions();
   before_ = scene_.world.states();
   ++number_;
   input_ = {1.0 / scene_.step_hz, viewer_at(number_), fixation, region};
@@ -61,6 +62,16 @@ const StepReport& SceneRun::step(const Fixation& fixation, const std::optional<G
     watch_goal(report);
   }
   return report;
+}
+
+void SceneRun::impose_motions() {
+  for (const ImposedMotion& motion : scene_.imposed_motions) {
+    const BodyModel& model = scene_.world.models()[motion.body];
+    if (motion.after_step == number_ && model.inverse_mass > 0.0) {
+      scene_.world.mutable_states()[motion.body].linear_momentum =
+          motion.velocity_m_s / model.inverse_mass;
+    }
+  }
 }
 
 /// Whether the step that was begun ends within the still part.

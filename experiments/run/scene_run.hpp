@@ -69,6 +69,7 @@ class SceneRun {
   [[nodiscard]] std::vector<Pose> poses(double fraction) const;
 
  private:
+  void impose_motions();
   [[nodiscard]] bool is_still() const;
   void watch_goal(const StepReport& report);
 

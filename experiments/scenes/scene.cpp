@@ -2,6 +2,7 @@
 #include "experiments/scenes/scene.hpp"
 
 #include "engine/numerics/elementary_functions.hpp"
+#include "experiments/scenes/plane/plane_rows.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -64,38 +65,6 @@ Kind<ViewerSettings> viewer_kind() {
                "from above; 0 when left out.")});
 }
 
-Kind<PlaneSettings> plane_kind() {
-  using P = PlaneSettings;
-  return object<P>(
-      "The plane of the screen, seen from above like a table, in pixels of its own: what ends in "
-      "_px counts in them, to the right and up. It stands on the screen in degrees, whatever the "
-      "screen's own pixels are.",
-      {required("px_per_deg", &P::px_per_deg, number(above(0, 1000))),
-       required("origin_px", &P::origin_px, several<2>(number({-1e5, 1e5})),
-                "Of the plane, the point at the screen's centre.")});
-}
-
-Kind<GoalSettings> goal_kind() {
-  using G = GoalSettings;
-  return object<G>(
-      "A body is through when its centre has crossed a line of the plane. The stimulus ends "
-      "follow_s after that, or after what keeps it from the line has sent it back, and when its "
-      "time is over.",
-      {required("body", &G::body, text()),
-       required("side", &G::side,
-                choice<G::Side>({{"left", G::Side::kLeft},
-                                 {"right", G::Side::kRight},
-                                 {"below", G::Side::kBelow},
-                                 {"above", G::Side::kAbove}}),
-                "Where it is when it is through."),
-       required("line_px", &G::line_px, number({-1e5, 1e5}),
-                "The line's place along x (left, right) or y."),
-       row("missed_at", &G::missed_at, list(text(), {1, 100, true}),
-           "Bodies that end it, too, once one of them is touched and sends it back; none when left "
-           "out."),
-       required("follow_s", &G::follow_s, number({0, 60}))});
-}
-
 Kind<BodySettings> body_kind() {
   using B = BodySettings;
   return object<B>(
@@ -115,6 +84,8 @@ Kind<BodySettings> body_kind() {
        row("fixed", &B::fixed, flag(),
            "Nothing moves or turns it; bodies that are fixed may overlap each other and the "
            "enclosure."),
+       row("passes_through", &B::passes_through, flag(),
+           "It touches nothing, as a curtain that hides what is behind it; false when left out."),
        row("material", &B::material, material_kind()),
        required("colour", &B::colour, colour_kind()),
        row("texture", &B::texture, texture_kind(), "In place of the appearance's.")});
@@ -310,7 +281,8 @@ Kind<ImposedSettings> imposed_kind() {
   return object<I>(
       "Manipulations that are not physics; recorded as such with each collision.",
       {row("contact_hold_ms", &I::contact_hold_ms, number({0, 60000}),
-           "Both bodies freeze where they touch for this long: a whole number of frames."),
+           "Both bodies freeze where they touch for this long, or where a launch has them: a whole "
+           "number of frames."),
        row("random_spin", &I::random_spin, random_spin_kind()),
        row("gaze_latency_ms", &I::gaze_latency_ms, number({0, 10000}),
            "Samples of the gaze younger than this are not used yet; added to the protocol's "
@@ -334,6 +306,9 @@ Scene in_degrees(Scene scene) {
   for (BodySettings& body : *scene.bodies) {
     if (body.position_px) {
       body.position_deg = plane.place_deg(*body.position_px);
+    }
+    if (scene.launch && body.name == scene.launch->first && !body.position_deg) {
+      body.position_deg = Vector3::Zero();  // until launch_states() knows its own
     }
     if (body.velocity_px_s) {
       const auto& [x, y] = *body.velocity_px_s;
@@ -383,6 +358,7 @@ const Kind<Scene>& scene_kind() {
                row("duration_s", &S::duration_s, number(above(0, 3600)),
                    "Of the scene from where it begins to move, where nothing meets."),
                row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
+               row("launch", &S::launch, launch_kind()),
                row("distractors", &S::distractors, distractors_kind()),
                row("imposed", &S::imposed, imposed_kind())})));
   return kind;

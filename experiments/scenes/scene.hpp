@@ -4,6 +4,7 @@
 //   build_scene()
 //
 //   meeting   two bodies that approach along x and touch at the centre
+//   launch    in a plane, one body that stops at another, which moves off
 //   crowd     bodies alike, or figures alike, at random places within walls
 //   neither   bodies and figures with places and velocities of their own, within walls or without
 //
@@ -51,6 +52,19 @@ struct GoalSettings {
   double follow_s{0.0};
 };
 
+/// One body stops at another, which moves off: imposed, not physics.
+struct LaunchSettings {
+  std::string first;
+  std::string second;
+  double speed_px_s{0.0};
+  double direction_deg{0.0};
+  double gap_px{0.0};
+  std::optional<double> second_speed_px_s;
+  std::optional<double> appears_px;
+  double lead_s{0.0};
+  double follow_s{0.0};
+};
+
 /// Where the viewer looks from.
 struct ViewerSettings {
   double azimuth_deg{0.0};
@@ -71,6 +85,7 @@ struct BodySettings {
   std::optional<std::array<double, 2>> velocity_px_s;
   double density_kg_m3{1000.0};
   std::optional<bool> fixed;
+  bool passes_through{false};
   std::string material;  ///< "": none
   Colour colour{};
   std::optional<SurfaceTexture> texture;
@@ -198,6 +213,7 @@ struct Scene {
   ShowingSettings showing;
   std::optional<GoalSettings> goal;
   std::optional<MeetingSettings> meeting;
+  std::optional<LaunchSettings> launch;
   std::optional<DistractorSettings> distractors;
   std::optional<ImposedSettings> imposed;
 
@@ -223,9 +239,15 @@ struct Scene {
   [[nodiscard]] double intended_hold_s() const {
     return imposed ? imposed->contact_hold_ms.value_or(0.0) / 1e3 : 0.0;
   }
+  /// From the first step of the world until two bodies are to meet, seconds; 0: nothing is to.
+  [[nodiscard]] double meeting_s() const {
+    return meeting ? meeting->lead_s : launch ? launch->lead_s : 0.0;
+  }
   /// From the first step of the world to the scene's end, seconds, with a hold of `hold_s`.
   [[nodiscard]] double moving_s(double hold_s) const {
-    return meeting ? meeting->lead_s + hold_s + meeting->follow_s : *duration_s;
+    return meeting  ? meeting->lead_s + hold_s + meeting->follow_s
+           : launch ? launch->lead_s + hold_s + launch->follow_s
+                    : *duration_s;
   }
   /// From onset to the end of the stimulus: still, then as much of the moving as is not hidden.
   [[nodiscard]] double lasting_s(double hold_s) const {

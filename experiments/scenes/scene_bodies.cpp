@@ -54,6 +54,7 @@ SceneBodies bodies_of(const Scene& scene, double metres_per_degree, ShapeLibrary
     add_body({body.name, body.colour, body.density_kg_m3, material_number(scene, body.material),
               body.fixed.value_or(false), scene.no_spin()},
              library.shape(body.shape, scene.meshes, frame), name_of_shape(body.shape), bodies);
+    bodies.models.back().passes_through = body.passes_through;
     bodies.looks.back().texture = body.texture;
   }
   add_figures(scene, frame, library, bodies);

@@ -10,6 +10,7 @@
 #include "experiments/scenes/engine_checks.hpp"
 #include "experiments/scenes/figures/figure_checks.hpp"
 #include "experiments/scenes/plane/scene_goal.hpp"
+#include "experiments/scenes/plane/scene_launch.hpp"
 #include "experiments/scenes/plane/scene_plane.hpp"
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
@@ -125,7 +126,9 @@ void add_crowd_problems(const Scene& scene, ShapeLibrary& library, SceneProblems
 }
 
 void add_free_problems(const Scene& scene, SceneProblems& problems) {
-  require_key(scene.duration_s.has_value(), "duration_s", "where nothing meets", problems);
+  if (!scene.launch) {
+    require_key(scene.duration_s.has_value(), "duration_s", "where nothing meets", problems);
+  }
   const auto bodies = scene.named_bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodySettings& body = bodies[i];
@@ -159,6 +162,7 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_appearance_problems(scene, problems);
   add_plane_problems(scene, problems);
   add_goal_problems(scene, problems);
+  add_launch_problems(scene, problems);
   add_showing_problems(scene, problems);
   if (scene.has_figures()) {
     add_figure_problems(scene, problems);

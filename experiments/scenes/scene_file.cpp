@@ -17,6 +17,7 @@
 #include "experiments/scenes/engine_setup.hpp"
 #include "experiments/scenes/figures/scene_figures.hpp"
 #include "experiments/scenes/plane/scene_goal.hpp"
+#include "experiments/scenes/plane/scene_launch.hpp"
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_bodies.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
@@ -158,6 +159,10 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   } else {
     states = starting_states(scene, bodies, m_per_deg, viewer, start);
   }
+  std::optional<Launch> launch;
+  if (scene.launch) {
+    launch = launch_of(scene, m_per_deg, realised_s, bodies, states);
+  }
   WorldSettings settings = world_settings_of(scene);
   settings.imposed_spin = imposed_spin_of(scene, seed);
   settings.imposed_hold_s = realised_s;
@@ -168,10 +173,14 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   StagedScene staged{World(std::move(bodies.models), std::move(states), std::move(settings)),
                      viewer, std::move(bodies.looks)};
   staged.start = staged.world.states();
+  if (launch) {
+    staged.imposed_motions = motions_of(scene, *launch, m_per_deg);
+  }
+  staged.launch = launch;
   staged.step_hz = engine.step_hz;
   apply_showing(scene, realised_s, staged);
   staged.goal = goal_of(scene, m_per_deg);
-  staged.contact_s = scene.meeting ? staged.still_s + scene.meeting->lead_s : 0.0;
+  staged.contact_s = scene.meeting_s() > 0.0 ? staged.still_s + scene.meeting_s() : 0.0;
   staged.intended_hold_s = intended_s;
   staged.no_spin = scene.no_spin();
   staged.realised_hold_s = realised_s;
@@ -191,6 +200,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
 const std::vector<FrameBoundValue>& frame_bound_values() {
   static const std::vector<FrameBoundValue> values{{"/still_s", 1.0, false},
                                                    {"/meeting/lead_s", 1.0, false},
+                                                   {"/launch/lead_s", 1.0, false},
                                                    {"/imposed/contact_hold_ms", 1e-3, true}};
   return values;
 }

@@ -7,8 +7,8 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/run/collision_truth.hpp"
+#include "experiments/run/meeting.hpp"
 #include "experiments/scenes/engine_setup.hpp"
-#include "experiments/scenes/meeting.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 
 namespace impetus::inline scenes {

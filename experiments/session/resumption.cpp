@@ -7,7 +7,7 @@ namespace {
 /// The block of the first main trial that waits, where some of the main trials are done.
 std::optional<std::int64_t> begun_block(const Plan& plan, const SessionHistory& history) {
   for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kMain && !history.completed_slots.contains(trial.slot)) {
+    if (!trial.is_practice() && !history.completed_slots.contains(trial.slot)) {
       return trial.block;
     }
   }
@@ -18,7 +18,7 @@ std::set<std::int64_t> done_of_block(const Plan& plan, const SessionHistory& his
                                      std::int64_t block) {
   std::set<std::int64_t> done;
   for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kMain && trial.block == block &&
+    if (!trial.is_practice() && trial.block == block &&
         history.completed_slots.contains(trial.slot)) {
       done.insert(trial.slot);
     }

@@ -14,13 +14,16 @@ void SessionStanding::complete(const PlannedTrial& trial, const PracticeResult& 
 
 PhaseTrials SessionStanding::trials_of(TrialPhase phase, std::int64_t round) const {
   PhaseTrials trials;
+  const bool of_practice = phase == TrialPhase::kPractice;
   for (const PlannedTrial& trial : plan_) {
-    if (trial.phase != phase || (round > 0 && trial.repetition != round)) {
+    if (trial.is_practice() != of_practice || (round > 0 && trial.repetition != round)) {
       continue;
     }
-    ++trials.total;
+    trials.total += trial.is_asked() ? 1 : 0;
     if (!is_completed(trial.slot)) {
       trials.waiting.push_back(&trial);
+    } else {
+      trials.done += trial.is_asked() ? 1 : 0;
     }
   }
   return trials;
@@ -40,8 +43,9 @@ std::vector<PracticeResult> SessionStanding::practice_results(std::int64_t round
 }
 
 bool SessionStanding::main_has_begun() const {
-  const PhaseTrials main = trials_of(TrialPhase::kMain, 0);
-  return static_cast<std::int64_t>(main.waiting.size()) < main.total;
+  return std::any_of(plan_.begin(), plan_.end(), [&](const PlannedTrial& trial) {
+    return !trial.is_practice() && is_completed(trial.slot);
+  });
 }
 
 bool SessionStanding::is_block_done(std::int64_t block) const {
@@ -80,8 +84,7 @@ std::int64_t SessionStanding::completed_count() const {
 
 SessionProgress SessionStanding::progress() const {
   const auto total = std::count_if(plan_.begin(), plan_.end(), [&](const PlannedTrial& trial) {
-    return trial.phase == TrialPhase::kMain || trial.repetition <= round_ ||
-           is_completed(trial.slot);
+    return !trial.is_practice() || trial.repetition <= round_ || is_completed(trial.slot);
   });
   return {completed_count(), total, "", false, language_, light_pages_};
 }

@@ -26,10 +26,12 @@ struct SessionHistory {
   std::map<std::int64_t, bool> counted_answers;  ///< to adaptive trials, by slot; none: timed out
 };
 
-/// The trials of one phase, or of one round of practice, in the order of the plan.
+/// The trials of one phase, or of one round of practice, in the order of the plan; among the main
+/// ones what they adapt to, which no number counts.
 struct PhaseTrials {
   std::vector<const PlannedTrial*> waiting;
   std::int64_t total{0};
+  std::int64_t done{0};
 };
 
 /// Keeps count of the plan's trials while a session runs.

@@ -37,6 +37,7 @@ StagedScene staged(const PlannedTrial& trial, const Ports& ports) {
 Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Script& script,
                    const SessionProgress& progress, const Ports& ports, GazeFollower& follower)
     : interval_(interval),
+      is_asked_(shown.is_asked()),
       seed_(shown.seed),
       script_(script),
       progress_(progress),
@@ -69,8 +70,9 @@ Interruption Stimulus::show() {
 bool Stimulus::show_fixation() {
   Picture cross = blank();
   cross.fixation_cross = true;
-  const std::int64_t frames =
-      fixation_frames(script_.timing.fixation, seed_, interval_, ports_.display.refresh_hz());
+  const std::int64_t frames = is_asked_ ? fixation_frames(script_.timing.fixation, seed_, interval_,
+                                                          ports_.display.refresh_hz())
+                                        : 0;
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
       return false;
@@ -100,6 +102,9 @@ bool Stimulus::show_scene() {
     if (frame == 0) {
       record_.onset_ns = record_.frames.back().flip.flipped_ns;
       record_.clicks.clear();  // made before there was anything to see
+    }
+    if (ends_with_click(script_) && !record_.clicks.empty()) {
+      last_frame = frame;
     }
   }
   take_simulation(last_frame);

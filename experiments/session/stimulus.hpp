@@ -62,6 +62,7 @@ class Stimulus {
   [[nodiscard]] std::int64_t first_frame(std::int64_t step, std::int64_t last_shown) const;
 
   std::int64_t interval_;
+  bool is_asked_;
   std::uint64_t seed_;
   const Script& script_;
   const SessionProgress& progress_;

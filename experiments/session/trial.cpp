@@ -69,7 +69,9 @@ class Attempt {
     ports_.display.restart_grid();
     Picture between_trials = stimuli_.front().blank();
     between_trials.progress = progress_;
-    if (!show_for(script_.timing.interval_ms, between_trials)) {
+    const TrialTiming& timing = script_.timing;
+    if (!show_for(asked_.trial.is_asked() ? timing.interval_ms : timing.between_adaptors_ms,
+                  between_trials)) {
       return false;
     }
     progress_.gaze_was_lost = false;  // the mark is gone when the trial begins
@@ -121,6 +123,9 @@ class Attempt {
     }
     for (Stimulus& stimulus : stimuli_) {
       stimulus.be_witnessed();
+    }
+    if (!asked_.trial.is_asked()) {
+      return true;
     }
     std::vector<std::optional<Answer>> answers(script_.asked.size());
     for (const std::size_t place : order_of_questions(script_, asked_.trial.seed)) {

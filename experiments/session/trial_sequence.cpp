@@ -17,13 +17,14 @@ bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   if (trials.waiting.empty()) {
     return true;
   }
-  if (!sitting_.ask(phase_intro(phase, round, trials.waiting.size(), sitting_.progress()))) {
+  if (!sitting_.ask(phase_intro(phase, round, trials.total - trials.done, sitting_.progress()))) {
     return false;
   }
-  std::int64_t done = trials.total - static_cast<std::int64_t>(trials.waiting.size());
+  std::int64_t done = trials.done;
   for (const PlannedTrial* trial : trials.waiting) {
-    const SessionProgress here = sitting_.standing.trial_progress(phase, done + 1, trials.total);
-    if (!run_one(*trial, here, ++done, trials.total)) {
+    SessionProgress here = sitting_.standing.trial_progress(phase, done + 1, trials.total);
+    if (!trial->is_asked() ? !run_trial(*trial, std::move(here))
+                           : !run_one(*trial, here, ++done, trials.total)) {
       return false;
     }
   }

@@ -97,11 +97,10 @@ int64_t find_or_insert_protocol(SQLite::Database& database, const ProtocolTexts&
 }
 
 int64_t insert_trial(SQLite::Database& database, int64_t enrolment, const StoredTrial& trial) {
-  const bool practice = trial.phase == TrialPhase::kPractice;
   return insert_row(database, "trial",
                     {{"enrolment_id", enrolment},
                      {"slot", trial.slot},
-                     {"phase", practice ? "practice" : "main"},
+                     {"phase", std::string(name_of(trial.phase))},
                      {"repetition", trial.repetition},
                      {"condition", trial.condition},
                      {"seed", trial.seed},
@@ -125,9 +124,8 @@ std::vector<StoredTrial> load_trials(SQLite::Database& database, int64_t enrolme
            "adaptive_state, solved, yoked_trial_id "
            "FROM trial WHERE enrolment_id = ? ORDER BY slot",
            enrolment_id)) {
-    trials.push_back({id, slot, phase == "practice" ? TrialPhase::kPractice : TrialPhase::kMain,
-                      repetition, condition, seed, block, catch_trial, track, state, solved,
-                      yoked});
+    trials.push_back({id, slot, phase_named(phase), repetition, condition, seed, block, catch_trial,
+                      track, state, solved, yoked});
   }
   return trials;
 }

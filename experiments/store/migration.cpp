@@ -13,6 +13,7 @@
 #include "experiments/store/embedded_migration_6_7.hpp"
 #include "experiments/store/embedded_migration_7_8.hpp"
 #include "experiments/store/embedded_migration_8_9.hpp"
+#include "experiments/store/embedded_migration_9_10.hpp"
 #include "experiments/store/embedded_schema.hpp"
 #include "experiments/store/embedded_views.hpp"
 #include "experiments/store/rows.hpp"
@@ -105,7 +106,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   if (version < 9) {
     database.exec(kMigrationFrom8To9Sql);
   }
-  // From 9 to 10 only views changed.
+  if (version < 10) {
+    database.exec(kMigrationFrom9To10Sql);
+  }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));
   transaction.commit();

@@ -103,7 +103,8 @@ CREATE TABLE trial (
   id INTEGER PRIMARY KEY,
   enrolment_id INTEGER NOT NULL REFERENCES enrolment (id),
   slot INTEGER NOT NULL CHECK (slot >= 1),  -- place in the plan
-  phase TEXT NOT NULL CHECK (phase IN ('practice', 'main')),  -- practice is never pooled
+  -- Only main trials are pooled; of those of adaptation nothing is asked.
+  phase TEXT NOT NULL CHECK (phase IN ('practice', 'main', 'adaptation')),
   repetition INTEGER NOT NULL CHECK (repetition >= 1),  -- of its condition
   condition TEXT NOT NULL CHECK (json_valid(condition)),  -- {"factor": level, ...}
   seed INTEGER NOT NULL,              -- of the trial's own draws

@@ -25,7 +25,7 @@ std::optional<std::int32_t> body_of(const std::string& name,
 std::vector<StoredAttempt> load_attempts(StudyFile& study) {
   SQLite::Statement query(
       study.database(),
-      "SELECT attempt.id, trial.id, pseudonym, protocol_id, slot, phase = 'practice', repetition, "
+      "SELECT attempt.id, trial.id, pseudonym, protocol_id, slot, phase, repetition, "
       "condition, trial.solved, trial.seed, number, outcome = 'completed', "
       "(SELECT count(*) FROM trial AS planned WHERE planned.enrolment_id = enrolment.id), "
       "recording_format, build, screen_width_m, screen_height_m, screen_width_px, "
@@ -40,15 +40,15 @@ std::vector<StoredAttempt> load_attempts(StudyFile& study) {
     StoredAttempt& attempt = attempts.emplace_back();
     StoredTrial& trial = attempt.trial;
     ScreenGeometry& screen = attempt.screen;
-    bool practice = false;
+    std::string phase;
     NextColumn(query) >> attempt.id >> trial.id >> attempt.participant >> attempt.protocol_id >>
-        trial.slot >> practice >> trial.repetition >> trial.condition >> trial.solved >>
-        trial.seed >> attempt.number >> attempt.completed >> attempt.trials_planned >>
-        attempt.recording_format >> attempt.build >> screen.width_m >> screen.height_m >>
-        screen.width_px >> screen.height_px >> screen.viewing_distance_m >> attempt.refresh_hz >>
-        attempt.rounding_allowed >> attempt.onset_ns >> attempt.rating >> attempt.answered_ns;
+        trial.slot >> phase >> trial.repetition >> trial.condition >> trial.solved >> trial.seed >>
+        attempt.number >> attempt.completed >> attempt.trials_planned >> attempt.recording_format >>
+        attempt.build >> screen.width_m >> screen.height_m >> screen.width_px >> screen.height_px >>
+        screen.viewing_distance_m >> attempt.refresh_hz >> attempt.rounding_allowed >>
+        attempt.onset_ns >> attempt.rating >> attempt.answered_ns;
     attempt.trial_id = trial.id;
-    trial.phase = practice ? TrialPhase::kPractice : TrialPhase::kMain;
+    trial.phase = phase_named(phase);
   }
   return attempts;
 }

@@ -272,9 +272,13 @@ SELECT participant.pseudonym AS participant,
        trial.repetition AS repetition,
        trial.condition AS condition,
        (SELECT count(*) FROM click WHERE click.attempt_id = attempt.id) AS clicks,  -- all of them
+       (SELECT (min(click.arrived_ns) - attempt.onset_ns) / 1e9 FROM click
+        WHERE click.attempt_id = attempt.id) AS first_click_s,  -- of the stimulus; NULL: none
        (SELECT max(frame.shown_time_s) FROM frame WHERE frame.attempt_id = attempt.id)
          AS exposure_s,  -- how much of the stimulus was shown; NULL: no frame was recorded
-       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms  -- NULL: none
+       json_extract(protocol.protocol_json, '$.clicks.merge_within_ms') AS merge_within_ms,  -- NULL: none
+       ifnull(json_extract(protocol.protocol_json, '$.clicks.first_ends'), 0)
+         AS first_ends  -- 1: the first click ended the stimulus
 FROM attempt
 JOIN trial ON trial.id = attempt.trial_id
 JOIN enrolment ON enrolment.id = trial.enrolment_id

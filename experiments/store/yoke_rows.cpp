@@ -57,15 +57,15 @@ std::optional<YokePartner> least_followed_partner(StudyFile& study, const std::s
 
 std::vector<YokeSource> yoke_sources(StudyFile& study, const YokePartner& partner) {
   std::vector<YokeSource> sources;
-  for (const auto& [id, slot, is_practice, repetition, catch_trial, condition, completed] :
-       load_rows<std::int64_t, std::int64_t, bool, std::int64_t, bool, std::string, bool>(
+  for (const auto& [id, slot, phase, repetition, catch_trial, condition, completed] :
+       load_rows<std::int64_t, std::int64_t, std::string, std::int64_t, bool, std::string, bool>(
            study.database(),
-           "SELECT id, slot, phase = 'practice', repetition, catch, condition, "
+           "SELECT id, slot, phase, repetition, catch, condition, "
            "EXISTS (SELECT 1 FROM attempt WHERE trial_id = trial.id "
            "AND outcome = 'completed') FROM trial WHERE enrolment_id = ? ORDER BY slot",
            partner.enrolment_id)) {
-    sources.push_back({id, slot, is_practice ? TrialPhase::kPractice : TrialPhase::kMain,
-                       repetition, catch_trial, condition, completed});
+    sources.push_back(
+        {id, slot, phase_named(phase), repetition, catch_trial, condition, completed});
   }
   return sources;
 }

@@ -37,7 +37,7 @@ std::vector<PosedBody> bodies_at(const ReplayView& view, double time_s) {
     const BodyState& here = view.states[before][body];
     const Pose pose =
         after > before ? between(here, view.states[after][body], fraction) : here.pose;
-    bodies.push_back({pose, view.looks[body]});
+    bodies.push_back({pose, view.looks[body].at(time_s)});
   }
   flash(view.flashing, time_s, bodies);
   return bodies;

@@ -17,13 +17,16 @@ struct Recording {
 };
 
 constexpr Recording kRecordings[] = {
+    {"behind-the-curtain", 7U},     // a curtain; a launch that nothing follows
     {"causality-thresholds", 20U},  // training, three or more of each delay
     {"causality-thresholds-quest", 21U},
     {"crowd", 7U},                   // trees of medial spheres, 50 and 100 creatures
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
     {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
+    {"launch-or-pass", 26U},         // launches and slips, and what they are adapted by
     {"launching", 24U},              // one of two spheres rests; delays and gaps
+    {"odd-shapes", 7U},              // prisms launched from afar, that appear late
     {"scheduler-distribution", 7U},  // nobody takes part
     {"two-balls", 4U},               // discs and walls in a plane; a goal ends each trial
     {"what-will-happen", 6U},        // still at first; gravity; hidden before the end

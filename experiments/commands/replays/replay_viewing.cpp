@@ -35,7 +35,7 @@ std::string title_of(const ShownStimulus& shown) {
   const StoredAttempt& attempt = shown.attempt;
   std::string title = attempt.participant + " · trial " + std::to_string(attempt.trial.slot) +
                       " of " + std::to_string(attempt.trials_planned) + " · ";
-  title += attempt.trial.phase == TrialPhase::kPractice ? "practice" : "main";
+  title += name_of(attempt.trial.phase);
   title += attempt.number > 1 ? " · attempt " + std::to_string(attempt.number) : "";
   if (shown.intervals == 1) {
     return title;

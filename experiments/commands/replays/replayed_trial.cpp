@@ -30,10 +30,11 @@ bool is_shown(const Design& design, const Condition& condition) {
   const auto in_its_group = [&](const Condition& shown) {
     return with_group(shown, group_of(design, condition), design) == condition;
   };
+  const std::vector<ConditionBeside> beside = conditions_beside(design);
   return std::find(cells_shown.begin(), cells_shown.end(), condition) != cells_shown.end() ||
          std::any_of(design.practice.begin(), design.practice.end(), in_its_group) ||
-         std::any_of(design.catch_trials.begin(), design.catch_trials.end(),
-                     [&](const CatchTrials& kind) { return in_its_group(kind.condition); });
+         std::any_of(beside.begin(), beside.end(),
+                     [&](const ConditionBeside& each) { return in_its_group(each.condition); });
 }
 
 Condition condition_of(const StudyFile& study, const StoredAttempt& attempt,

@@ -66,6 +66,15 @@ std::vector<std::string> ways_of(const Factor& factor) {
   return ways;
 }
 
+/// Whether its levels say when there is adaptation.
+bool is_adapted_by(const Protocol& protocol, const std::string& factor) {
+  const std::vector<Adaptation>& streams = protocol.design.adaptation;
+  return std::any_of(streams.begin(), streams.end(), [&](const Adaptation& stream) {
+    return std::any_of(stream.when.begin(), stream.when.end(),
+                       [&](const FactorLevel& level) { return level.factor == factor; });
+  });
+}
+
 /// Whether a question is chosen by the factor's levels.
 bool is_asked_by(const Protocol& protocol, const std::string& factor) {
   const Questions& asked = protocol.script.asked;
@@ -125,7 +134,8 @@ void check_factors(const Protocol& protocol) {
       refuse(protocol.document, place,
              "expected either " + said[0] + " or " + said[1] + ", got both");
     }
-    if (said.empty() && is_asked_by(protocol, factor.name)) {
+    if (said.empty() &&
+        (is_asked_by(protocol, factor.name) || is_adapted_by(protocol, factor.name))) {
       continue;
     }
     if (said.empty()) {

@@ -239,13 +239,11 @@ void check_condition(
   }
 }
 
-/// Every catch trial has a level for every factor, of the same type as the factor's own, and no two
-/// kinds are alike.
-void check_catch_trials(const Protocol& protocol) {
-  const std::vector<CatchTrials>& kinds = protocol.design.catch_trials;
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const Condition& condition = kinds[i].condition;
-    const std::string place = item("/design/catch_trials", i) + "/condition";
+/// What is shown beside the cells has a level for every factor, of the same type as the factor's
+/// own.
+void check_conditions_beside(const Protocol& protocol) {
+  for (const auto& [place_said, condition] : conditions_beside(protocol.design)) {
+    const std::string& place = place_said;
     check_condition(protocol, place, condition, [&](const Factor& factor, const auto& level) {
       if (!factor.sets.empty() && !has_set(factor, level.value)) {
         refuse(protocol.document, place + "/" + factor.name,
@@ -257,11 +255,45 @@ void check_catch_trials(const Protocol& protocol) {
                    ", as the factor's own levels are, got " + json_text(level.value));
       }
     });
+  }
+}
+
+/// No two kinds of catch trials are alike.
+void check_catch_trials(const Protocol& protocol) {
+  const std::vector<CatchTrials>& kinds = protocol.design.catch_trials;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (std::size_t before = 0; before < i; ++before) {
-      if (kinds[before].condition == condition) {
-        refuse(protocol.document, place,
-               "expected a condition of its own, got " + to_json(condition).dump() + " again");
+      if (kinds[before].condition == kinds[i].condition) {
+        refuse(protocol.document, item("/design/catch_trials", i) + "/condition",
+               "expected a condition of its own, got " + to_json(kinds[i].condition).dump() +
+                   " again");
       }
+    }
+  }
+}
+
+/// Streams are where trials of the design's own levels are, and somebody sees them.
+void check_adaptation(const Protocol& protocol) {
+  const std::vector<Adaptation>& streams = protocol.design.adaptation;
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    const std::string place = item("/design/adaptation", i);
+    for (const FactorLevel& level : streams[i].when) {
+      const Factor* factor = find_factor(protocol.design, level.factor);
+      if (factor == nullptr) {
+        refuse(protocol.document, place + "/when",
+               "expected a factor of the design, got " + json_text(level.factor));
+      }
+      if (!has_level(*factor, level.value)) {
+        refuse(protocol.document, place + "/when/" + factor->name,
+               "expected one of the factor's levels " + list_text(factor->levels) + ", got " +
+                   json_text(level.value));
+      }
+    }
+    if (streams[i].first + streams[i].before_each == 0) {
+      refuse(protocol.document, place, "expected some trials, first or before each, got none");
+    }
+    if (!protocol.has_participants) {
+      refuse(protocol.document, place, "expected none where nobody takes part");
     }
   }
 }
@@ -273,7 +305,9 @@ void check_design(const Protocol& protocol) {
   check_factors(protocol);
   check_runs(protocol);
   check_blocks(protocol);
+  check_conditions_beside(protocol);
   check_catch_trials(protocol);
+  check_adaptation(protocol);
   check_adaptive(protocol);
   check_planned_size(protocol);
   check_training_criterion(protocol);

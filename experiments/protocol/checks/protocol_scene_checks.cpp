@@ -17,11 +17,11 @@ namespace {
 
 using nlohmann::json;
 
-/// Every cell, and every catch trial's condition.
+/// Every cell, and what is shown beside them.
 std::vector<Condition> shown_conditions(const Design& design) {
   std::vector<Condition> conditions = cells(design);
-  for (const CatchTrials& kind : design.catch_trials) {
-    const std::vector<Condition> shown = in_every_group(kind.condition, design);
+  for (const ConditionBeside& beside : conditions_beside(design)) {
+    const std::vector<Condition> shown = in_every_group(beside.condition, design);
     conditions.insert(conditions.end(), shown.begin(), shown.end());
   }
   return conditions;
@@ -77,9 +77,8 @@ void check_frame_bound(const Protocol& protocol, const FrameBoundValue& bound, d
   for (std::size_t i = 0; i < factor->levels.size(); ++i) {
     require_level(item(levels, i), factor->levels[i]);
   }
-  for (std::size_t i = 0; i < protocol.design.catch_trials.size(); ++i) {
-    require_condition(item("/design/catch_trials", i) + "/condition",
-                      protocol.design.catch_trials[i].condition);
+  for (const ConditionBeside& beside : conditions_beside(protocol.design)) {
+    require_condition(beside.place, beside.condition);
   }
 }
 
@@ -123,20 +122,18 @@ void check_levels(const Protocol& protocol) {
   }
 }
 
-void check_catch_scenes(const Protocol& protocol) {
-  for (std::size_t i = 0; i < protocol.design.catch_trials.size(); ++i) {
-    for (const FactorLevel& level : protocol.design.catch_trials[i].condition) {
+void check_scenes_beside(const Protocol& protocol) {
+  for (const ConditionBeside& beside : conditions_beside(protocol.design)) {
+    for (const FactorLevel& level : beside.condition) {
       const std::string message = complaint(scene_under(protocol, {level}), *protocol.shapes);
       if (!message.empty()) {
-        refuse(protocol.document,
-               item("/design/catch_trials", i) + "/condition" + "/" + level.factor, message);
+        refuse(protocol.document, beside.place + "/" + level.factor, message);
       }
     }
-    for (const Condition& condition :
-         in_every_group(protocol.design.catch_trials[i].condition, protocol.design)) {
+    for (const Condition& condition : in_every_group(beside.condition, protocol.design)) {
       const std::string message = complaint(scene_under(protocol, condition), *protocol.shapes);
       if (!message.empty()) {
-        refuse(protocol.document, item("/design/catch_trials", i) + "/condition", message);
+        refuse(protocol.document, beside.place, message);
       }
     }
   }

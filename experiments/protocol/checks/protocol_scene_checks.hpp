@@ -18,8 +18,8 @@ std::string complaint(const nlohmann::json& scene, ShapeLibrary& shapes);
 /// InputError.
 void check_levels(const Protocol& protocol);
 
-/// Every catch trial leaves a scene that can be shown. Throws InputError.
-void check_catch_scenes(const Protocol& protocol);
+/// What is shown beside the cells leaves a scene that can be shown. Throws InputError.
+void check_scenes_beside(const Protocol& protocol);
 
 /// Bodies that questions are about are in every scene. Throws InputError.
 void check_named_bodies(const Protocol& protocol);

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/scenes/plane/scene_goal.hpp"
 
-#include <algorithm>
 #include <string>
 
+#include "experiments/scenes/plane/named_body.hpp"
+
 namespace impetus::inline scenes {
-namespace {
-
-/// The place of the body of this name, or one past the last.
-std::size_t place_of(const Scene& scene, const std::string& name) {
-  const auto bodies = scene.named_bodies();
-  const auto found = std::find_if(bodies.begin(), bodies.end(),
-                                  [&](const BodySettings& body) { return body.name == name; });
-  return static_cast<std::size_t>(found - bodies.begin());
-}
-
-}  // namespace
 
 std::optional<Goal> goal_of(const Scene& scene, double metres_per_degree) {
   if (!scene.goal) {
@@ -24,12 +14,12 @@ std::optional<Goal> goal_of(const Scene& scene, double metres_per_degree) {
   using Side = GoalSettings::Side;
   const GoalSettings& said = *scene.goal;
   Goal goal;
-  goal.body = place_of(scene, said.body);
+  goal.body = place_of_body(scene, said.body);
   goal.axis = said.side == Side::kLeft || said.side == Side::kRight ? 0 : 1;
   goal.sense = said.side == Side::kLeft || said.side == Side::kBelow ? -1.0 : 1.0;
   goal.line_m = metres_per_degree * scene.plane->place_deg({said.line_px, said.line_px})[goal.axis];
   for (const std::string& name : said.missed_at) {
-    goal.missed_at.push_back(place_of(scene, name));
+    goal.missed_at.push_back(place_of_body(scene, name));
   }
   goal.follow_s = said.follow_s;
   return goal;
@@ -46,14 +36,14 @@ void add_goal_problems(const Scene& scene, SceneProblems& problems) {
   if (scene.meeting) {
     problems.add("/goal", "expected none where two bodies meet");
   }
-  const std::size_t body = place_of(scene, scene.goal->body);
+  const std::size_t body = place_of_body(scene, scene.goal->body);
   if (body == bodies.size()) {
     problems.add_got("/goal/body", "expected the name of a body");
   } else if (bodies[body].fixed.value_or(false)) {
     problems.add_got("/goal/body", "expected a body that moves");
   }
   for (std::size_t i = 0; i < scene.goal->missed_at.size(); ++i) {
-    const std::size_t other = place_of(scene, scene.goal->missed_at[i]);
+    const std::size_t other = place_of_body(scene, scene.goal->missed_at[i]);
     if (other == bodies.size() || other == body) {
       problems.add_got("/goal/missed_at/" + std::to_string(i), "expected the name of another body");
     }

@@ -262,6 +262,26 @@ TEST(Traversal, VisibleFirstExpectsTheGapThatOpensTimesAcuityPerWork) {
   EXPECT_EQ(visible_urgency_of(tree, 0.15, 1.0, 0.5), 0.0) << "too deep to part";
 }
 
+TEST(Traversal, VisibleFirstRemovesWhatWouldBeNoticedWhereThatIsKnown) {
+  const auto urgency_at = [&](const Noticing& noticing, double threshold_arcmin) {
+    const VolumeTree tree = halving_tree(0.02F, 0.5F);
+    PlacedTree still(tree);
+    PlacedTree moved(tree);
+    moved.move_to({Vector3(0.195, 0.0, 0.0), Quaternion::Identity()});
+    RefinedPair pair{{0, 1}, 0, PairRefinement(still, moved)};
+    pair.noticing = &noticing;
+    pair.noticed_arcmin = threshold_arcmin;
+    return urgency(pair, *make_traversal("visible-first"), PhaseCosts({1, 1, 0, 0}, {}));
+  };
+  // The gap expected to open, as above, from 1 m: noticed half of the time at just that angle.
+  const double gap_m = 0.015 * 0.015 / (2.0 * 0.02);
+  const double gap_arcmin = 60.0 * 2.0 * std::atan(0.5 * gap_m) * 180.0 / std::numbers::pi;
+  const Noticing noticing{10.0, 0.2, 0.2};
+  EXPECT_NEAR(urgency_at(noticing, gap_arcmin), 0.5 * 0.8 / 4.0, 1e-6);
+  EXPECT_NEAR(urgency_at(noticing, 0.01 * gap_arcmin), 0.8 / 4.0, 1e-6) << "surely";
+  EXPECT_NEAR(urgency_at(noticing, 100.0 * gap_arcmin), 0.0, 1e-6) << "never";
+}
+
 TEST(Traversal, VisibleFirstLooksBeyondALevelThatGainsNothing) {
   // The errors stay for a level and fall at the next.
   const NodeSurface loose{1.0F, kNoGroup, Eigen::Vector3f::Zero(), 0.02F};

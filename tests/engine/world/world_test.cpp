@@ -33,6 +33,30 @@ TEST(World, TwoEqualBallsHeadOnExchangeTheirVelocities) {
   EXPECT_EQ(report.degradations, 0U);
 }
 
+TEST(World, WhatPassesThroughTouchesNeitherBodiesNorWalls) {
+  for (const std::size_t ghost : {0U, 1U}) {
+    std::vector<BodyModel> models{ball(0.5, 1.0), ball(0.5, 1.0)};
+    models[ghost].passes_through = true;
+    WorldSettings settings;
+    settings.enclosure = ClosedCube{3.0};
+    World world(models,
+                {moving(models[0], {-0.8, 0.0, 0.0}, {3.0, 0.0, 0.0}),
+                 moving(models[1], {0.8, 0.0, 0.0}, {0.0, 0.0, 0.0})},
+                settings);
+    bool has_touched = false;
+    for (int step = 0; step < 480; ++step) {
+      for (const CollisionReport& collision : step_whole(world).collisions) {
+        ASSERT_TRUE(is_wall(collision.bodies.b)) << "step " << step;
+        ASSERT_EQ(collision.bodies.a, static_cast<std::int32_t>(1 - ghost));
+        has_touched = true;
+      }
+    }
+    EXPECT_EQ(has_touched, ghost == 1U) << "the one that moves meets a wall, or passes it, too";
+    EXPECT_EQ(x_speed(world, 1), 0.0);
+    EXPECT_EQ(std::abs(x_speed(world, 0)), 3.0);
+  }
+}
+
 TEST(World, UnequalBallsHeadOnLeaveAsTheEquationsSay) {
   // v_a' = (m_a v_a + m_b v_b − m_b ε (v_a − v_b)) / (m_a + m_b), and b alike
   const double mass_a = 0.7;

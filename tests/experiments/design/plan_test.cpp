@@ -229,4 +229,47 @@ TEST(Plan, BlocksAlikeHaveEveryTrackEquallyOften) {
   }
 }
 
+/// Two blocks; before each trial of the second one comes what it adapts to.
+Design adapting_design() {
+  Design design;
+  design.factors = {{"gap", {0.0, 1.0, 2.0}, "/gap"}, {"adapted", {"before", "after"}}};
+  design.repetitions = 2;
+  design.blocks = Blocks{{"adapted"}, Blocks::Order::kFixed};
+  design.adaptation = {
+      {{{"adapted", "after"}},
+       {{{"gap", 7.0}, {"adapted", "after"}}, {{"gap", 8.0}, {"adapted", "after"}}},
+       5,
+       2}};
+  return design;
+}
+
+TEST(Plan, AdaptationComesBeforeTheTrialsItIsFor) {
+  const Plan plan = make_plan(adapting_design(), {"adapting", "P01", 1});
+  ASSERT_EQ(plan.size(), 12U + 5U + 5U * 2U);
+  std::int64_t shown = 0;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const bool is_adaptor = i >= 6 && (i < 11 || (i - 11) % 3 != 0);
+    ASSERT_EQ(plan[i].phase, is_adaptor ? TrialPhase::kAdaptation : TrialPhase::kMain) << i;
+    EXPECT_EQ(plan[i].block, i < 6 ? 1 : 2);
+    EXPECT_EQ(plan[i].slot, static_cast<std::int64_t>(i) + 1);
+    if (is_adaptor) {
+      EXPECT_EQ(plan[i].condition[0].value, LevelValue(shown % 2 == 0 ? 7.0 : 8.0)) << "in turn";
+      EXPECT_EQ(plan[i].repetition, ++shown);
+    }
+  }
+}
+
+TEST(Plan, AdaptationChangesNoOrder) {
+  Design design = adapting_design();
+  const Plan adapted = make_plan(design, {"adapting", "P01", 1});
+  design.adaptation.clear();
+  std::vector<std::string> shown;
+  for (const PlannedTrial& trial : adapted) {
+    if (trial.is_asked()) {
+      shown.push_back(to_json(trial.condition).dump());
+    }
+  }
+  EXPECT_EQ(shown, conditions(make_plan(design, {"adapting", "P01", 1})));
+}
+
 }  // namespace impetus::plan_test

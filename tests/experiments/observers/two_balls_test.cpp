@@ -11,7 +11,7 @@
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/files/protocol_files.hpp"
-#include "experiments/observers/counterfactual_observer.hpp"
+#include "experiments/observers/imagining/counterfactual_observer.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/scene_run.hpp"

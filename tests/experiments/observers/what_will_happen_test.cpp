@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/files/protocol_files.hpp"
-#include "experiments/observers/imagined_runs.hpp"
+#include "experiments/observers/imagining/imagined_runs.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/touching.hpp"

@@ -23,8 +23,8 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
   const TemporaryFolder folder;
   const std::vector<Case> cases{
       {"/observer", "gaze",
-       "o.json:/observer: expected one of \"causality\", \"counterfactual\", \"foreseeing\", "
-       "\"gap\", \"gap-thresholds\", "
+       "o.json:/observer: expected one of \"adapting\", \"awaiting\", \"causality\", "
+       "\"counterfactual\", \"foreseeing\", \"gap\", \"gap-thresholds\", "
        "\"gaze-contingent\", \"launching\", \"psychometric\", \"response\", got \"gaze\""},
       {"/parameters/lapse_rate/value", 2,
        "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},

@@ -1,6 +1,6 @@
 // Where two bodies that approach along x first touch, for trees of every kind.
 // SPDX-License-Identifier: MIT
-#include "experiments/scenes/meeting.hpp"
+#include "experiments/run/meeting.hpp"
 
 #include <gtest/gtest.h>
 

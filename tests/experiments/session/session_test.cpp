@@ -334,4 +334,30 @@ TEST(Session, ABreakComesAfterEachBlockWhereTheProtocolSaysNoNumber) {
   EXPECT_EQ(breaks, (std::vector<std::string>{"after main trial 27", "after main trial 54"}));
 }
 
+TEST(Session, WhatIsAdaptedToIsShownWithoutACrossOrAQuestionAndCountsForNothing) {
+  TestLab lab;
+  Plan plan = short_plan(lab.protocol, 2);
+  const std::size_t first = plan.size() - 2;
+  for (std::size_t i = first; i < first + 3; ++i) {
+    PlannedTrial adaptor = plan[i];
+    adaptor.phase = TrialPhase::kAdaptation;
+    plan.insert(plan.begin() + static_cast<std::ptrdiff_t>(first), adaptor);
+  }
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    plan[i].slot = static_cast<std::int64_t>(i) + 1;
+  }
+  EXPECT_EQ(run(lab, plan).ending, SessionEnding::kFinished);
+  ASSERT_EQ(lab.recorder.attempts.size(), plan.size());
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const AttemptRecord& attempt = lab.recorder.attempts[i];
+    EXPECT_EQ(attempt.ratings.size(), plan[i].is_asked() ? 1U : 0U);
+    const bool has_cross =
+        std::any_of(attempt.frames.begin(), attempt.frames.end(),
+                    [](const FrameRecord& frame) { return frame.phase == FramePhase::kFixation; });
+    EXPECT_EQ(has_cross, plan[i].is_asked()) << i;
+    EXPECT_FALSE(attempt.steps.empty());
+  }
+  EXPECT_EQ(lab.display.pictures.back().progress.label, "Trial 2 of 2") << "counts what is asked";
+}
+
 }  // namespace impetus::session_test

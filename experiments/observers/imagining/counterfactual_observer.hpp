@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "experiments/observers/imagining_parameters.hpp"
+#include "experiments/observers/imagining/imagining_parameters.hpp"
 
 namespace impetus::inline observers {
 

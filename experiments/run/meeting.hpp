@@ -8,7 +8,7 @@
 
 #include "engine/trees/volume_tree.hpp"
 
-namespace impetus::inline scenes {
+namespace impetus::inline run {
 
 /// The x coordinates (metres) of both centres of mass at first touch.
 struct MeetingPlaces {
@@ -27,4 +27,4 @@ MeetingPlaces meeting_places(const VolumeTree& a, const Quaternion& orientation_
 bool can_meet(const VolumeTree& a, const Quaternion& orientation_a, const VolumeTree& b,
               const Quaternion& orientation_b, int level, const Vector3& aside_b);
 
-}  // namespace impetus::inline scenes
+}  // namespace impetus::inline run

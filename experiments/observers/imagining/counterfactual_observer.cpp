@@ -6,7 +6,7 @@
 //
 // (Gerstenberg, Goodman, Lagnado and Tenenbaum 2021)
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/counterfactual_observer.hpp"
+#include "experiments/observers/imagining/counterfactual_observer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/scenes/meeting.hpp"
+#include "experiments/run/meeting.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "engine/volumes/volume.hpp"
 
-namespace impetus::inline scenes {
+namespace impetus::inline run {
 namespace {
 
 /// A node turned about the centre of mass, and the sphere round it.
@@ -124,4 +124,4 @@ bool can_meet(const VolumeTree& a, const Quaternion& orientation_a, const Volume
       .has_value();
 }
 
-}  // namespace impetus::inline scenes
+}  // namespace impetus::inline run

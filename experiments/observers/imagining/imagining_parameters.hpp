@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "experiments/observers/imagined_runs.hpp"
+#include "experiments/observers/imagining/imagined_runs.hpp"
 #include "experiments/observers/observer_kinds.hpp"
 
 namespace impetus::inline observers {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/imagining_parameters.hpp"
+#include "experiments/observers/imagining/imagining_parameters.hpp"
 
 namespace impetus::inline observers {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/imagined_runs.hpp"
+#include "experiments/observers/imagining/imagined_runs.hpp"
 
 #include <algorithm>
 #include <cmath>

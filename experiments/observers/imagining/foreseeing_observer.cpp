@@ -5,7 +5,7 @@
 //
 // Whoever flashed is who is asked about; where no two did, nothing is seen.
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/imagining_parameters.hpp"
+#include "experiments/observers/imagining/imagining_parameters.hpp"
 
 namespace impetus::inline observers {
 
