@@ -18,8 +18,8 @@ StagedScene launch_with_gap(double gap_px, const char* stimulus = "stimuli/launc
 struct Someone {
   Someone(const char* file, const json& numbers) {
     json observer = json::parse(shipped(std::string("experiments/observers/") + file));
-    for (const auto& [name, number] : numbers.items()) {
-      observer["parameters"][name]["value"] = number;
+    for (const auto& [parameter, number] : numbers.items()) {
+      observer["parameters"][parameter]["value"] = number;
     }
     const std::string path = folder.write("o.json", observer.dump()).string();
     file_ = load_observer(path, "protocols/causality.json");
