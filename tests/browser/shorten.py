@@ -15,6 +15,7 @@ design["repetitions"] = 1
 design["practice"] = [{factor["name"]: factor["levels"][0] for factor in design["factors"]}]
 design.pop("longest_runs", None)
 design.pop("practice_until", None)
+protocol.pop("exclude_when", None)
 session.pop("demonstrations", None)
 with open(target, "w") as file:
     json.dump(protocol, file)

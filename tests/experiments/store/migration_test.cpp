@@ -123,9 +123,9 @@ TEST(Migration, AFileInTheWayOfTheKeptOriginalIsNotOverwritten) {
   const std::filesystem::path path = old_study(folder);
   const std::filesystem::path kept = folder.write("old.schema-1.sqlite", "mine");
   const std::string before = text_of(path);
-  EXPECT_EQ(open_refusal(path), path.string() + ": expected to keep it, of schema version 1, as " +
-                                    kept.string() +
-                                    " before it is brought to version 10, but there is such a file");
+  EXPECT_EQ(open_refusal(path),
+            path.string() + ": expected to keep it, of schema version 1, as " + kept.string() +
+                " before it is brought to version 10, but there is such a file");
   EXPECT_EQ(text_of(kept), "mine");
   EXPECT_EQ(value_of(path, "PRAGMA user_version"), "1");
 }
