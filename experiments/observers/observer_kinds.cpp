@@ -16,10 +16,10 @@ DeclaredObserver adapting_observer, awaiting_observer, causality_observer, count
 
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() {
   static const std::vector<std::reference_wrapper<const ObserverKind>> kinds{
-      causality_observer(),    counterfactual_observer(), foreseeing_observer(),
-      gap_observer(),          gap_thresholds_observer(), gaze_observer(),
-      launching_observer(),    adapting_observer(),       awaiting_observer(),
-      psychometric_observer(), response_observer()};
+      adapting_observer(),       awaiting_observer(),   causality_observer(),
+      counterfactual_observer(), foreseeing_observer(), gap_observer(),
+      gap_thresholds_observer(), gaze_observer(),       launching_observer(),
+      psychometric_observer(),   response_observer()};
   return kinds;
 }
 

@@ -18,7 +18,8 @@ TEST(Run, ABadProtocolIsRefusedAndNoStudyIsMade) {
       {"/design/factors/0/levels", json::array(),
        "/design/factors/0/levels: expected a list of at least 1 value without repeats, got []"},
       {"/design/practise", json::array(),
-       "/design: expected only the keys \"adaptive\", \"blocks\", \"catch_trials\", \"factors\", "
+       "/design: expected only the keys \"adaptation\", \"adaptive\", \"blocks\", "
+       "\"catch_trials\", \"factors\", "
        "\"longest_runs\", \"practice\", \"practice_until\", \"repetitions\", "
        "\"train_until\", got \"practise\""},
       {"/timing/fixation_ms", 490,

@@ -111,7 +111,8 @@ TEST(Scene, EverySchedulerOfTheEngineIsOneOfTheSchemas) {
     EXPECT_EQ(schedule.lists[0].share, 3.0);
     EXPECT_EQ(schedule.lists[1].greatest_level, 1);
     EXPECT_EQ(schedule.limits, std::vector<double>{0.5});
-    EXPECT_EQ(built(scene).depends_on_gaze, name == "eccentricity" || name == "visible-frequency");
+    EXPECT_EQ(built(scene).depends_on_gaze,
+              name == "eccentricity" || name == "perceived" || name == "visible-frequency");
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(known.get<std::vector<std::string>>(), names);

@@ -16,7 +16,8 @@ namespace impetus::protocol_test {
 TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
   expect_protocol_refusals(
       {{"/timing/fixation", 500,
-        "/timing: expected only the keys \"fixation_ms\", \"interval_ms\", got \"fixation\""},
+        "/timing: expected only the keys \"between_adaptors_ms\", \"fixation_ms\", "
+        "\"interval_ms\", got \"fixation\""},
        {"/design/factors/0/level",
         {1},
         "/design/factors/0: expected only the keys \"between\", \"keys_of\", \"label\", "
