@@ -24,9 +24,9 @@ constexpr Recording kRecordings[] = {
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
     {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
-    {"launch-or-pass", 26U},         // launches and slips, and what they are adapted by
+    {"launch-or-pass", 30U},         // launches and slips, and what they are adapted by
     {"launching", 24U},              // one of two spheres rests; delays and gaps
-    {"odd-shapes", 7U},              // prisms launched from afar, that appear late
+    {"odd-shapes", 9U},              // prisms launched from afar, that appear late
     {"scheduler-distribution", 7U},  // nobody takes part
     {"two-balls", 4U},               // discs and walls in a plane; a goal ends each trial
     {"what-will-happen", 6U},        // still at first; gravity; hidden before the end

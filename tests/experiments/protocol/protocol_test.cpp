@@ -296,8 +296,8 @@ TEST(SceneFile, EveryBrokenRuleOfItsSchemaIsNamed) {
         "\"enclosure\", "
         "\"engine\", \"figure_crowd\", \"figure_files\", \"figures\", "
         "\"flashing\", \"goal\", \"hidden_after_s\", \"imposed\", "
-        "\"meeting\", "
-        "\"meshes\", \"plane\", \"schema_version\", \"source\", \"still_s\", "
+        "\"launch\", \"meeting\", \"meshes\", \"plane\", \"schema_version\", \"source\", "
+        "\"still_s\", "
         "\"title\", "
         "\"viewer\", "
         "got \"gravity\""},
