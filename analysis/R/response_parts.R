@@ -180,7 +180,7 @@ click_part <- function(path, protocol) {
 
 # Trials that a click ended, and when it came.
 press_part <- function(path, protocol) {
-  part <- read_trials(path, protocol, "click_trial", "main trials with a click",
+  part <- read_trials(path, protocol, "clicked_trial", "main trials with a click",
     where = "first_click_s IS NOT NULL")
   part$trials$press_s <- part$trials$first_click_s
   part$response <- "press"
