@@ -29,7 +29,8 @@ figures_of_part <- function(part, functions = NULL) {
   if (part$response == "threshold") return(threshold_column_figures(part, functions))
   measure <- measure_of(part)
   figure <- function(factors, plot, caption) {
-    list(name = figure_name(factors), plot = plot + measure$axis + column_theme(),
+    list(name = figure_name(factors),
+      plot = plot + measure$axis + column_theme() + turned_labels(part$trials[[factors[1]]]),
       caption = caption(part, factors, measure))
   }
   single <- lapply(unname(part$factors), function(factor) {
@@ -39,6 +40,12 @@ figures_of_part <- function(part, functions = NULL) {
     figure(pair, split_plot(part$trials, pair, measure$of, bar = 0.6, point = 1.7, expand = 0.1),
       pair_figure_caption)
   }))
+}
+
+# Levels whose names would run into each other stand upright.
+turned_labels <- function(factor) {
+  if (sum(nchar(levels(factor)) + 1) > 45) ggplot2::theme(
+    axis.text.x = ggplot2::element_text(angle = 90, hjust = 1, vjust = 0.5))
 }
 
 figure_name <- function(factors) paste0("by-", paste(factors, collapse = "-and-"))
