@@ -26,6 +26,7 @@ namespace {
 struct AnsweredAttempt {
   std::int64_t protocol_id{0};
   std::string place;
+  bool is_asked{true};                          ///< no trial of adaptation
   std::optional<RatingScale> rated_on{};        ///< no rating: none
   std::int64_t rating_timeouts{0};              ///< responses of kind rating
   std::map<std::string, std::int64_t> answers;  ///< other responses, by kind
@@ -37,7 +38,7 @@ std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
   SQLite::Statement query(
       database,
       "SELECT attempt.id, protocol_id, pseudonym || ', ' || name || ', slot ' || slot || "
-      "', attempt ' || number, "
+      "', attempt ' || number, phase <> 'adaptation', "
       "(SELECT count(*) FROM click WHERE click.attempt_id = attempt.id), "
       "EXISTS (SELECT 1 FROM gaze WHERE gaze.attempt_id = attempt.id), "
       "rating IS NOT NULL, minimum, maximum, best, low_anchor, high_anchor "
@@ -53,9 +54,9 @@ std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
     std::int64_t id = 0;
     bool is_rated = false;
     RatingScale scale;
-    NextColumn(query) >> id >> attempt.protocol_id >> attempt.place >> attempt.clicks >>
-        attempt.has_gaze >> is_rated >> scale.minimum >> scale.maximum >> scale.best >>
-        scale.low_anchor >> scale.high_anchor;
+    NextColumn(query) >> id >> attempt.protocol_id >> attempt.place >> attempt.is_asked >>
+        attempt.clicks >> attempt.has_gaze >> is_rated >> scale.minimum >> scale.maximum >>
+        scale.best >> scale.low_anchor >> scale.high_anchor;
     if (is_rated) {
       attempt.rated_on = scale;
     }
@@ -69,7 +70,7 @@ std::vector<AnsweredAttempt> load_answered(SQLite::Database& database) {
 }
 
 void check_rating(const AnsweredAttempt& attempt, const Script& script, Failures& failures) {
-  const RatingScale* scale = find_scale(script);
+  const RatingScale* scale = attempt.is_asked ? find_scale(script) : nullptr;
   const std::int64_t answers = (attempt.rated_on ? 1 : 0) + attempt.rating_timeouts;
   if (scale != nullptr && answers == 0) {
     failures.push_back(attempt.place + ": completed without the rating that was asked for");
@@ -85,7 +86,7 @@ void check_rating(const AnsweredAttempt& attempt, const Script& script, Failures
 void check_responses(const AnsweredAttempt& attempt, const Script& script, Failures& failures) {
   std::map<std::string, std::int64_t> expected;
   for (const auto& question : script.asked) {
-    if (question->kind().table == "response") {
+    if (attempt.is_asked && question->kind().table == "response") {
       expected[question->kind().name] = 1;
     }
   }
