@@ -22,9 +22,10 @@ bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   }
   std::int64_t done = trials.done;
   for (const PlannedTrial* trial : trials.waiting) {
-    SessionProgress here = sitting_.standing.trial_progress(phase, done + 1, trials.total);
-    if (!trial->is_asked() ? !run_trial(*trial, std::move(here))
-                           : !run_one(*trial, here, ++done, trials.total)) {
+    const SessionProgress here = sitting_.standing.trial_progress(phase, done + 1, trials.total);
+    const bool goes_on = trial->is_asked() ? run_one(*trial, here, ++done, trials.total)
+                                           : run_trial(*trial, here);
+    if (!goes_on) {
       return false;
     }
   }

@@ -44,7 +44,8 @@ void check_size(const Protocol& protocol) {
   }
 }
 
-/// The same of the trials that are planned, blocks and tracks and catch trials counted.
+/// The same of the trials that are planned, blocks and tracks, catch trials and at most all of
+/// adaptation counted.
 void check_planned_size(const Protocol& protocol) {
   const Design design = design_of_group(protocol.design, groups(protocol.design).front());
   double trials =
@@ -53,14 +54,19 @@ void check_planned_size(const Protocol& protocol) {
     trials = static_cast<double>(design.adaptive->trials_per_track) *
              static_cast<double>(adaptive_tracks(design).size());
   }
+  const auto blocks = static_cast<double>(block_order(design, {"", "P01", 0}).size());
   for (const CatchTrials& kind : design.catch_trials) {
-    trials += static_cast<double>(kind.count) *
-              static_cast<double>(block_order(design, {"", "P01", 0}).size());
+    trials += static_cast<double>(kind.count) * blocks;
+  }
+  const double followed = trials;
+  for (const Adaptation& stream : design.adaptation) {
+    trials += static_cast<double>(stream.first) * blocks +
+              static_cast<double>(stream.before_each) * followed;
   }
   if (trials > kMostTrials) {
     refuse(protocol.document, "/design",
            "expected at most 10000 trials, got " + count_text(trials) +
-               " (all tracks and catch trials counted)");
+               " (all tracks, catch trials and adaptation counted)");
   }
 }
 

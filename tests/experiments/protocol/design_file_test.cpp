@@ -12,6 +12,34 @@
 
 namespace impetus::design_file_test {
 
+// ---------------------------------------------------------------- adaptation
+
+TEST(AdaptationRows, SayWhatIsWrongWithThem) {
+  const json whole{{"delay_ms", 0}, {"speed_deg_s", 5}, {"viewpoint_deg", 0}};
+  const auto refused = [&](const json& when, const json& condition, int first, int before_each) {
+    const json stream{{"when", when},
+                      {"conditions", {condition}},
+                      {"first", first},
+                      {"before_each", before_each}};
+    return Study().with("/design/adaptation", {stream}).refused();
+  };
+  const std::string place = "protocols/causality.json:/design/adaptation/0";
+  const json always = json::object();
+  EXPECT_EQ(refused({{"speed_deg_s", 5}}, whole, 10, 2), "accepted");
+  EXPECT_EQ(refused({{"colour", 5}}, whole, 10, 2),
+            place + "/when: expected a factor of the design, got \"colour\"");
+  EXPECT_EQ(refused({{"speed_deg_s", 6}}, whole, 10, 2),
+            place + "/when/speed_deg_s: expected one of the factor's levels [5,10,15], got 6");
+  EXPECT_EQ(refused(always, whole, 0, 0),
+            place + ": expected some trials, first or before each, got none");
+  EXPECT_EQ(refused(always, whole, 0, 1000),
+            "protocols/causality.json:/design: expected at most 10000 trials, got 81081 (all "
+            "tracks, catch trials and adaptation counted)");
+  json part = whole;
+  part.erase("delay_ms");
+  EXPECT_NE(refused(always, part, 1, 1), "accepted");
+}
+
 // ---------------------------------------------------------------- frames
 
 TEST(Frames, CausalityFallsOnTheFramesOf60And100Hz) {
