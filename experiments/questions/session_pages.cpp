@@ -124,7 +124,8 @@ std::optional<Page> practice_feedback(const Script& script, const AttemptRecord&
     return std::nullopt;
   }
   text.title = text.title.empty() ? language.text("practice") : text.title;
-  if (!script.practice_rule && !has_right_answers(script)) {  // which would ask for better ones
+  // Which would ask for better ones; so does a click at the right instant.
+  if (!script.practice_rule && !has_right_answers(script) && !ends_with_click(script)) {
     text.paragraphs.push_back(asks_for_a_fact ? language.text("answer_by_looks")
                                               : language.text("no_right_answers"));
   }

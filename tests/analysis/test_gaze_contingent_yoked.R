@@ -21,7 +21,7 @@ yoked_tests <- function(study) {
 
 test_that("every study that is described has its script, and compares kinds that it has", {
   names <- sub("[.]dcf$", "", list.files(file.path(root, "analysis/studies")))
-  expect_length(names, 11)
+  expect_length(names, 12)
   expect_true(all(file.exists(file.path(root, "analysis", paste0(names, ".R")))))
   studies <- lapply(names, study_description)
   for (study in Filter(function(study) study$kind == "scheduling", studies)) {
