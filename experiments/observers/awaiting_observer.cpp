@@ -13,6 +13,7 @@
 
 #include "experiments/observers/observer_kinds.hpp"
 #include "experiments/observers/shown_truths.hpp"
+#include "experiments/run/collision_truth.hpp"
 
 namespace impetus::inline observers {
 
@@ -63,7 +64,6 @@ class AwaitingObserver final : public RatingObserver {
     if (!lapses && scene.launch && !shown.frames.empty()) {
       const auto level =
           own_.level < 0.0 ? std::nullopt : std::optional(static_cast<int>(own_.level));
-      constexpr double kArcminPerDegree = 60.0;
       const double gap_deg = launch_gap_arcmin(scene, level) / kArcminPerDegree;
       const double at_s =
           scene.contact_s + gap_deg / scene.launch->speed_deg_s + (bias_ms_ + noise_ms) / 1e3;

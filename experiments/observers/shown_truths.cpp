@@ -17,7 +17,6 @@ double longest_delay_ms(const AttemptRecord& shown) {
 }
 
 double launch_gap_arcmin(const StagedScene& scene, std::optional<int> level) {
-  constexpr double kArcminPerDegree = 60.0;
   const Launch& launch = *scene.launch;
   if (!level) {
     return kArcminPerDegree * launch.gap_deg;

@@ -308,7 +308,7 @@ Scene in_degrees(Scene scene) {
       body.position_deg = plane.place_deg(*body.position_px);
     }
     if (scene.launch && body.name == scene.launch->first && !body.position_deg) {
-      body.position_deg = Vector3::Zero();  // until launch_states() knows its own
+      body.position_deg = Vector3::Zero();  // until launch_of() knows its own
     }
     if (body.velocity_px_s) {
       const auto& [x, y] = *body.velocity_px_s;

@@ -248,19 +248,20 @@ void check_condition(
 /// What is shown beside the cells has a level for every factor, of the same type as the factor's
 /// own.
 void check_conditions_beside(const Protocol& protocol) {
-  for (const auto& [place_said, condition] : conditions_beside(protocol.design)) {
-    const std::string& place = place_said;
-    check_condition(protocol, place, condition, [&](const Factor& factor, const auto& level) {
-      if (!factor.sets.empty() && !has_set(factor, level.value)) {
-        refuse(protocol.document, place + "/" + factor.name,
-               "expected a word that \"sets\" has, got " + json_text(level.value));
-      }
-      if (factor.levels.front().index() != level.value.index()) {
-        refuse(protocol.document, place + "/" + factor.name,
-               std::string("expected ") + type_words(factor.levels.front()) +
-                   ", as the factor's own levels are, got " + json_text(level.value));
-      }
-    });
+  for (const ConditionBeside& beside : conditions_beside(protocol.design)) {
+    const std::string& place = beside.place;
+    check_condition(
+        protocol, place, beside.condition, [&](const Factor& factor, const auto& level) {
+          if (!factor.sets.empty() && !has_set(factor, level.value)) {
+            refuse(protocol.document, place + "/" + factor.name,
+                   "expected a word that \"sets\" has, got " + json_text(level.value));
+          }
+          if (factor.levels.front().index() != level.value.index()) {
+            refuse(protocol.document, place + "/" + factor.name,
+                   std::string("expected ") + type_words(factor.levels.front()) +
+                       ", as the factor's own levels are, got " + json_text(level.value));
+          }
+        });
   }
 }
 
