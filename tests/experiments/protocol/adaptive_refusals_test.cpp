@@ -88,7 +88,8 @@ TEST(AdaptiveRefusal, TracksSayHowManyTrialsThereAreAndRunsCannotBeOfTheirLevels
         "/design/longest_runs/0/factor: expected a factor whose levels are known beforehand, got "
         "\"delay_ms\", which is adaptive"},
        {"/design/adaptive/trials_per_track", 1000,
-        "/design: expected at most 10000 trials, got 18000 (all tracks and catch trials "
+        "/design: expected at most 10000 trials, got 18000 (all tracks, catch trials and "
+        "adaptation "
         "counted)"}});
 }
 
