@@ -23,8 +23,8 @@ bool TrialSequence::run_phase(TrialPhase phase, std::int64_t round) {
   std::int64_t done = trials.done;
   for (const PlannedTrial* trial : trials.waiting) {
     const SessionProgress here = sitting_.standing.trial_progress(phase, done + 1, trials.total);
-    const bool goes_on = trial->is_asked() ? run_one(*trial, here, ++done, trials.total)
-                                           : run_trial(*trial, here);
+    const bool goes_on =
+        trial->is_asked() ? run_one(*trial, here, ++done, trials.total) : run_trial(*trial, here);
     if (!goes_on) {
       return false;
     }
