@@ -107,6 +107,7 @@ void AnswerLikelihood::list_spreads(bool as_group) {
 }
 
 void AnswerLikelihood::forget_modes() {
+  judged_by_.reset();
   traits_change_seen_ = std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
     return one.trait == &Traits::threshold;
   });
@@ -217,6 +218,19 @@ double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits
 
 // ---------------------------------------------------------------- one person
 
+/// What was seen goes by the kind's own parameters: true when one is not what it last was.
+bool AnswerLikelihood::own_have_moved() {
+  std::vector<double> own;
+  for (const MovableParameter& one : movable_) {
+    if (std::find(model_->fitted.begin(), model_->fitted.end(), one.name) != model_->fitted.end()) {
+      own.push_back(*one.place);
+    }
+  }
+  const bool moved = !judged_by_ || *judged_by_ != own;
+  judged_by_ = std::move(own);
+  return moved;
+}
+
 /// What no trait changes is computed once for all traits that are tried.
 void AnswerLikelihood::judge(Person& person) {
   for (Cell& cell : person.cells) {
@@ -311,7 +325,6 @@ MatrixXd AnswerLikelihood::find_mode(Person& person) {
 }
 
 double AnswerLikelihood::integral(Person& person) {
-  judge(person);
   const Eigen::Index size = person.mode.size();
   if (size == 0) {
     return joint(person, person.mode);
@@ -354,8 +367,12 @@ std::vector<double> AnswerLikelihood::logarithms() {
   if (!can_be()) {
     return std::vector<double>(people_.size(), kImpossible);
   }
+  const bool judges = own_have_moved();
   std::vector<double> all;
   for (Person& person : people_) {
+    if (judges) {
+      judge(person);
+    }
     all.push_back(integral(person));
   }
   return all;

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,7 @@ class AnswerLikelihood {
   void list_spreads(bool as_group);
   void forget_modes();
   [[nodiscard]] bool can_be() const;
+  [[nodiscard]] bool own_have_moved();
   void judge(Person& person);
   [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
   [[nodiscard]] double joint(const Person& person, const Eigen::VectorXd& z);
@@ -102,6 +104,7 @@ class AnswerLikelihood {
   std::vector<TraitSpread> spreads_;  ///< in which people differ
   bool traits_change_seen_{false};
   std::vector<Person> people_;
+  std::optional<std::vector<double>> judged_by_;  ///< the kind's own parameters; none: not yet
   std::vector<Outcome> scratch_;
 };
 
