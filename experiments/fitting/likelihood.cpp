@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 namespace impetus::inline fitting {
 namespace {
@@ -37,7 +38,7 @@ HermiteRule hermite_rule(Eigen::Index size) {
 
 const HermiteRule& rule_for(Eigen::Index traits) {
   static const HermiteRule one = hermite_rule(9);
-  static const HermiteRule more = hermite_rule(7);
+  static const HermiteRule more = hermite_rule(5);
   return traits <= 1 ? one : more;
 }
 
@@ -189,6 +190,9 @@ double AnswerLikelihood::chance_of(const AnsweredTrial& trial, const Traits& tra
     if (trial.yes) {
       const double yes = yes_chance(*parameters_, outcome.seen);
       all *= *trial.yes ? yes : 1.0 - yes;
+    }
+    if (trial.mark) {
+      all *= model_->mark(*parameters_, outcome.seen, *trial.mark);
     }
     chance += all;
   }
@@ -368,14 +372,30 @@ std::vector<double> AnswerLikelihood::logarithms() {
     return std::vector<double>(people_.size(), kImpossible);
   }
   const bool judges = own_have_moved();
-  std::vector<double> all;
-  for (Person& person : people_) {
+  std::vector<double> all(people_.size());
+  for_each_person([&](std::size_t i) {
     if (judges) {
-      judge(person);
+      judge(people_[i]);
     }
-    all.push_back(integral(person));
-  }
+    all[i] = integral(people_[i]);
+  });
   return all;
+}
+
+/// Where clicks are explained a person takes a millisecond: people are shared among threads.
+void AnswerLikelihood::for_each_person(const std::function<void(std::size_t)>& one) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t jobs = model_->outcomes != nullptr ? std::min(cores, people_.size()) : 1;
+  const auto every_nth = [&](std::size_t first) {
+    for (std::size_t i = first; i < people_.size(); i += jobs) {
+      one(i);
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t job = 1; job < jobs; ++job) {
+    threads.emplace_back(every_nth, job);
+  }
+  every_nth(0);
 }
 
 double AnswerLikelihood::logarithm() {

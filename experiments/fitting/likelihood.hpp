@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -95,6 +96,7 @@ class AnswerLikelihood {
   [[nodiscard]] double joint(const Person& person, const Eigen::VectorXd& z);
   [[nodiscard]] Eigen::MatrixXd find_mode(Person& person);
   [[nodiscard]] double integral(Person& person);
+  void for_each_person(const std::function<void(std::size_t)>& one);
   [[nodiscard]] double chance_of(const AnsweredTrial& trial, const Traits& traits,
                                  const std::vector<Outcome>& outcomes) const;
 

@@ -175,7 +175,8 @@ TEST(Fit, IsTheSameEachTime) {
 TEST(Fit, SaysWhatIsMissing) {
   const ObserverFile file = shipped_observer("causality-thresholds");
   EXPECT_EQ(missing_for_fit(*file.kind, {}),
-            "completed trials with a rating, yes or no, a choice of two intervals, or clicks, got "
+            "completed trials with answers that such a participant gives (a rating, yes or no, a "
+            "choice of two intervals, a mark on a line, clicks), got "
             "none");
   AnsweringPerson person{"S1", {}};
   for (int i = 0; i < 3; ++i) {

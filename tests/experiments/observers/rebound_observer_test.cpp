@@ -62,7 +62,7 @@ TEST(DistortedRebounds, StayInTheScreensPlaneWhereverOneLooksFrom) {
 TEST(DistortedRebounds, ThatCannotBeAreRefused) {
   json slower = scene_with("slower", 120);
   EXPECT_EQ(scene_refusal(slower),
-            "/imposed/rebound/amount: expected 100 percent slower at most, got 120");
+            "/imposed/rebound/amount: expected 100 percent slower at most, got 120.0");
   json nobody = json::parse(shipped("stimuli/l-blocks-in-a-cube.json"));
   nobody["imposed"]["rebound"] = {{"change", "wider"}, {"amount", 1}};
   EXPECT_EQ(scene_refusal(nobody), "/imposed/rebound: expected none where no two bodies meet");
