@@ -38,7 +38,7 @@ HermiteRule hermite_rule(Eigen::Index size) {
 
 const HermiteRule& rule_for(Eigen::Index traits) {
   static const HermiteRule one = hermite_rule(9);
-  static const HermiteRule more = hermite_rule(5);
+  static const HermiteRule more = hermite_rule(7);
   return traits <= 1 ? one : more;
 }
 

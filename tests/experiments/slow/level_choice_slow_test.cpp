@@ -49,9 +49,9 @@ class LaunchesByLevel {
     }
   }
 
-  /// What a comparison makes of the marks of three people who see bounds at `level`.
+  /// What a comparison makes of the marks of six people who see bounds at `level`.
   ObserverComparison compared(int level, std::uint64_t seed) const {
-    constexpr int kPeople = 3;
+    constexpr int kPeople = 6;
     std::vector<ComparedObserver> all;
     for (const ObserverFile& file : files_) {
       all.push_back({file.document.name, file.kind, file.parameters, {}});
@@ -76,7 +76,7 @@ class LaunchesByLevel {
         }
       }
     }
-    return compare_observers(all, kPeople);
+    return compare_observers(all, 3);
   }
 
  private:
