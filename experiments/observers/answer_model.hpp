@@ -66,6 +66,8 @@ struct AnswerModel {
   /// Null: a kind that marks no lines.
   double (*mark)(const RatingParameters& parameters, double seen, double share){nullptr};
 
+  bool is_of_scene{false};  ///< `percept` goes by the scene as it begins alone, and takes long
+
   /// Parameters that a fit looks for beside those of all ratings, the most telling first.
   std::vector<std::string> fitted{};
   std::vector<TraitSpread> spreads{};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -128,6 +129,34 @@ std::optional<double> share_of_line(const StoredResponse& response) {
   return (detail["value"].get<double>() - least) / (most - least);
 }
 
+/// What an observer goes by in trials: found once for scenes that begin alike, where that is all it
+/// goes by.
+class Perception {
+ public:
+  explicit Perception(const ObserverFile& observer) : observer_(observer) {}
+
+  const Percept& of(const ShownAgain& again, const std::string& condition) {
+    const AnswerModel& model = observer_.kind->answers;
+    Percept* place = &last_;
+    bool is_new = true;
+    if (model.is_of_scene) {
+      const auto known =
+          known_.try_emplace(std::pair(condition, hash_state(again.scene.start).hash));
+      place = &known.first->second;
+      is_new = known.second;
+    }
+    if (is_new) {
+      *place = model.percept(*observer_.parameters, again.record, again.scene);
+    }
+    return *place;
+  }
+
+ private:
+  const ObserverFile& observer_;
+  std::map<std::pair<std::string, std::uint64_t>, Percept> known_;
+  Percept last_;
+};
+
 /// The answers alone; none when there is no answer that counts.
 std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protocol,
                                         const StoredAttempt& attempt) {
@@ -198,6 +227,7 @@ std::vector<std::vector<AnsweringPerson>> answering_people(
     const std::vector<ObserverFile>& observers) {
   ProgressLine line("simulating trials again");
   std::vector<std::vector<AnsweringPerson>> people(observers.size());
+  std::vector<Perception> perceptions(observers.begin(), observers.end());
   double done = 0.0;
   for (const StoredAttempt& attempt : answered.attempts) {
     line.tell(done++ / static_cast<double>(answered.attempts.size()));
@@ -210,8 +240,7 @@ std::vector<std::vector<AnsweringPerson>> answering_people(
     for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
       const ShownAgain again = show_again(study, library, attempt, interval);
       for (std::size_t i = 0; i < observers.size(); ++i) {
-        trials[i].percepts.push_back(observers[i].kind->answers.percept(*observers[i].parameters,
-                                                                        again.record, again.scene));
+        trials[i].percepts.push_back(perceptions[i].of(again, attempt.trial.condition));
       }
     }
     for (std::size_t i = 0; i < observers.size(); ++i) {

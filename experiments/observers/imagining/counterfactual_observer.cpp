@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "experiments/observers/imagining/noise_ladder.hpp"
 
 namespace impetus::inline observers {
 
@@ -54,6 +57,32 @@ class CounterfactualObserver final : public RatingObserver {
   Foresight foreseen_;
 };
 
+/// As marked() draws it: the share of this participant's own runs, the hand's noise, which is cut
+/// at the line's ends, and lapses.
+double mark_chance(const RatingParameters& parameters, double seen, double share) {
+  const auto& own = static_cast<const CounterfactualParameters&>(parameters);
+  const double sd = std::sqrt(own.mark_sd * own.mark_sd + seen * (1.0 - seen) / own.runs + 1e-12);
+  const double z = (share - seen) / sd;
+  const bool is_end = share <= 0.0 || share >= 1.0;
+  const double meant = is_end ? normal_cdf(share <= 0.0 ? z : -z)
+                              : std::exp(-0.5 * z * z) / (sd * std::sqrt(2.0 * std::numbers::pi));
+  return (1.0 - own.lapse_rate) * meant + own.lapse_rate * (is_end ? 0.005 : 1.0);
+}
+
+AnswerModel counterfactual_answers() {
+  AnswerModel answers = imagining_answers<CounterfactualParameters, counterfactual_entries>();
+  answers.fitted.emplace_back("mark_sd");
+  answers.mark = mark_chance;
+  answers.percept = [](const RatingParameters& parameters, const AttemptRecord& /*shown*/,
+                       const StagedScene& scene) {
+    return shares_by_noise(static_cast<const CounterfactualParameters&>(parameters),
+                           [&](const Imagination& by, RandomStream& draws) {
+                             return scene.goal ? foresee(scene, by, draws).without : 0.0;
+                           });
+  };
+  return answers;
+}
+
 }  // namespace
 
 Foresight foresee(const StagedScene& scene, const Imagination& by, RandomStream& draws) {
@@ -81,7 +110,8 @@ const ObserverKind& counterfactual_observer() {
       .read = read_imagining<CounterfactualParameters, counterfactual_entries>,
       .make = make_own<CounterfactualParameters, CounterfactualObserver>,
       .has_own_scale = true,
-      .effect_is_of_all = false};
+      .effect_is_of_all = false,
+      .answers = counterfactual_answers()};
   return kind;
 }
 

@@ -5,7 +5,7 @@
 //
 // Whoever flashed is who is asked about; where no two did, nothing is seen.
 // SPDX-License-Identifier: MIT
-#include "experiments/observers/imagining/imagining_parameters.hpp"
+#include "experiments/observers/imagining/noise_ladder.hpp"
 
 namespace impetus::inline observers {
 
@@ -15,6 +15,16 @@ namespace {
 
 std::vector<ParameterEntry> foreseeing_entries(ImaginingParameters& own) {
   return imagining_entries(own);
+}
+
+/// In how many runs the two touch that flashed; none: no two did.
+double foreseen_share(const StagedScene& scene, const Imagination& by, RandomStream& draws) {
+  const std::vector<std::size_t>& meant = scene.flashing.bodies;
+  if (meant.size() != 2) {
+    return 0.0;
+  }
+  const BodyPair pair{static_cast<std::int32_t>(meant[0]), static_cast<std::int32_t>(meant[1])};
+  return imagined_touching(scene, last_shown_instant(scene), pair, by, draws);
 }
 
 /// Imagines each clip anew.
@@ -27,17 +37,24 @@ class ForeseeingObserver final : public RatingObserver {
 
  private:
   [[nodiscard]] double seen(const AttemptRecord& /*shown*/, const StagedScene& scene) override {
-    const std::vector<std::size_t>& meant = scene.flashing.bodies;
-    if (meant.size() != 2) {
-      return 0.0;
-    }
-    const BodyPair pair{static_cast<std::int32_t>(meant[0]), static_cast<std::int32_t>(meant[1])};
-    return imagined_touching(scene, last_shown_instant(scene), pair, imagination_, draws_);
+    return foreseen_share(scene, imagination_, draws_);
   }
 
   Imagination imagination_;
   RandomStream draws_;
 };
+
+AnswerModel foreseeing_answers() {
+  AnswerModel answers = imagining_answers<ImaginingParameters, foreseeing_entries>();
+  answers.percept = [](const RatingParameters& parameters, const AttemptRecord& /*shown*/,
+                       const StagedScene& scene) {
+    return shares_by_noise(static_cast<const ImaginingParameters&>(parameters),
+                           [&](const Imagination& by, RandomStream& draws) {
+                             return foreseen_share(scene, by, draws);
+                           });
+  };
+  return answers;
+}
 
 }  // namespace
 
@@ -53,7 +70,8 @@ const ObserverKind& foreseeing_observer() {
       .read = read_imagining<ImaginingParameters, foreseeing_entries>,
       .make = make_own<ImaginingParameters, ForeseeingObserver>,
       .has_own_scale = true,
-      .effect_is_of_all = false};
+      .effect_is_of_all = false,
+      .answers = foreseeing_answers()};
   return kind;
 }
 

@@ -1,0 +1,45 @@
+// The share of imagined runs at rungs of heading noise, and between them: by it people's answers
+// tell how unsteady what they imagine is.
+//
+//   share        x                  one stream of draws for all rungs, so that the shares
+//     |      x       x  x           differ by the noise alone; a line between two rungs
+//     |   x                x
+//     +---.25-.35-.5 ... 8 deg
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "experiments/observers/imagining/imagining_parameters.hpp"
+
+namespace impetus::inline observers {
+
+/// The share at each rung, as `share` has it of who imagines with that noise.
+Percept shares_by_noise(
+    const ImaginingParameters& own,
+    const std::function<double(const Imagination& by, RandomStream& draws)>& share);
+
+/// The share at a noise of heading (degrees): the least rung's below it, the last one's above.
+double share_at_noise(const Percept& shares, double heading_noise_deg);
+
+/// What a fit of those who imagine has in common: the noise of heading is looked for first.
+template <typename Parameters, std::vector<ParameterEntry> (*own_entries)(Parameters&)>
+AnswerModel imagining_answers() {
+  AnswerModel answers;
+  answers.fitted = {"heading_noise_deg", "lapse_rate"};
+  answers.is_of_scene = true;
+  answers.seen = [](const RatingParameters& parameters, const Traits& /*all are alike*/,
+                    const Percept& percept) {
+    return share_at_noise(percept, static_cast<const Parameters&>(parameters).heading_noise_deg);
+  };
+  answers.entries = [](RatingParameters& parameters) {
+    return own_entries(static_cast<Parameters&>(parameters));
+  };
+  answers.copy = [](const RatingParameters& parameters) -> std::shared_ptr<RatingParameters> {
+    return std::make_shared<Parameters>(static_cast<const Parameters&>(parameters));
+  };
+  answers.settle = [](RatingParameters& parameters) { answer_blindly_by_lapses(parameters); };
+  return answers;
+}
+
+}  // namespace impetus::inline observers
