@@ -14,7 +14,6 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
-#include "experiments/commands/picture_size.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"

@@ -11,7 +11,6 @@
 
 #ifdef IMPETUS_WINDOW
 #include "experiments/commands/new_file.hpp"
-#include "experiments/commands/picture_size.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/viewers/tree_view.hpp"

@@ -17,9 +17,9 @@
 #include "experiments/commands/films/protocol_films.hpp"
 #include "experiments/commands/films/recorded_film.hpp"
 #include "experiments/commands/films/simulated_film.hpp"
-#include "experiments/commands/picture_size.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
+#include "experiments/commands/window_size.hpp"
 #include "experiments/files/protocol_files.hpp"
 #include "experiments/files/scene_files.hpp"
 #include "experiments/protocol/checked_scene.hpp"
@@ -35,16 +35,18 @@ struct FilmOptions {
   std::optional<std::int64_t> attempt;
   std::string scene;
   std::string out;
-  std::string format{"mp4"};
+  std::string format;
   std::vector<std::string> overlays;
   std::string screen_file;
-  double refresh_hz{60.0};
+  std::optional<double> refresh_hz;
   bool allow_rounding{false};
   int width_px{0};
   int height_px{0};
 };
 
 #ifdef IMPETUS_WINDOW
+
+constexpr double kUsualRefresh_hz = 60.0;
 
 FilmOverlays overlays_of(const FilmOptions& options) {
   FilmOverlays overlays;
@@ -68,7 +70,6 @@ int film_one(const Film& film, const FilmTarget& target, const FilmLook& look,
   if (film.patch) {
     painter.show_patch(*film.patch, film.stimuli.front().scene.viewer.screen);
   }
-  head["film"] = target.path.filename().string();
   auto line = std::make_unique<ProgressLine>("filming");
   const FilmSums sums = make_film(film, target, look, std::move(head), painter,
                                   [&](double share) { line->tell(share); });
@@ -84,7 +85,18 @@ int film_one(const Film& film, const FilmTarget& target, const FilmLook& look,
   return kDone;
 }
 
+/// What was recorded has its own screen and rate, and is one film.
+void require_none_of_scenes(const FilmOptions& options) {
+  for (const auto& [given, name] : {std::pair{!options.screen_file.empty(), "--screen"},
+                                    std::pair{options.refresh_hz.has_value(), "--refresh"},
+                                    std::pair{options.allow_rounding, "--allow-rounding"},
+                                    std::pair{!options.format.empty(), "--format"}}) {
+    require(!given, std::string(name) + ": expected a scene or a protocol beside it, got a study");
+  }
+}
+
 int film_trial(const FilmOptions& options) {
+  require_none_of_scenes(options);
   require(options.trial.has_value(),
           "--trial: expected the number of a trial (the column `trial` of the views), which is "
           "missing");
@@ -112,8 +124,10 @@ int film_scene(const FilmOptions& options) {
     const SteadyClock clock;
     const Film film = simulated_film(
         build_scene(scene.value, screen, kUnroundedHold, shapes, "main/1", kFilmSeed),
-        options.refresh_hz, clock);
-    return film_one(film, target, look, {{"scene", scene.name}});
+        options.refresh_hz.value_or(kUsualRefresh_hz), clock);
+    nlohmann::ordered_json head{{"scene", scene.name}};
+    tell_of_gaze(film, head);
+    return film_one(film, target, look, std::move(head));
   });
 }
 
@@ -121,11 +135,16 @@ int film_protocol(const FilmOptions& options, const std::string& file) {
   const Protocol protocol = load_protocol(file);
   ProtocolFilms asked;
   asked.folder = options.out;
-  asked.format = options.format == "png" ? nullptr : find_format("." + options.format);
+  require(find_format(asked.folder.extension().string()) == nullptr,
+          "--out: expected a folder for the films of a protocol, got " + options.out);
+  asked.format =
+      options.format == "png"
+          ? nullptr
+          : find_format("." + (options.format.empty() ? std::string("mp4") : options.format));
   require_new_folder(asked.folder);
   asked.screen = chosen_screen(options.screen_file);
   asked.look = look_of(options, asked.screen);
-  asked.refresh_hz = options.refresh_hz;
+  asked.refresh_hz = options.refresh_hz.value_or(kUsualRefresh_hz);
   asked.allow_rounding = options.allow_rounding;
   if (asked.format != nullptr) {
     require_encodable(*asked.format, asked.look.size);
@@ -137,7 +156,6 @@ int film_protocol(const FilmOptions& options, const std::string& file) {
 
 int film_document(const FilmOptions& options) {
   const std::string file = shipped_file(options.source);
-  require(!options.trial, "--trial: expected a study beside it, got " + file);
   require(is_protocol(read_json(file)),
           file + ": expected a study or a protocol; a scene is filmed by --scene");
   return film_protocol(options, file);
@@ -148,11 +166,14 @@ int film(const FilmOptions& options) {
   require(options.source.empty() != options.scene.empty(),
           "expected a study with --trial, a protocol, or a scene with --scene, got " +
               std::string(options.source.empty() ? "none of them" : "two of them"));
-  if (!options.scene.empty()) {
-    return film_scene(options);
+  const bool is_document = std::filesystem::path(options.source).extension() == ".json";
+  if (options.scene.empty() && !is_document) {
+    return film_trial(options);
   }
-  return std::filesystem::path(options.source).extension() == ".json" ? film_document(options)
-                                                                      : film_trial(options);
+  require(!options.trial && !options.attempt, std::string(options.trial ? "--trial" : "--attempt") +
+                                                  ": expected a study beside it, got " +
+                                                  options.source + options.scene);
+  return is_document ? film_document(options) : film_scene(options);
 }
 
 #else
@@ -183,8 +204,7 @@ void add_film(CLI::App& app, Command& chosen) {
                    "File to write: .mkv (lossless), .mp4, .webm, .gif; or NAME/, a folder of PNG "
                    "files. What is in each frame is written beside it as JSON")
       ->required();
-  command->add_option("--format", options->format, "Of a protocol's films")
-      ->capture_default_str()
+  command->add_option("--format", options->format, "Of a protocol's films (default: mp4)")
       ->check(CLI::IsMember({"mkv", "mp4", "webm", "gif", "png"}));
   command->add_option("--show", options->overlays, "Draw over it: gaze, contacts, volumes")
       ->delimiter(',')
@@ -195,8 +215,9 @@ void add_film(CLI::App& app, Command& chosen) {
                       "Pixels down (default: as the screen's sides have it)");
   command->add_option("--screen", options->screen_file,
                       "Of a scene or protocol: screen file (default: the user's own)");
-  command->add_option("--refresh", options->refresh_hz, "Of a scene or protocol: frames per second")
-      ->capture_default_str()
+  command
+      ->add_option("--refresh", options->refresh_hz,
+                   "Of a scene or protocol: frames per second (default: 60)")
       ->check(CLI::Range(20.0, 1000.0));
   command->add_flag("--allow-rounding", options->allow_rounding,
                     "Of a protocol: round delays to whole frames, as `run` would with this option");

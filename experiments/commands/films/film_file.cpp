@@ -118,7 +118,8 @@ class EncodedFilm final : public FilmFile {
 /// A folder of PNG files.
 class PictureFolder final : public FilmFile {
  public:
-  explicit PictureFolder(const fs::path& target) : folder_(target, FolderCheck(refuse_full_folder)) {}
+  explicit PictureFolder(const fs::path& target)
+      : folder_(target, FolderCheck(refuse_full_folder)) {}
 
   void add(const Pixels& frame) override {
     char name[32];

@@ -87,6 +87,7 @@ nlohmann::ordered_json overlay_names(const FilmOverlays& overlays) {
 FilmSums make_film(const Film& film, const FilmTarget& target, const FilmLook& look,
                    nlohmann::ordered_json head, FilmPainter& painter,
                    const std::function<void(double)>& tell) {
+  head["film"] = target.path.filename().string();
   head["overlays"] = overlay_names(look.overlays);
   FilmRecord record(std::move(head), look.size, frame_rate(target, film.refresh_hz),
                     film.was_flipped);

@@ -18,10 +18,10 @@ namespace impetus::inline commands {
 namespace {
 
 /// "main-012-delay_ms-100-speed_deg_s-5": no letter of it needs quotes anywhere.
-std::string film_name(const PlannedFilm& planned, std::size_t number) {
+std::string film_name(const PlannedFilm& planned) {
   constexpr std::size_t kLongest = 120;
   char begin[48];
-  std::snprintf(begin, sizeof begin, "%s-%03zu", planned.part.c_str(), number);
+  std::snprintf(begin, sizeof begin, "%s-%03zu", planned.part.c_str(), planned.film + 1);
   std::string name = begin;
   for (const FactorLevel& level : planned.trial.condition) {
     name += "-" + level.factor + "-" + to_text(level.value);
@@ -39,6 +39,12 @@ std::string cell(const std::optional<T>& value) {
   return value ? csv_number(static_cast<double>(*value)) : "";
 }
 
+/// A film that is written.
+struct MadeFilm {
+  std::string file;
+  FilmSums sums;
+};
+
 /// The table of the films.
 class FilmTable {
  public:
@@ -54,9 +60,10 @@ class FilmTable {
     text_ = csv_line(head);
   }
 
-  void add(const std::string& file, const PlannedFilm& planned, const FilmSums& sums) {
+  void add(const MadeFilm& made, const PlannedFilm& planned) {
     const PlannedTrial& trial = planned.trial;
-    std::vector<std::string> cells{file, planned.part, to_json(trial.condition).dump(),
+    const FilmSums& sums = made.sums;
+    std::vector<std::string> cells{made.file, planned.part, to_json(trial.condition).dump(),
                                    std::to_string(trial.repetition)};
     for (const Factor& factor : design_.factors) {
       cells.push_back(level_of(trial.condition, factor.name));
@@ -92,15 +99,6 @@ nlohmann::ordered_json planned_head(const Protocol& protocol, const PlannedFilm&
           {"seed", planned.trial.seed}};
 }
 
-/// A participant's recorded gaze is part of what such a stimulus shows.
-void require_no_recording(const Protocol& protocol, const StagedScene& scene) {
-  if (scene.region.kind == RegionKind::kRecorded) {
-    throw InputError(protocol.document.name +
-                     ": expected stimuli that a film can have, got a region that follows the "
-                     "recorded gaze of a participant; a trial of a study has it");
-  }
-}
-
 /// Makes one after the other.
 class FilmSeries {
  public:
@@ -108,20 +106,30 @@ class FilmSeries {
              std::filesystem::path folder)
       : protocol_(protocol), asked_(asked), scenes_(scenes), folder_(std::move(folder)) {}
 
+  /// The film, unless another condition that looks alike has it already; and its row of the table.
   void make(const PlannedFilm& planned, const std::function<void(double)>& tell) {
-    const std::string name = film_name(planned, ++count_);
-    const std::string file = name + (asked_.format == nullptr ? "" : asked_.format->ending);
-    StagedScene scene = scenes_.stage(planned.trial, asked_.screen);
-    require_no_recording(protocol_, scene);
-    const Film film = simulated_film(std::move(scene), asked_.refresh_hz, clock_);
-    table_.add(file, planned,
-               make_film(film, {folder_ / file, asked_.format}, asked_.look,
-                         planned_head(protocol_, planned), painter_, tell));
+    if (planned.film == made_.size()) {
+      const std::string file =
+          film_name(planned) + (asked_.format == nullptr ? "" : asked_.format->ending);
+      made_.push_back({file, film(planned, file, tell)});
+    }
+    table_.add(made_[planned.film], planned);
   }
 
+  [[nodiscard]] std::size_t count() const { return made_.size(); }
   [[nodiscard]] const std::string& table() const { return table_.text(); }
 
  private:
+  FilmSums film(const PlannedFilm& planned, const std::string& file,
+                const std::function<void(double)>& tell) {
+    const Film shown =
+        simulated_film(scenes_.stage(planned.trial, asked_.screen), asked_.refresh_hz, clock_);
+    nlohmann::ordered_json head = planned_head(protocol_, planned);
+    tell_of_gaze(shown, head);
+    return make_film(shown, {folder_ / file, asked_.format}, asked_.look, std::move(head), painter_,
+                     tell);
+  }
+
   const Protocol& protocol_;
   const ProtocolFilms& asked_;
   const ProtocolScenes& scenes_;
@@ -129,7 +137,7 @@ class FilmSeries {
   const SteadyClock clock_{};
   FilmPainter painter_{asked_.look.size, asked_.look.overlays, clock_};
   FilmTable table_{protocol_.design};
-  std::size_t count_{0};
+  std::vector<MadeFilm> made_;
 };
 
 }  // namespace
@@ -148,7 +156,7 @@ std::size_t make_protocol_films(const Protocol& protocol, const ProtocolFilms& a
   }
   write_output_file(folder.path() / "films.csv", series.table());
   folder.put_in_place();
-  return planned.size();
+  return series.count();
 }
 
 }  // namespace impetus::inline commands

@@ -2,6 +2,7 @@
 #include "experiments/commands/films/simulated_film.hpp"
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,9 +11,11 @@
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/design/between_participants.hpp"
 #include "experiments/protocol/solved_values.hpp"
+#include "experiments/questions/level_value.hpp"
 #include "experiments/questions/two_interval.hpp"
 #include "experiments/record/frame_grid.hpp"
 #include "experiments/run/live_run.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -30,9 +33,6 @@ FrameRecord perfect_frame(std::int64_t frame, double refresh_hz) {
 class PlannedTrials {
  public:
   explicit PlannedTrials(const Design& design) : design_(design) {
-    for (const Condition& practised : design.practice) {
-      add_in_every_group("practice", TrialPhase::kPractice, practised);
-    }
     for (const Condition& cell : cells(design)) {
       for (std::int64_t repetition = 1; repetition <= design.repetitions; ++repetition) {
         add("main", TrialPhase::kMain, cell, repetition);
@@ -42,6 +42,9 @@ class PlannedTrials {
       const bool adapts = beside.place.starts_with("/design/adaptation");
       add_in_every_group(adapts ? "adaptation" : "catch",
                          adapts ? TrialPhase::kAdaptation : TrialPhase::kMain, beside.condition);
+    }
+    for (const Condition& practised : design.practice) {
+      add_in_every_group("practice", TrialPhase::kPractice, practised);
     }
   }
 
@@ -79,6 +82,18 @@ std::string looks_of(const nlohmann::json& scene, const StagedScene& staged) {
   return scene.dump() + std::to_string(hash_state(staged.world.states()).hash);
 }
 
+/// The scene as it begins; a participant's recorded gaze would be part of what it shows.
+StagedScene staged_unwatched(const Protocol& protocol, const ProtocolScenes& scenes,
+                             const PlannedTrial& trial, const ScreenGeometry& screen) {
+  StagedScene scene = scenes.stage(trial, screen);
+  if (scene.region.kind == RegionKind::kRecorded) {
+    throw InputError(protocol.document.name +
+                     ": expected stimuli that nobody has to look at, got a region that follows a "
+                     "participant's recorded gaze; a trial of a study has it, and can be filmed");
+  }
+  return scene;
+}
+
 }  // namespace
 
 Film simulated_film(StagedScene scene, double refresh_hz, const Clock& clock) {
@@ -94,17 +109,29 @@ Film simulated_film(StagedScene scene, double refresh_hz, const Clock& clock) {
   return film;
 }
 
+void tell_of_gaze(const Film& film, nlohmann::ordered_json& head) {
+  if (film.stimuli.front().scene.depends_on_gaze) {
+    head["gaze"] = "the detail of collisions follows it, and here nobody looks";
+  }
+}
+
 std::vector<PlannedFilm> planned_films(const Protocol& protocol, const ProtocolScenes& scenes,
                                        const ScreenGeometry& screen) {
   PlannedTrials planned(protocol.design);
   put_what_is_solved(protocol, planned.plan);
-  std::set<std::string> seen;
+  std::map<std::string, std::size_t> known;
+  std::set<std::string> told;
   std::vector<PlannedFilm> films;
   for (std::size_t i = 0; i < planned.plan.size(); ++i) {
     for (const PlannedTrial& shown : stimuli_of(protocol.script, planned.plan[i])) {
-      if (seen.insert(looks_of(scene_of(protocol, shown), scenes.stage(shown, screen))).second) {
-        const bool own = shown.condition == planned.plan[i].condition;
-        films.push_back({own ? planned.parts[i] : "standard", shown});
+      const bool own = shown.condition == planned.plan[i].condition;
+      const std::string looks =
+          looks_of(scene_of(protocol, shown), staged_unwatched(protocol, scenes, shown, screen));
+      const PlannedFilm film{own ? planned.parts[i] : "standard", shown,
+                             known.emplace(looks, known.size()).first->second};
+      if (told.insert(film.part + to_json(shown.condition).dump() + std::to_string(film.film))
+              .second) {
+        films.push_back(film);
       }
     }
   }

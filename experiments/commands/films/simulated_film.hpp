@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,19 @@ inline constexpr std::uint64_t kFilmSeed = 1;
 /// Simulates the scene to its end. `clock` times budgets in milliseconds.
 Film simulated_film(StagedScene scene, double refresh_hz, const Clock& clock);
 
-/// A planned stimulus that differs from those before it.
+/// Says of a film whose scene goes by the gaze that nobody looked.
+void tell_of_gaze(const Film& film, nlohmann::ordered_json& head);
+
+/// A stimulus of a protocol under one of its conditions.
 struct PlannedFilm {
-  std::string part;  ///< "main", "practice", "catch", "adaptation" or "standard"
+  std::string part;  ///< "main", "catch", "adaptation", "practice" or "standard"
   PlannedTrial trial;
+  std::size_t film{0};  ///< conditions that look alike have one film
 };
 
-/// All that a protocol shows, each once: practice, main trials, catch trials and adaptation, in
-/// each group, with standards; of stimuli that start at random each repetition. `scenes` are the
-/// protocol's. Throws InputError.
+/// All that a protocol shows: main trials, catch trials, adaptation and practice, in each group,
+/// with standards; of stimuli that start at random each repetition. Films are numbered from 0 as
+/// they come. `scenes` are the protocol's. Throws InputError.
 std::vector<PlannedFilm> planned_films(const Protocol& protocol, const ProtocolScenes& scenes,
                                        const ScreenGeometry& screen);
 
