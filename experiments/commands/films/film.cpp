@@ -106,8 +106,11 @@ int film_trial(const FilmOptions& options) {
     const StoredAttempt attempt = filmed_attempt(study, *options.trial, options.attempt);
     const FilmLook look = look_of(options, attempt.screen);
     require_filmable(target, look.size);
-    const Film film = recorded_film(study, attempt);
-    return film_one(film, target, look, recorded_head(study, attempt));
+    const RecordedFilm recorded = recorded_film(study, attempt);
+    for (const auto& what : recorded.head["left_out"]) {
+      std::printf("left out: %s, which was shown with it\n", what.get<std::string>().c_str());
+    }
+    return film_one(recorded.film, target, look, recorded.head);
   } catch (const SQLite::Exception& error) {
     throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
   }
@@ -206,8 +209,12 @@ void add_film(CLI::App& app, Command& chosen) {
       ->required();
   command->add_option("--format", options->format, "Of a protocol's films (default: mp4)")
       ->check(CLI::IsMember({"mkv", "mp4", "webm", "gif", "png"}));
-  command->add_option("--show", options->overlays, "Draw over it: gaze, contacts, volumes")
+  command
+      ->add_option("--show", options->overlays,
+                   "Draw over it, with commas between: gaze, contacts, volumes; the latter two "
+                   "for a quarter of a second after a contact")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"gaze", "contacts", "volumes"}));
   command->add_option("--width", options->width_px,
                       "Pixels across (default: the recorded screen's, or 1280)");

@@ -8,6 +8,7 @@
 #include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/gaze/gaze_trail.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/store/rows.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -40,6 +41,33 @@ std::vector<TimedGaze> samples_of(StudyFile& study, const StoredAttempt& attempt
                   : std::vector<TimedGaze>{};
 }
 
+/// What was on the screen beside the pictures, in words.
+nlohmann::ordered_json left_out(StudyFile& study, const StoredAttempt& attempt,
+                                const Script& script) {
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  if (script.progress_during_stimuli) {
+    names.push_back("the bar of progress");
+  }
+  if (load_value<std::string>(study.database(), "SELECT gaze_source FROM attempt WHERE id = ?",
+                              attempt.id) == "mouse") {
+    names.push_back("the mouse pointer");
+  }
+  return names;
+}
+
+nlohmann::ordered_json head_of(StudyFile& study, const StoredAttempt& attempt,
+                               const Script& script) {
+  return {{"study", study.name()},
+          {"trial", attempt.trial_id},
+          {"participant", attempt.participant},
+          {"slot", attempt.trial.slot},
+          {"attempt", attempt.number},
+          {"completed", attempt.completed},
+          {"condition", nlohmann::ordered_json::parse(attempt.trial.condition)},
+          {"refresh_hz", attempt.refresh_hz},
+          {"left_out", left_out(study, attempt, script)}};
+}
+
 }  // namespace
 
 StoredAttempt filmed_attempt(StudyFile& study, std::int64_t trial,
@@ -59,7 +87,7 @@ StoredAttempt filmed_attempt(StudyFile& study, std::int64_t trial,
   return completed == attempts.end() ? attempts.back() : *completed;
 }
 
-Film recorded_film(StudyFile& study, const StoredAttempt& attempt) {
+RecordedFilm recorded_film(StudyFile& study, const StoredAttempt& attempt) {
   ReplayLibrary library(study);
   Film film;
   film.refresh_hz = attempt.refresh_hz;
@@ -77,20 +105,7 @@ Film recorded_film(StudyFile& study, const StoredAttempt& attempt) {
                             samples_of(study, attempt, interval)});
     require_same(study, attempt, film.stimuli.back());
   }
-  return film;
-}
-
-nlohmann::ordered_json recorded_head(const StudyFile& study, const StoredAttempt& attempt) {
-  return {
-      {"study", study.name()},
-      {"trial", attempt.trial_id},
-      {"participant", attempt.participant},
-      {"slot", attempt.trial.slot},
-      {"attempt", attempt.number},
-      {"completed", attempt.completed},
-      {"condition", nlohmann::ordered_json::parse(attempt.trial.condition)},
-      {"refresh_hz", attempt.refresh_hz},
-      {"time", "a frame for each refresh of the screen; one whose successor came late is held"}};
+  return {std::move(film), head_of(study, attempt, library.protocol(attempt.protocol_id).script)};
 }
 
 }  // namespace impetus::inline commands

@@ -16,12 +16,15 @@ namespace impetus::inline commands {
 StoredAttempt filmed_attempt(StudyFile& study, std::int64_t trial,
                              std::optional<std::int64_t> number);
 
+/// A film, and what the JSON beside it begins with.
+struct RecordedFilm {
+  Film film;
+  nlohmann::ordered_json head;
+};
+
 /// Simulates the attempt again and takes what was shown. Throws InputError, in one sentence, when
 /// nothing was shown, this build does not replay it, or the simulation diverges: then the film
 /// would not be what the participant saw.
-Film recorded_film(StudyFile& study, const StoredAttempt& attempt);
-
-/// What the JSON beside the film begins with.
-nlohmann::ordered_json recorded_head(const StudyFile& study, const StoredAttempt& attempt);
+RecordedFilm recorded_film(StudyFile& study, const StoredAttempt& attempt);
 
 }  // namespace impetus::inline commands

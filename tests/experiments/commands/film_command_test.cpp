@@ -196,6 +196,14 @@ TEST_F(FilmCommand, OverlaysAreDrawnOverAndToldOf) {
   EXPECT_EQ(frame(contact - 20).rgb, apart.rgb) << "nothing to tell of bodies that are apart";
 }
 
+TEST_F(FilmCommand, APointerThatWasShownIsSaidToBeLeftOut) {
+  EXPECT_EQ(film({"a.sqlite", "--trial", "2", "--width", "160"})["left_out"], json::array());
+  std::filesystem::remove_all(folder_ / "f");
+  tamper(folder_ / "a.sqlite", "UPDATE attempt SET gaze_source = 'mouse'");
+  EXPECT_EQ(film({"a.sqlite", "--trial", "2", "--width", "160"})["left_out"],
+            json{"the mouse pointer"});
+}
+
 TEST_F(FilmCommand, ThePhotodiodePatchIsPartOfThePicture) {
   tamper(folder_ / "a.sqlite",
          "UPDATE session SET photodiode_patch = 'top left';"
