@@ -11,6 +11,7 @@
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
 #include "experiments/questions/level_value.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/tables/csv_line.hpp"
 
