@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/numerics/at.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/world/phases.hpp"
 
 namespace impetus::inline world {
@@ -117,18 +118,43 @@ void add_spin(const BodyModel& model, const Vector3& spin_rad_s, BodyState& stat
   state.angular_momentum += angular_momentum_at(model, state.pose.orientation, spin_rad_s);
 }
 
-/// Adds the spin at the first collision of bodies 0 and 1 that was responded to, if it is handled
-/// at the spin's level.
+/// Adds the spin, if the collision is handled at the spin's level.
 void spin_bodies(const ImposedSpinRule& rule, CollisionReport& collision, WorldState& world) {
-  constexpr BodyPair kSpun{0, 1};
-  if (world.has_spun || !(collision.bodies == kSpun) || !(collision.impulse_Ns > 0.0)) {
-    return;
-  }
-  world.has_spun = true;
   if (collision.level == rule.at_level) {
     collision.imposed_spin = true;
-    add_spin(world.models[at(kSpun.a)], rule.spin.a, world.states[at(kSpun.a)]);
-    add_spin(world.models[at(kSpun.b)], rule.spin.b, world.states[at(kSpun.b)]);
+    add_spin(world.models[0], rule.spin.a, world.states[0]);
+    add_spin(world.models[1], rule.spin.b, world.states[1]);
+  }
+}
+
+/// Turns a vector about a unit one. (Rodrigues)
+Vector3 turned(const Vector3& v, const Vector3& axis, double angle_deg) {
+  const auto [sine, cosine] = sine_cosine_deg(angle_deg);
+  return cosine * v + sine * axis.cross(v) + (1.0 - cosine) * axis.dot(v) * axis;
+}
+
+/// Turns the ways of the two away from each other, or towards each other, and changes their speed.
+/// Where they part in opposite directions the second turns anticlockwise, as seen against the axis.
+void redirect_bodies(const ImposedRebound& rebound, WorldState& world) {
+  Vector3& a = world.states[0].linear_momentum;
+  Vector3& b = world.states[1].linear_momentum;
+  const double away = rebound.axis.dot(a.cross(b)) >= 0.0 ? 0.5 : -0.5;
+  a = rebound.speed_ratio * turned(a, rebound.axis, -away * rebound.wider_deg);
+  b = rebound.speed_ratio * turned(b, rebound.axis, away * rebound.wider_deg);
+}
+
+/// What waits for the first collision of bodies 0 and 1 that is responded to.
+void impose_once(const WorldSettings& settings, CollisionReport& collision, WorldState& world) {
+  constexpr BodyPair kBoth{0, 1};
+  if (world.have_met || !(collision.bodies == kBoth) || !(collision.impulse_Ns > 0.0)) {
+    return;
+  }
+  world.have_met = true;
+  if (settings.imposed_spin) {
+    spin_bodies(*settings.imposed_spin, collision, world);
+  }
+  if (settings.imposed_rebound) {
+    redirect_bodies(*settings.imposed_rebound, world);
   }
 }
 
@@ -136,9 +162,7 @@ void spin_bodies(const ImposedSpinRule& rule, CollisionReport& collision, WorldS
 void impose(const Step& step) {
   for (CollisionReport& collision : step.memory.report.collisions) {
     hold_bodies(step.settings.imposed_hold_s, collision, step.world.states);
-    if (step.settings.imposed_spin) {
-      spin_bodies(*step.settings.imposed_spin, collision, step.world);
-    }
+    impose_once(step.settings, collision, step.world);
   }
 }
 

@@ -37,6 +37,18 @@ struct ImposedSpinRule {
   ImposedSpin spin;
 };
 
+/// Velocities that are imposed on bodies 0 and 1 of the world after the first contact that they
+/// respond to; once in a world's life. This is not physics: neither momentum nor energy is kept.
+/// What turns goes on turning. (O'Sullivan, Dingliana, Giang and Kaiser 2003, angular and momentum
+/// distortions)
+struct ImposedRebound {
+  /// What the angle between their ways gains, half of it from each; below 0: what it loses.
+  double wider_deg{0.0};
+  /// Across the plane in which it is measured, and in which they are turned: a unit vector.
+  Vector3 axis{Vector3::UnitZ()};
+  double speed_ratio{1.0};  ///< of both speeds, to those of the response
+};
+
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
@@ -63,7 +75,8 @@ struct WorldSettings {
   /// are part of the floor, which no budget limits. Never more; fast pairs for which none are left
   /// are refined as if capped.
   std::int64_t most_entry_tests{kUnlimitedTests};
-  std::optional<ImposedSpinRule> imposed_spin{};  ///< an imposed manipulation, not physics
+  std::optional<ImposedSpinRule> imposed_spin{};    ///< an imposed manipulation, not physics
+  std::optional<ImposedRebound> imposed_rebound{};  ///< an imposed manipulation, not physics
   /// Bodies that hinges join, in the order of their bodies.
   std::vector<Figure> figures{};
 };

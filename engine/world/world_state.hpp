@@ -79,7 +79,7 @@ struct WorldState {
   /// Of those that the last step had no work left for, the first in line.
   std::optional<BodyPair> next_to_begin;
   bool some_pass_through{false};  ///< of the bodies
-  bool has_spun{false};  ///< bodies 0 and 1 had the collision that an imposed spin waits for
+  bool have_met{false};  ///< bodies 0 and 1 had the collision that spin and rebound wait for
   bool was_cut{false};   ///< some step so far was granted less than it asked for, but refinement
   bool watches_node_contacts{false};
   bool watches_pairs{false};

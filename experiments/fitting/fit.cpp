@@ -384,7 +384,7 @@ class Fitting {
 /// Whether two trials have the same answers.
 bool answers_alike(const AnsweredTrial& a, const AnsweredTrial& b) {
   return a.rating_steps == b.rating_steps && a.yes == b.yes && a.first == b.first &&
-         a.clicks_s.has_value() == b.clicks_s.has_value() &&
+         a.mark == b.mark && a.clicks_s.has_value() == b.clicks_s.has_value() &&
          (!a.clicks_s || a.clicks_s->size() == b.clicks_s->size());
 }
 
@@ -422,8 +422,8 @@ std::optional<std::string> missing_for_fit(const ObserverKind& kind,
   }
   const std::string count = std::to_string(trials_of(people)) + " trials";
   if (first == nullptr) {
-    return "completed trials with a rating, yes or no, a choice of two intervals, or clicks, "
-           "got none";
+    return "completed trials with answers that such a participant gives (a rating, yes or no, a "
+           "choice of two intervals, a mark on a line, clicks), got none";
   }
   if (!percepts_differ) {
     return "trials that differ in what the observer looks at (" + kind.attention.words + "), got " +

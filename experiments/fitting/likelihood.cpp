@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 namespace impetus::inline fitting {
 namespace {
@@ -107,6 +108,7 @@ void AnswerLikelihood::list_spreads(bool as_group) {
 }
 
 void AnswerLikelihood::forget_modes() {
+  judged_by_.reset();
   traits_change_seen_ = std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
     return one.trait == &Traits::threshold;
   });
@@ -189,6 +191,9 @@ double AnswerLikelihood::chance_of(const AnsweredTrial& trial, const Traits& tra
       const double yes = yes_chance(*parameters_, outcome.seen);
       all *= *trial.yes ? yes : 1.0 - yes;
     }
+    if (trial.mark) {
+      all *= model_->mark(*parameters_, outcome.seen, *trial.mark);
+    }
     chance += all;
   }
   if (trial.first) {
@@ -216,6 +221,19 @@ double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits
 }
 
 // ---------------------------------------------------------------- one person
+
+/// What was seen goes by the kind's own parameters: true when one is not what it last was.
+bool AnswerLikelihood::own_have_moved() {
+  std::vector<double> own;
+  for (const MovableParameter& one : movable_) {
+    if (std::find(model_->fitted.begin(), model_->fitted.end(), one.name) != model_->fitted.end()) {
+      own.push_back(*one.place);
+    }
+  }
+  const bool moved = !judged_by_ || *judged_by_ != own;
+  judged_by_ = std::move(own);
+  return moved;
+}
 
 /// What no trait changes is computed once for all traits that are tried.
 void AnswerLikelihood::judge(Person& person) {
@@ -311,7 +329,6 @@ MatrixXd AnswerLikelihood::find_mode(Person& person) {
 }
 
 double AnswerLikelihood::integral(Person& person) {
-  judge(person);
   const Eigen::Index size = person.mode.size();
   if (size == 0) {
     return joint(person, person.mode);
@@ -354,11 +371,31 @@ std::vector<double> AnswerLikelihood::logarithms() {
   if (!can_be()) {
     return std::vector<double>(people_.size(), kImpossible);
   }
-  std::vector<double> all;
-  for (Person& person : people_) {
-    all.push_back(integral(person));
-  }
+  const bool judges = own_have_moved();
+  std::vector<double> all(people_.size());
+  for_each_person([&](std::size_t i) {
+    if (judges) {
+      judge(people_[i]);
+    }
+    all[i] = integral(people_[i]);
+  });
   return all;
+}
+
+/// Where clicks are explained a person takes a millisecond: people are shared among threads.
+void AnswerLikelihood::for_each_person(const std::function<void(std::size_t)>& one) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t jobs = model_->outcomes != nullptr ? std::min(cores, people_.size()) : 1;
+  const auto every_nth = [&](std::size_t first) {
+    for (std::size_t i = first; i < people_.size(); i += jobs) {
+      one(i);
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t job = 1; job < jobs; ++job) {
+    threads.emplace_back(every_nth, job);
+  }
+  every_nth(0);
 }
 
 double AnswerLikelihood::logarithm() {

@@ -10,7 +10,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,11 +90,13 @@ class AnswerLikelihood {
   void list_spreads(bool as_group);
   void forget_modes();
   [[nodiscard]] bool can_be() const;
+  [[nodiscard]] bool own_have_moved();
   void judge(Person& person);
   [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
   [[nodiscard]] double joint(const Person& person, const Eigen::VectorXd& z);
   [[nodiscard]] Eigen::MatrixXd find_mode(Person& person);
   [[nodiscard]] double integral(Person& person);
+  void for_each_person(const std::function<void(std::size_t)>& one);
   [[nodiscard]] double chance_of(const AnsweredTrial& trial, const Traits& traits,
                                  const std::vector<Outcome>& outcomes) const;
 
@@ -102,6 +106,7 @@ class AnswerLikelihood {
   std::vector<TraitSpread> spreads_;  ///< in which people differ
   bool traits_change_seen_{false};
   std::vector<Person> people_;
+  std::optional<std::vector<double>> judged_by_;  ///< the kind's own parameters; none: not yet
   std::vector<Outcome> scratch_;
 };
 

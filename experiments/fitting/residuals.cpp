@@ -108,11 +108,31 @@ std::vector<QuestionResiduals> residuals(AnswerLikelihood& likelihood,
     alone.first = true;
     return of_two(likelihood.chance(alone, own), *trial.first);
   };
+  const Expected mark = [&](const AnsweredTrial& trial,
+                            const Traits& own) -> std::optional<Expectation> {
+    constexpr int kParts = 100;  // between the line's ends, where a chance is a density
+    if (!trial.mark) {
+      return std::nullopt;
+    }
+    AnsweredTrial alone = asked_alone(trial);
+    Expectation expected{0.0, 0.0, *trial.mark};
+    double squares = 0.0;
+    for (int part = 0; part <= kParts + 1; ++part) {
+      alone.mark = std::clamp((part - 0.5) / kParts, 0.0, 1.0);
+      const bool is_end = part == 0 || part == kParts + 1;
+      const double chance = likelihood.chance(alone, own) / (is_end ? 1.0 : kParts);
+      expected.mean += chance * *alone.mark;
+      squares += chance * *alone.mark * *alone.mark;
+    }
+    expected.variance = squares - expected.mean * expected.mean;
+    return expected;
+  };
   std::vector<QuestionResiduals> all;
   for (const auto& [question, expected] :
        {std::pair<std::string, Expected>{"rating, in steps from the scale's good end", rating},
         {"share of yes", yes},
-        {"share of the first interval", first}}) {
+        {"share of the first interval", first},
+        {"mark, as a share of the line", mark}}) {
     if (auto one = of_question(question, expected, people, traits, groups)) {
       all.push_back(std::move(*one));
     }

@@ -62,6 +62,9 @@ struct AnswerModel {
   /// The chance of the point so many steps from the good end of a scale.
   double (*rating)(const RatingParameters& parameters, const Traits& traits, double seen,
                    std::size_t steps, std::size_t points){nullptr};
+  /// How probable a mark on a line is, a share of it: a chance at its ends, a density between them.
+  /// Null: a kind that marks no lines.
+  double (*mark)(const RatingParameters& parameters, double seen, double share){nullptr};
 
   /// Parameters that a fit looks for beside those of all ratings, the most telling first.
   std::vector<std::string> fitted{};

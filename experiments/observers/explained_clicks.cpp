@@ -11,12 +11,14 @@ namespace impetus::inline observers {
 namespace {
 
 constexpr double kLeast = 1e-300;  ///< what cannot be is only very improbable: a fit goes on
+constexpr double kDone = 1e-12;    ///< who waits for its click less probably has it
 
 /// How likely an event waits for its click, or has clicked.
 struct Follow {
   double at_s;
   double waits;
   double clicked{0.0};
+  double longer{1.0};  ///< the share of clicks that come later than now
 };
 
 /// Follows all events through a trial.
@@ -35,7 +37,10 @@ class Explanation {
     }
     logarithm_ -= habit_.false_per_s * (to_s - now_s_);
     for (Follow& one : follows_) {
-      const double still = still_waits(one, to_s);
+      if (is_idle(one, to_s)) {
+        continue;
+      }
+      const double still = pass(one, to_s);
       const double silent = std::max(1.0 - one.waits * (1.0 - still), kLeast);
       logarithm_ += std::log(silent);
       one.waits *= still / silent;
@@ -50,7 +55,10 @@ class Explanation {
       return;
     }
     for (Follow& one : follows_) {
-      const double clicks = one.waits * (1.0 - still_waits(one, to_s));
+      if (is_idle(one, to_s)) {
+        continue;
+      }
+      const double clicks = one.waits * (1.0 - pass(one, to_s));
       one.waits -= clicks;
       one.clicked += clicks;
     }
@@ -60,14 +68,14 @@ class Explanation {
   /// A click, now.
   void take_click() {
     double all = habit_.false_per_s;
-    std::vector<double> hazards;
+    hazards_.clear();
     for (const Follow& one : follows_) {
-      hazards.push_back(one.waits * hazard(now_s_ - one.at_s));
-      all += hazards.back();
+      hazards_.push_back(is_idle(one, now_s_) ? 0.0 : one.waits * hazard(one));
+      all += hazards_.back();
     }
     logarithm_ += std::log(std::max(all, kLeast));
     for (std::size_t i = 0; i < follows_.size() && all > 0.0; ++i) {
-      const double its = hazards[i] / all;
+      const double its = hazards_[i] / all;
       follows_[i].waits *= 1.0 - its;
       follows_[i].clicked = its + (1.0 - its) * follows_[i].clicked;
     }
@@ -79,35 +87,32 @@ class Explanation {
   }
 
  private:
+  /// Whether nothing of it changes until `to_s`: it comes later, or has its click.
+  [[nodiscard]] static bool is_idle(const Follow& one, double to_s) {
+    return to_s <= one.at_s || one.waits < kDone;
+  }
   /// z of a waiting time.
   [[nodiscard]] double z(double waited_s) const {
     return std::log(waited_s / habit_.median_s) / habit_.sigma_log;
   }
-  /// That a click takes longer than this.
-  [[nodiscard]] double longer(double waited_s) const {
-    return waited_s <= 0.0 ? 1.0 : normal_cdf(-z(waited_s));
+  /// Of those who wait now, the share that does at `to_s`, which is now from now on.
+  double pass(Follow& one, double to_s) const {
+    const double longer = normal_cdf(-z(to_s - one.at_s));
+    const double still = one.longer > 0.0 ? longer / one.longer : 0.0;
+    one.longer = longer;
+    return still;
   }
-  /// Of those who wait now, the share that does at `to_s`.
-  [[nodiscard]] double still_waits(const Follow& one, double to_s) const {
-    if (to_s <= one.at_s || one.waits <= 0.0) {
-      return 1.0;
-    }
-    const double now = longer(now_s_ - one.at_s);
-    return now > 0.0 ? longer(to_s - one.at_s) / now : 0.0;
-  }
-  [[nodiscard]] double hazard(double waited_s) const {
-    if (waited_s <= 0.0) {
-      return 0.0;
-    }
+  [[nodiscard]] double hazard(const Follow& one) const {
+    const double waited_s = now_s_ - one.at_s;
     const double at = z(waited_s);
     const double density = std::exp(-0.5 * at * at) /
                            (waited_s * habit_.sigma_log * std::sqrt(2.0 * std::numbers::pi));
-    const double waits = longer(waited_s);
-    return waits > 0.0 ? density / waits : 0.0;
+    return one.longer > 0.0 ? density / one.longer : 0.0;
   }
 
   ClickHabit habit_;
   std::vector<Follow> follows_;
+  std::vector<double> hazards_;
   double now_s_{0.0};
   double logarithm_{0.0};
 };

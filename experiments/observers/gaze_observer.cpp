@@ -198,26 +198,31 @@ Percept shown_collisions(const RatingParameters& parameters, const AttemptRecord
   return percept;
 }
 
-/// Where each collision of a percept begins an event, and how probably: when it is seen and none
-/// was within the time in which two count as one.
+/// Where each collision of a percept, which has them in order of time, begins an event, and how
+/// probably: when it is seen and none was within the time in which two count as one.
 std::vector<PossibleEvent> possible_events(const GazeObserverParameters& own,
                                            const Percept& percept) {
-  struct Seen {
-    double at_s;
-    double chance;
-  };
-  std::vector<Seen> before;
+  constexpr double kNegligible = 1e-10;
+  std::vector<PossibleEvent> seen;
   std::vector<PossibleEvent> events;
+  std::size_t first_near = 0;  // of those seen
   for (std::size_t at = 2; at < percept.size(); at += 4) {
+    const double at_s = percept[at];
     const double chance =
         seen_gap_of(own, percept[at + 1], percept[at + 2], percept[at + 3], percept[1]);
-    double begins = chance;
-    for (const Seen& one : before) {
-      begins *= percept[at] - one.at_s < own.merge_ms / 1e3 ? 1.0 - one.chance : 1.0;
+    if (chance < kNegligible) {
+      continue;
     }
-    before.push_back({percept[at], chance});
-    if (begins > 0.0) {
-      events.push_back({percept[at], begins});
+    while (first_near < seen.size() && at_s - seen[first_near].at_s >= own.merge_ms / 1e3) {
+      ++first_near;
+    }
+    double begins = chance;
+    for (std::size_t near = first_near; near < seen.size(); ++near) {
+      begins *= 1.0 - seen[near].chance;
+    }
+    seen.push_back({at_s, chance});
+    if (begins > kNegligible) {
+      events.push_back({at_s, begins});
     }
   }
   return events;

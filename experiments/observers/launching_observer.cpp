@@ -7,6 +7,8 @@
 // rated is the impression: the better, the less is seen.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "experiments/observers/observer_kinds.hpp"
@@ -71,12 +73,24 @@ double seen_launch(const RatingParameters& parameters, const Traits& traits,
   return 1.0 - (1.0 - late) * (1.0 - apart);
 }
 
+/// The mark that is meant is the impression; noise that leads over an end is cut there.
+double launching_mark(const RatingParameters& parameters, double seen, double share) {
+  const double sd = std::max(static_cast<const LaunchingParameters&>(parameters).mark_sd, 1e-6);
+  const double z = (share - (1.0 - seen)) / sd;
+  if (share <= 0.0 || share >= 1.0) {
+    return normal_cdf(share <= 0.0 ? z : -z);
+  }
+  return std::exp(-0.5 * z * z) / (sd * std::sqrt(2.0 * std::numbers::pi));
+}
+
 AnswerModel launching_answers() {
   AnswerModel answers = answers_of_own<LaunchingParameters, launching_entries>(
-      {"delay_threshold_ms", "gap_threshold_arcmin", "delay_width_ms", "gap_width_arcmin"},
+      {"delay_threshold_ms", "gap_threshold_arcmin", "delay_width_ms", "gap_width_arcmin",
+       "mark_sd"},
       {{"delay_threshold_sd_ms", &Traits::threshold}});
   answers.percept = shown_launch;
   answers.seen = seen_launch;
+  answers.mark = launching_mark;
   return answers;
 }
 

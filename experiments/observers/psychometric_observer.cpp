@@ -39,14 +39,6 @@ struct Truth {
   double (*value)(const AttemptRecord& shown, const StagedScene& scene);
 };
 
-/// The first collision of two bodies; null when there was none.
-const CollisionRecord* first_meeting(const AttemptRecord& shown) {
-  const auto met = std::find_if(
-      shown.collisions.begin(), shown.collisions.end(),
-      [](const CollisionRecord& collision) { return !is_wall(collision.report.bodies.b); });
-  return met == shown.collisions.end() ? nullptr : &*met;
-}
-
 double delay_ms(const AttemptRecord& shown, const StagedScene& /*scene*/) {
   return longest_delay_ms(shown);
 }

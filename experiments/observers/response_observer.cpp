@@ -10,11 +10,11 @@
 // speed accurate collisions were rated worse than randomised ones is not built in. The parameters
 // are in experiments/observers/response.json.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cmath>
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/observers/gap_observer.hpp"
+#include "experiments/observers/shown_truths.hpp"
 
 namespace impetus::inline observers {
 
@@ -63,10 +63,8 @@ double ResponseObserver::wrongness(double seen_gap, double spin_deg_s, double cl
 
 double ResponseObserver::seen(const AttemptRecord& shown, const StagedScene& scene) {
   const double gap = GapObserver::seen(shown, scene);
-  const auto met = std::find_if(
-      shown.collisions.begin(), shown.collisions.end(),
-      [](const CollisionRecord& collision) { return !is_wall(collision.report.bodies.b); });
-  if (met == shown.collisions.end()) {
+  const CollisionRecord* met = first_meeting(shown);
+  if (met == nullptr) {
     return gap;
   }
   const BodyPair& bodies = met->report.bodies;

@@ -8,6 +8,13 @@
 
 namespace impetus::inline observers {
 
+const CollisionRecord* first_meeting(const AttemptRecord& shown) {
+  const auto met = std::find_if(
+      shown.collisions.begin(), shown.collisions.end(),
+      [](const CollisionRecord& collision) { return !is_wall(collision.report.bodies.b); });
+  return met == shown.collisions.end() ? nullptr : &*met;
+}
+
 double longest_delay_ms(const AttemptRecord& shown) {
   double longest_s = 0.0;
   for (const CollisionRecord& collision : shown.collisions) {

@@ -9,6 +9,9 @@
 
 namespace impetus::inline observers {
 
+/// The first collision of two bodies; null when there was none.
+const CollisionRecord* first_meeting(const AttemptRecord& shown);
+
 /// The longest freeze at contact, ms; 0: none.
 double longest_delay_ms(const AttemptRecord& shown);
 

@@ -276,6 +276,24 @@ Kind<RandomSpin> random_spin_kind() {
        required("a", &R::a, limits, "Of the first body."), required("b", &R::b, limits)});
 }
 
+Kind<ReboundSettings> rebound_kind() {
+  using R = ReboundSettings;
+  using C = R::Change;
+  static const Names<C> changes{{"wider", C::kWider},
+                                {"narrower", C::kNarrower},
+                                {"faster", C::kFaster},
+                                {"slower", C::kSlower}};
+  return object<R>(
+      "Of two bodies that meet: how they part for the first time is changed (O'Sullivan, "
+      "Dingliana, "
+      "Giang and Kaiser 2003).",
+      {required("change", &R::change, choice(changes),
+                "wider, narrower: the angle on the screen between their ways, half of it each; "
+                "faster, slower: both speeds."),
+       required("amount", &R::amount, number({0, 180}),
+                "Degrees of wider and narrower; percent of faster and, 100 at most, slower.")});
+}
+
 Kind<ImposedSettings> imposed_kind() {
   using I = ImposedSettings;
   return object<I>(
@@ -284,6 +302,7 @@ Kind<ImposedSettings> imposed_kind() {
            "Both bodies freeze where they touch for this long, or where a launch has them: a whole "
            "number of frames."),
        row("random_spin", &I::random_spin, random_spin_kind()),
+       row("rebound", &I::rebound, rebound_kind()),
        row("gaze_latency_ms", &I::gaze_latency_ms, number({0, 10000}),
            "Samples of the gaze younger than this are not used yet; added to the protocol's "
            "extra_latency_ms."),

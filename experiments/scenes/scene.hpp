@@ -184,10 +184,20 @@ struct RandomSpin {
   SpinLimits b;
 };
 
+/// An imposed change of how two bodies part after they met.
+struct ReboundSettings {
+  /// Of what: the angle between their ways, or both speeds.
+  enum class Change { kWider, kNarrower, kFaster, kSlower };
+
+  Change change{Change::kWider};
+  double amount{0.0};  ///< degrees of wider and narrower, percent of faster and slower
+};
+
 /// Manipulations that are not physics.
 struct ImposedSettings {
   std::optional<double> contact_hold_ms;
   std::optional<RandomSpin> random_spin;
+  std::optional<ReboundSettings> rebound;
   double gaze_latency_ms{0.0};
   std::optional<bool> no_spin;
 };

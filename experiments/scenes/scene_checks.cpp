@@ -80,6 +80,19 @@ void add_random_spin_problems(const Scene& scene, SceneProblems& problems) {
   }
 }
 
+void add_rebound_problems(const Scene& scene, SceneProblems& problems) {
+  if (!scene.imposed || !scene.imposed->rebound) {
+    return;
+  }
+  const ReboundSettings& rebound = *scene.imposed->rebound;
+  const std::string place = "/imposed/rebound";
+  if (!scene.meeting) {
+    problems.add(place, "expected none where no two bodies meet");
+  } else if (rebound.change == ReboundSettings::Change::kSlower && rebound.amount > 100.0) {
+    problems.add_got(place + "/amount", "expected 100 percent slower at most");
+  }
+}
+
 void add_meeting_problems(const Scene& scene, SceneProblems& problems) {
   const std::string why = "where bodies meet";
   require_key(scene.imposed.has_value(), "imposed", why, problems);
@@ -159,6 +172,7 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_enclosure_problems(scene, problems);
   add_tree_problems(scene.engine, problems);
   add_random_spin_problems(scene, problems);
+  add_rebound_problems(scene, problems);
   add_appearance_problems(scene, problems);
   add_plane_problems(scene, problems);
   add_goal_problems(scene, problems);

@@ -128,6 +128,31 @@ std::optional<ImposedSpinRule> imposed_spin_of(const Scene& scene, std::uint64_t
   return ImposedSpinRule{rule.at_level, {a, b}};
 }
 
+/// What /imposed/rebound imposes, in the plane of the viewer's screen; none where it is left out.
+std::optional<ImposedRebound> imposed_rebound_of(const Scene& scene, const Viewer& viewer) {
+  if (!scene.imposed || !scene.imposed->rebound) {
+    return std::nullopt;
+  }
+  using Change = ReboundSettings::Change;
+  const auto& [change, amount] = *scene.imposed->rebound;
+  ImposedRebound rebound{.axis = viewer.right.cross(viewer.up)};
+  switch (change) {
+    case Change::kWider:
+      rebound.wider_deg = amount;
+      break;
+    case Change::kNarrower:
+      rebound.wider_deg = -amount;
+      break;
+    case Change::kFaster:
+      rebound.speed_ratio = 1.0 + amount / 100.0;
+      break;
+    case Change::kSlower:
+      rebound.speed_ratio = 1.0 - amount / 100.0;
+      break;
+  }
+  return rebound;
+}
+
 /// Only crowds are drawn more coarsely than they are simulated.
 void add_coarser_meshes(std::vector<DrawnBody>& looks, ShapeLibrary& library) {
   if (!is_crowd(looks.size())) {
@@ -165,6 +190,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   }
   WorldSettings settings = world_settings_of(scene);
   settings.imposed_spin = imposed_spin_of(scene, seed);
+  settings.imposed_rebound = imposed_rebound_of(scene, viewer);
   settings.imposed_hold_s = realised_s;
   settings.enclosure = enclosure_of(scene, m_per_deg, viewer);
   settings.schedule = schedule_of(engine, m_per_deg, bodies.models.size());

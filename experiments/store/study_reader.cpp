@@ -120,9 +120,9 @@ std::optional<std::int64_t> load_last_flip(StudyFile& study, std::int64_t attemp
 
 std::vector<StoredResponse> load_responses(StudyFile& study, std::int64_t attempt_id) {
   return load_as<StoredResponse, std::string, std::string, std::optional<bool>, std::optional<bool>,
-                 bool, std::int64_t>(
+                 bool, std::int64_t, std::string>(
       study.database(),
-      "SELECT kind, answer, positive, correct, timed_out, arrived_ns FROM response "
+      "SELECT kind, answer, positive, correct, timed_out, arrived_ns, detail FROM response "
       "WHERE attempt_id = ? ORDER BY number",
       attempt_id);
 }

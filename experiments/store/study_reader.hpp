@@ -71,6 +71,7 @@ struct StoredResponse {
   std::optional<bool> correct;
   bool timed_out{false};
   std::int64_t arrived_ns{0};
+  std::string detail;  ///< what else its kind records: JSON
 };
 
 /// The responses of an attempt in the order asked.

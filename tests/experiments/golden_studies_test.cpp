@@ -21,6 +21,7 @@ constexpr Recording kRecordings[] = {
     {"causality-thresholds", 20U},  // training, three or more of each delay
     {"causality-thresholds-quest", 21U},
     {"crowd", 7U},                   // trees of medial spheres, 50 and 100 creatures
+    {"distorted-rebounds", 22U},     // one of each change, and of none
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
     {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze

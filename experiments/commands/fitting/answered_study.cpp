@@ -113,6 +113,21 @@ ShownAgain show_again(StudyFile& study, ReplayLibrary& library, const StoredAtte
   return {std::move(record), replay.scene()};
 }
 
+bool has_any(const AnsweredTrial& trial) {
+  return trial.rating_steps || trial.yes || trial.first || trial.mark || trial.clicks_s;
+}
+
+/// Where the mark is between the ends of its scale; none where the scale has two sides.
+std::optional<double> share_of_line(const StoredResponse& response) {
+  const json detail = json::parse(response.detail);
+  const double least = detail["minimum"];
+  const double most = detail["maximum"];
+  if (least < 0.0) {
+    return std::nullopt;
+  }
+  return (detail["value"].get<double>() - least) / (most - least);
+}
+
 /// The answers alone; none when there is no answer that counts.
 std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protocol,
                                         const StoredAttempt& attempt) {
@@ -128,6 +143,9 @@ std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protoc
     if (!response.timed_out && response.kind == "two_interval") {
       trial.first = response.answer == "first";
     }
+    if (!response.timed_out && response.kind == "slider") {
+      trial.mark = share_of_line(response);
+    }
   }
   if (takes_clicks(protocol.script)) {
     trial.clicks_s.emplace();
@@ -135,16 +153,18 @@ std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protoc
       trial.clicks_s->push_back(static_cast<double>(arrived_ns - attempt.onset_ns) / 1e9);
     }
   }
-  const bool has_any = trial.rating_steps || trial.yes || trial.first || trial.clicks_s;
-  return has_any ? std::optional(trial) : std::nullopt;
+  return has_any(trial) ? std::optional(trial) : std::nullopt;
 }
 
-/// Clicks count for a kind that explains them; one that does not needs another answer.
+/// Clicks and marks count for a kind that explains them; one that does not needs another answer.
 bool counts_for(const ObserverFile& observer, AnsweredTrial& trial) {
   if (observer.kind->answers.outcomes == nullptr) {
     trial.clicks_s.reset();
   }
-  return trial.rating_steps || trial.yes || trial.first || trial.clicks_s;
+  if (observer.kind->answers.mark == nullptr) {
+    trial.mark.reset();
+  }
+  return has_any(trial);
 }
 
 }  // namespace

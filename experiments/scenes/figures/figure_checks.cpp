@@ -229,6 +229,7 @@ void add_imposed_problems(const ImposedSettings& imposed, SceneProblems& problem
   };
   refuse("contact_hold_ms", imposed.contact_hold_ms.has_value());
   refuse("random_spin", imposed.random_spin.has_value());
+  refuse("rebound", imposed.rebound.has_value());
   refuse("no_spin", imposed.no_spin.has_value());
 }
 

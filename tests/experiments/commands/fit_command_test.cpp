@@ -99,8 +99,8 @@ TEST(FitCommand, AKindThatCannotBeFittedIsRefused) {
       run_program(study.folder(), {"fit", "a.sqlite", "--observer", "response", "--out", "x.json"});
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.errors.find("/observer: expected a kind that can be fitted (causality, gap, "
-                               "gap-thresholds, gaze-contingent, launching, psychometric), got "
-                               "response"),
+                               "gap-thresholds, gaze-contingent, launching, psychometric, rebound), "
+                               "got response"),
             std::string::npos)
       << result.errors;
 }

@@ -66,7 +66,7 @@ inline Page question_page(const std::string& kind, std::size_t choices) {
   return page;
 }
 
-/// What everybody is shown, and asked: "yes_no", "rating" (1 is good) or "two_interval".
+/// What everybody is shown, and asked: "yes_no", "rating" (1 is good), "two_interval" or "slider".
 struct PlantedStudy {
   std::vector<std::vector<AttemptRecord>> trials;  ///< of one or two stimuli each
   std::string question{"yes_no"};
@@ -89,6 +89,10 @@ inline AnsweringPerson answering_person(const ObserverFile& file, const PlantedS
       shown.frames[0].interval = ++interval;
       observer->witnessed(shown, study.scene);
       trial.percepts.push_back(file.kind->answers.percept(*file.parameters, shown, study.scene));
+    }
+    if (study.question == "slider") {
+      trial.mark = observer->mark();
+      continue;
     }
     const std::size_t choice = observer->ask(page).choice;
     if (study.question == "rating") {

@@ -157,6 +157,24 @@ TEST(Fit, WhatTheDesignDoesNotIdentifyIsHeldAndSaidSo) {
   EXPECT_GE(held, 1);
 }
 
+TEST(Fit, MarksOnALineTellThresholdWidthAndTheirOwnNoise) {
+  const ObserverFile file = shipped_observer("odd-shapes");
+  PlantedStudy study = gaps_study(2);
+  study.question = "slider";
+  const ObserverFit fit =
+      fit_observer(*file.kind, *file.parameters, answering_group(file, study, 8, /*seed=*/3));
+  for (const auto& [name, planted] : {std::pair{"gap_threshold_arcmin", 36.0},
+                                      {"gap_width_arcmin", 20.0},
+                                      {"mark_sd", 0.12}}) {
+    const FittedParameter& one = found(fit, name);
+    ASSERT_TRUE(one.is_fitted()) << name;
+    EXPECT_LT(one.low, planted) << name;
+    EXPECT_GT(one.high, planted) << name;
+    EXPECT_LT(one.high - one.low, 0.6 * planted) << name;
+  }
+  EXPECT_FALSE(found(fit, "delay_threshold_ms").is_fitted()) << "nothing was late";
+}
+
 TEST(Fit, IsTheSameEachTime) {
   const ObserverFile file = shipped_observer("causality-thresholds");
   const auto people = answering_group(file, delays_study(5), 5, /*seed=*/9);
@@ -175,7 +193,8 @@ TEST(Fit, IsTheSameEachTime) {
 TEST(Fit, SaysWhatIsMissing) {
   const ObserverFile file = shipped_observer("causality-thresholds");
   EXPECT_EQ(missing_for_fit(*file.kind, {}),
-            "completed trials with a rating, yes or no, a choice of two intervals, or clicks, got "
+            "completed trials with answers that such a participant gives (a rating, yes or no, a "
+            "choice of two intervals, a mark on a line, clicks), got "
             "none");
   AnsweringPerson person{"S1", {}};
   for (int i = 0; i < 3; ++i) {

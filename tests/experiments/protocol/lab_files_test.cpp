@@ -25,7 +25,8 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
       {"/observer", "gaze",
        "o.json:/observer: expected one of \"adapting\", \"awaiting\", \"causality\", "
        "\"counterfactual\", \"foreseeing\", \"gap\", \"gap-thresholds\", "
-       "\"gaze-contingent\", \"launching\", \"psychometric\", \"response\", got \"gaze\""},
+       "\"gaze-contingent\", \"launching\", \"psychometric\", \"rebound\", \"response\", "
+       "got \"gaze\""},
       {"/parameters/lapse_rate/value", 2,
        "o.json:/parameters/lapse_rate/value: expected a number ≥ 0 and ≤ 1, got 2"},
       {"/parameters/threshold_sd_ms/value", -1,
