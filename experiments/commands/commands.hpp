@@ -24,6 +24,7 @@ void add_collect(CLI::App& app, Command& chosen);
 void add_exclude(CLI::App& app, Command& chosen);
 void add_export(CLI::App& app, Command& chosen);
 void add_extremes(CLI::App& app, Command& chosen);
+void add_film(CLI::App& app, Command& chosen);
 void add_fit(CLI::App& app, Command& chosen);
 void add_merge(CLI::App& app, Command& chosen);
 void add_new(CLI::App& app, Command& chosen);

@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   impetus::add_exclude(app, chosen);
   impetus::add_export(app, chosen);
   impetus::add_extremes(app, chosen);
+  impetus::add_film(app, chosen);
   impetus::add_fit(app, chosen);
   impetus::add_merge(app, chosen);
   impetus::add_new(app, chosen);

@@ -21,6 +21,8 @@
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/scene_run.hpp"
+#include "experiments/scenes/scene.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/text_table.hpp"
 

@@ -42,14 +42,6 @@ struct PreviewOptions {
 
 #ifdef IMPETUS_WINDOW
 
-int picture_px(const char* name, int given, int usual) {
-  if (given < 0 || given > kLargestPicturePx) {
-    throw InputError(std::string(name) + ": expected from 1 to " +
-                     std::to_string(kLargestPicturePx) + " pixels, got " + std::to_string(given));
-  }
-  return given == 0 ? usual : given;
-}
-
 void write_strip(const JsonDocument& scene, const PreviewOptions& options) {
   require_new_file(options.strip);
   const PictureSize size{picture_px("--width", options.width_px, 480),

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/r_program.hpp"
 
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-
+#include "experiments/commands/program_start.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -14,25 +12,11 @@ namespace impetus::inline commands {
 int run_r_script(const std::vector<std::string>& words) {
   std::vector<std::string> all{"Rscript", "--vanilla"};
   all.insert(all.end(), words.begin(), words.end());
-  std::vector<char*> pointers;
-  pointers.reserve(all.size() + 1);
-  for (std::string& word : all) {
-    pointers.push_back(word.data());
-  }
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  pid_t child = 0;
-  const int error =
-      posix_spawnp(&child, pointers.front(), &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
+  const auto child = start_program(std::move(all), {{STDERR_FILENO, STDOUT_FILENO}});
+  if (!child) {
     return kNoRscript;
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = await_program(*child);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

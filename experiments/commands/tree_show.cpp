@@ -74,14 +74,8 @@ TreeLook look_of(const ShowOptions& options, const VolumeTree& tree) {
 }
 
 PictureSize size_of(const ShowOptions& options, int usual_px) {
-  const auto checked = [&](const char* name, int given) {
-    if (given < 0 || given > kLargestPicturePx) {
-      throw InputError(std::string(name) + ": expected from 1 to " +
-                       std::to_string(kLargestPicturePx) + " pixels, got " + std::to_string(given));
-    }
-    return given == 0 ? usual_px : given;
-  };
-  return {checked("--width", options.width_px), checked("--height", options.height_px)};
+  return {picture_px("--width", options.width_px, usual_px),
+          picture_px("--height", options.height_px, usual_px)};
 }
 
 void write_pictures(const ShowOptions& options, const ShownTree& shown, const TreeLook& look) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/window_size.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "experiments/settings/input_error.hpp"
 
@@ -29,6 +32,46 @@ DisplayMode shown_mode(const WindowOptions& window) {
     mode.height_px = window.height_px;
   }
   return mode;
+}
+
+int picture_px(const char* option, int asked, int usual) {
+  if (asked < 0 || asked > kLargestPicturePx) {
+    throw InputError(std::string(option) + ": expected from 1 to " +
+                     std::to_string(kLargestPicturePx) + " pixels, got " + std::to_string(asked));
+  }
+  return asked == 0 ? usual : asked;
+}
+
+namespace {
+
+int even(double side_px) { return 2 * std::max(1, static_cast<int>(std::lround(side_px / 2.0))); }
+
+}  // namespace
+
+PictureSize picture_size(int width_px, int height_px, const ScreenGeometry& screen) {
+  constexpr int kUsualWidth_px = 1280;
+  constexpr double kOffShape = 0.01;  // as much as nobody sees
+  const bool known = screen.width_px > 0 && screen.height_px > 0;
+  const double shape = known ? static_cast<double>(screen.width_px) / screen.height_px
+                             : screen.width_m / screen.height_m;
+  PictureSize size;
+  const int usual_width_px = height_px > 0 ? even(shape * height_px)
+                             : known       ? screen.width_px
+                                           : kUsualWidth_px;
+  size.width_px = picture_px("--width", width_px, usual_width_px);
+  const bool is_own = size.width_px == screen.width_px && known;
+  size.height_px =
+      picture_px("--height", height_px, is_own ? screen.height_px : even(size.width_px / shape));
+  const double off_px = std::abs(size.width_px - shape * size.height_px);
+  if (off_px > std::max(2.0 * shape, kOffShape * size.width_px)) {
+    char text[120];
+    std::snprintf(
+        text, sizeof text,
+        "--width, --height: expected the shape of the screen, %.4g : 1, got %d x %d pixels", shape,
+        size.width_px, size.height_px);
+    throw InputError(text);
+  }
+  return size;
 }
 
 }  // namespace impetus::inline commands

@@ -51,38 +51,6 @@ fs::path without_last_slash(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// A file beside another, empty, and removed again unless it was put in its place.
-class FileBeside {
- public:
-  explicit FileBeside(const fs::path& target) : target_(target) {
-    name_ = target.string() + ".partial-XXXXXX";
-    const int file = mkstemp(name_.data());
-    if (file < 0) {
-      throw InputError("--out: expected a file that can be written, could not make " +
-                       target.string());
-    }
-    close(file);
-  }
-  ~FileBeside() { unlink(name_.c_str()); }
-  FileBeside(const FileBeside&) = delete;
-  FileBeside& operator=(const FileBeside&) = delete;
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-
-  void put_in_place() {
-    std::error_code error;
-    fs::permissions(name_, fs::perms(0644), error);
-    fs::rename(name_, target_, error);
-    if (error) {
-      throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
-    }
-  }
-
- private:
-  fs::path target_;
-  std::string name_;
-};
-
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path)
@@ -110,6 +78,28 @@ void write_output_file(const std::filesystem::path& path, std::string_view text)
   OutputFile file(path);
   file.write(text);
   file.close();
+}
+
+WholeFile::WholeFile(const fs::path& target) : target_(target) {
+  std::string pattern = target.string() + ".partial-XXXXXX";
+  const int file = mkstemp(pattern.data());
+  if (file < 0) {
+    throw InputError("--out: expected a file that can be written, could not make " +
+                     target.string());
+  }
+  close(file);
+  partial_ = pattern;
+}
+
+WholeFile::~WholeFile() { unlink(partial_.c_str()); }
+
+void WholeFile::put_in_place() {
+  std::error_code error;
+  fs::permissions(partial_, fs::perms(0644), error);
+  fs::rename(partial_, target_, error);
+  if (error) {
+    throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
+  }
 }
 
 WholeFolder::WholeFolder(const fs::path& target, bool replace)
@@ -176,15 +166,15 @@ void require_free_file(const StudyFile& study, const fs::path& target, bool repl
 }
 
 void write_study_copy(StudyFile& study, const fs::path& target) {
-  FileBeside beside(target);
+  WholeFile whole(target);
   try {
     SQLite::Statement copy(study.database(), "VACUUM INTO ?");
-    copy.bind(1, beside.name());
+    copy.bind(1, whole.path().string());
     copy.exec();
   } catch (const SQLite::Exception& error) {
     throw StoreError(target.string() + ": cannot be written (" + error.what() + ")");
   }
-  beside.put_in_place();
+  whole.put_in_place();
 }
 
 }  // namespace impetus::inline exports

@@ -1,5 +1,5 @@
-// What an export writes: files whose failure does not pass unseen; a folder, or another study file,
-// that appears whole or not at all.
+// What an export writes: files whose failure does not pass unseen; a folder or a file that appears
+// whole or not at all.
 //
 //   files ─> a folder beside it, "NAME.partial-XXXXXX" ─> renamed to NAME
 // SPDX-License-Identifier: MIT
@@ -34,6 +34,27 @@ class OutputFile {
 
 /// A whole file at once.
 void write_output_file(const std::filesystem::path& path, std::string_view text);
+
+/// A file that is put in place once all of it is written.
+class WholeFile {
+ public:
+  /// Makes an empty file beside `target`. Throws InputError when it cannot be made.
+  explicit WholeFile(const std::filesystem::path& target);
+  ~WholeFile();  ///< removes what was not put in place
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  /// Where to write.
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+
+  /// Once, when all is written, in place of what is there. Throws StoreError when it cannot be
+  /// done; then nothing has changed.
+  void put_in_place();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path partial_;
+};
 
 /// Asked about a target that is a folder of files: throws InputError when that is to stay.
 using FolderCheck = std::function<void(const std::filesystem::path&)>;

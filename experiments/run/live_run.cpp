@@ -2,10 +2,10 @@
 #include "experiments/run/live_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "engine/scheduling/speed_metrics.hpp"
+#include "experiments/run/frame_poses.hpp"
 
 namespace impetus::inline run {
 namespace {
@@ -106,14 +106,11 @@ void LiveRun::step() {
 }
 
 std::vector<Pose> LiveRun::poses_at(double time_s) {
-  // A frame that falls on a step needs no later one, whatever rounding made of its time.
-  constexpr double kOfAStep = 1e-9;
-  const double position = time_s * scene().step_hz;
-  const auto last_needed = static_cast<std::int64_t>(std::ceil(position - kOfAStep));
+  const std::int64_t last_needed = last_shown_step(scene(), time_s);
   while (run_.number() < last_needed) {
     step();
   }
-  return run_.poses(std::min(1.0, 1.0 - (static_cast<double>(run_.number()) - position)));
+  return shown_poses(run_, time_s);
 }
 
 }  // namespace impetus::inline run

@@ -136,6 +136,33 @@ std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_i
       attempt_id, interval);
 }
 
+std::vector<FrameRecord> load_frames(StudyFile& study, std::int64_t attempt_id) {
+  SQLite::Statement query(
+      study.database(),
+      "SELECT frame, phase = 'fixation', shown_time_s, scheduled_ns, submitted_ns, flipped_ns, "
+      "missed_slots, interval, patch FROM frame WHERE attempt_id = ? ORDER BY frame");
+  query.bind(1, attempt_id);
+  std::vector<FrameRecord> frames;
+  while (query.executeStep()) {
+    FrameRecord& frame = frames.emplace_back();
+    Flip& flip = frame.flip;
+    bool fixation = false;
+    NextColumn(query) >> frame.frame >> fixation >> frame.shown_time_s >> flip.scheduled_ns >>
+        flip.submitted_ns >> flip.flipped_ns >> flip.missed_slots >> frame.interval >> frame.patch;
+    frame.phase = fixation ? FramePhase::kFixation : FramePhase::kStimulus;
+  }
+  return frames;
+}
+
+std::optional<ScreenCorner> load_patch_corner(StudyFile& study, std::int64_t attempt_id) {
+  const auto corner = load_value<std::string>(
+      study.database(),
+      "SELECT photodiode_patch FROM session JOIN attempt ON attempt.session_id = session.id "
+      "WHERE attempt.id = ?",
+      attempt_id);
+  return corner ? corner_named(*corner) : std::nullopt;
+}
+
 std::vector<StoredCollision> load_collisions(StudyFile& study, std::int64_t attempt_id,
                                              const std::vector<std::string>& names,
                                              std::int64_t interval) {

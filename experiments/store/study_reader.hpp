@@ -11,6 +11,7 @@
 #include "engine/scheduling/viewer.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
+#include "experiments/record/record.hpp"
 #include "experiments/run/collision_truth.hpp"
 #include "experiments/store/enrolment.hpp"
 #include "experiments/store/study_file.hpp"
@@ -83,6 +84,12 @@ struct LateFrame {
 };
 std::vector<LateFrame> load_late_frames(StudyFile& study, std::int64_t attempt_id,
                                         std::int64_t interval = 1);
+
+/// The frames of an attempt's timed phases, in the order shown.
+std::vector<FrameRecord> load_frames(StudyFile& study, std::int64_t attempt_id);
+
+/// Where its session showed a photodiode patch; none: it showed none.
+std::optional<ScreenCorner> load_patch_corner(StudyFile& study, std::int64_t attempt_id);
 
 /// A recorded collision; bodies by their index in the scene, b a wall where it is one.
 struct StoredCollision {

@@ -46,4 +46,7 @@ struct Canvas {
   std::optional<PixelArea> patch;  ///< where it lies
 };
 
+/// All that a participant sees of a picture, patch included; not yet flipped.
+void paint_picture(Canvas& canvas, const Picture& picture, const ScreenGeometry& screen);
+
 }  // namespace impetus::inline window

@@ -61,6 +61,17 @@ std::shared_ptr<const Appearance> all_looks() {
 
 }  // namespace
 
+void paint_picture(Canvas& canvas, const Picture& picture, const ScreenGeometry& screen) {
+  canvas.painter.paint(picture, canvas.whole());
+  canvas.gui.begin();
+  if (picture.target) {
+    draw_fixation_target(canvas.gui, screen, *picture.target);
+  }
+  draw_progress(canvas.gui, picture.progress, BarPlace::kPicture);
+  canvas.gui.end();
+  canvas.paint_patch(picture.patch_code);
+}
+
 Window::Window(const WindowOptions& options, const Clock& clock)
     : canvas_(std::make_unique<Canvas>(options, clock)) {
   set_geometry({});
@@ -135,14 +146,7 @@ Flip Window::show(const Picture& picture) {
   Flip flip;
   while_display_lasts([&] {
     canvas_->window.show_cursor(picture.pointer);
-    canvas_->painter.paint(picture, canvas_->whole());
-    canvas_->gui.begin();
-    if (picture.target) {
-      draw_fixation_target(canvas_->gui, geometry_, *picture.target);
-    }
-    draw_progress(canvas_->gui, picture.progress, BarPlace::kPicture);
-    canvas_->gui.end();
-    canvas_->paint_patch(picture.patch_code);
+    paint_picture(*canvas_, picture, geometry_);
     flip = canvas_->deadlines.flip();
     canvas_->mouse.take(canvas_->events.take());
   });

@@ -14,7 +14,8 @@ using nlohmann::json;
 TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
   const TemporaryFolder folder;
   const std::string expected =
-      "expected one of the commands run, check, collect, exclude, export, extremes, fit, merge, "
+      "expected one of the commands run, check, collect, exclude, export, extremes, film, fit, "
+      "merge, "
       "new, "
       "observers, power, predict, preview, publish, replay, report, screen, serve, sessions, "
       "timing, "

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "experiments/protocol/observer_file.hpp"
+#include "experiments/record/lab_screen.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/session/timing_check.hpp"
 

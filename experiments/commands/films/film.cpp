@@ -1,0 +1,234 @@
+// `impetus film`: a recorded trial as a film of what was shown; or a scene, or all stimuli of a
+// protocol, for who shows them by another program.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/commands/commands.hpp"
+#include "experiments/commands/sentences.hpp"
+#include "experiments/commands/shipped_file.hpp"
+
+#ifdef IMPETUS_WINDOW
+#include "experiments/commands/films/film_making.hpp"
+#include "experiments/commands/films/protocol_films.hpp"
+#include "experiments/commands/films/recorded_film.hpp"
+#include "experiments/commands/films/simulated_film.hpp"
+#include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/chosen_screen.hpp"
+#include "experiments/commands/window_size.hpp"
+#include "experiments/files/protocol_files.hpp"
+#include "experiments/files/scene_files.hpp"
+#include "experiments/protocol/checked_scene.hpp"
+#endif
+
+namespace impetus::inline commands {
+namespace {
+
+/// What `impetus film` was asked for.
+struct FilmOptions {
+  std::string source;
+  std::optional<std::int64_t> trial;
+  std::optional<std::int64_t> attempt;
+  std::string scene;
+  std::string out;
+  std::string format;
+  std::vector<std::string> overlays;
+  std::string screen_file;
+  std::optional<double> refresh_hz;
+  bool allow_rounding{false};
+  int width_px{0};
+  int height_px{0};
+};
+
+#ifdef IMPETUS_WINDOW
+
+constexpr double kUsualRefresh_hz = 60.0;
+
+FilmOverlays overlays_of(const FilmOptions& options) {
+  FilmOverlays overlays;
+  for (const std::string& name : options.overlays) {
+    (name == "gaze"       ? overlays.gaze
+     : name == "contacts" ? overlays.contacts
+                          : overlays.volumes) = true;
+  }
+  return overlays;
+}
+
+FilmLook look_of(const FilmOptions& options, const ScreenGeometry& screen) {
+  return {picture_size(options.width_px, options.height_px, screen), overlays_of(options)};
+}
+
+/// A film, made from begin to end, and what is said of it.
+int film_one(const Film& film, const FilmTarget& target, const FilmLook& look,
+             nlohmann::ordered_json head) {
+  const SteadyClock clock;
+  FilmPainter painter(look.size, look.overlays, clock);
+  if (film.patch) {
+    painter.show_patch(*film.patch, film.stimuli.front().scene.viewer.screen);
+  }
+  auto line = std::make_unique<ProgressLine>("filming");
+  const FilmSums sums = make_film(film, target, look, std::move(head), painter,
+                                  [&](double share) { line->tell(share); });
+  line.reset();
+  const double hz = frame_rate(target, film.refresh_hz);
+  std::printf("written to %s: %zu frames of %d x %d pixels, %g a second\n",
+              target.path.string().c_str(), sums.frames, look.size.width_px, look.size.height_px,
+              hz);
+  if (hz != film.refresh_hz) {
+    std::printf("a GIF counts in hundredths of a second: it takes %.3g times as long\n",
+                film.refresh_hz / hz);
+  }
+  return kDone;
+}
+
+/// What was recorded has its own screen and rate, and is one film.
+void require_none_of_scenes(const FilmOptions& options) {
+  for (const auto& [given, name] : {std::pair{!options.screen_file.empty(), "--screen"},
+                                    std::pair{options.refresh_hz.has_value(), "--refresh"},
+                                    std::pair{options.allow_rounding, "--allow-rounding"},
+                                    std::pair{!options.format.empty(), "--format"}}) {
+    require(!given, std::string(name) + ": expected a scene or a protocol beside it, got a study");
+  }
+}
+
+int film_trial(const FilmOptions& options) {
+  require_none_of_scenes(options);
+  require(options.trial.has_value(),
+          "--trial: expected the number of a trial (the column `trial` of the views), which is "
+          "missing");
+  const FilmTarget target = film_target(options.out);
+  StudyFile study = StudyFile::open_for_reading(options.source);
+  try {
+    const StoredAttempt attempt = filmed_attempt(study, *options.trial, options.attempt);
+    const FilmLook look = look_of(options, attempt.screen);
+    require_filmable(target, look.size);
+    const RecordedFilm recorded = recorded_film(study, attempt);
+    for (const auto& what : recorded.head["left_out"]) {
+      std::printf("left out: %s, which was shown with it\n", what.get<std::string>().c_str());
+    }
+    return film_one(recorded.film, target, look, recorded.head);
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(study.name() + ": could not be read (" + error.what() + ")");
+  }
+}
+
+int film_scene(const FilmOptions& options) {
+  const FilmTarget target = film_target(options.out);
+  const JsonDocument scene = load_scene(shipped_file(options.scene));
+  ScreenGeometry screen = chosen_screen(options.screen_file);
+  const FilmLook look = look_of(options, screen);
+  require_filmable(target, look.size);
+  return staged_from(scene, [&] {
+    ShapeLibrary shapes;
+    const SteadyClock clock;
+    const Film film = simulated_film(
+        build_scene(scene.value, screen, kUnroundedHold, shapes, "main/1", kFilmSeed),
+        options.refresh_hz.value_or(kUsualRefresh_hz), clock);
+    nlohmann::ordered_json head{{"scene", scene.name}};
+    tell_of_gaze(film, head);
+    return film_one(film, target, look, std::move(head));
+  });
+}
+
+int film_protocol(const FilmOptions& options, const std::string& file) {
+  const Protocol protocol = load_protocol(file);
+  ProtocolFilms asked;
+  asked.folder = options.out;
+  require(find_format(asked.folder.extension().string()) == nullptr,
+          "--out: expected a folder for the films of a protocol, got " + options.out);
+  asked.format =
+      options.format == "png"
+          ? nullptr
+          : find_format("." + (options.format.empty() ? std::string("mp4") : options.format));
+  require_new_folder(asked.folder);
+  asked.screen = chosen_screen(options.screen_file);
+  asked.look = look_of(options, asked.screen);
+  asked.refresh_hz = options.refresh_hz.value_or(kUsualRefresh_hz);
+  asked.allow_rounding = options.allow_rounding;
+  if (asked.format != nullptr) {
+    require_encodable(*asked.format, asked.look.size);
+  }
+  const std::size_t count = make_protocol_films(protocol, asked);
+  std::printf("written to %s: %zu films, told of in films.csv\n", options.out.c_str(), count);
+  return kDone;
+}
+
+int film_document(const FilmOptions& options) {
+  const std::string file = shipped_file(options.source);
+  require(is_protocol(read_json(file)),
+          file + ": expected a study or a protocol; a scene is filmed by --scene");
+  return film_protocol(options, file);
+}
+
+int film(const FilmOptions& options) {
+  const BuildingLine told;
+  require(options.source.empty() != options.scene.empty(),
+          "expected a study with --trial, a protocol, or a scene with --scene, got " +
+              std::string(options.source.empty() ? "none of them" : "two of them"));
+  const bool is_document = std::filesystem::path(options.source).extension() == ".json";
+  if (options.scene.empty() && !is_document) {
+    return film_trial(options);
+  }
+  require(!options.trial && !options.attempt, std::string(options.trial ? "--trial" : "--attempt") +
+                                                  ": expected a study beside it, got " +
+                                                  options.source + options.scene);
+  return is_document ? film_document(options) : film_scene(options);
+}
+
+#else
+
+int film(const FilmOptions& /*options*/) {
+  throw InputError("this build has no window, which draws the pictures of films");
+}
+
+#endif
+
+}  // namespace
+
+void add_film(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<FilmOptions>();
+  CLI::App* command = app.add_subcommand(
+      "film", "Make a film of a recorded trial, of a scene, or of each stimulus of a protocol");
+  command->add_option("source", options->source,
+                      "Study file with --trial; or protocol file, whose stimuli are filmed one by "
+                      "one into the folder --out");
+  command->add_option("--trial", options->trial,
+                      "Of a study: this trial (the column `trial` of the views), every frame as "
+                      "it was flipped; frames that stayed for lack of the next are held as long");
+  command->add_option("--attempt", options->attempt,
+                      "Of a trial that was shown more than once (default: the completed one)");
+  command->add_option("--scene", options->scene, "Scene file, to be filmed without a study");
+  command
+      ->add_option("--out", options->out,
+                   "File to write: .mkv (lossless), .mp4, .webm, .gif; or NAME/, a folder of PNG "
+                   "files. What is in each frame is written beside it as JSON")
+      ->required();
+  command->add_option("--format", options->format, "Of a protocol's films (default: mp4)")
+      ->check(CLI::IsMember({"mkv", "mp4", "webm", "gif", "png"}));
+  command
+      ->add_option("--show", options->overlays,
+                   "Draw over it, with commas between: gaze, contacts, volumes; the latter two "
+                   "for a quarter of a second after a contact")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"gaze", "contacts", "volumes"}));
+  command->add_option("--width", options->width_px,
+                      "Pixels across (default: the recorded screen's, or 1280)");
+  command->add_option("--height", options->height_px,
+                      "Pixels down (default: as the screen's sides have it)");
+  command->add_option("--screen", options->screen_file,
+                      "Of a scene or protocol: screen file (default: the user's own)");
+  command
+      ->add_option("--refresh", options->refresh_hz,
+                   "Of a scene or protocol: frames per second (default: 60)")
+      ->check(CLI::Range(20.0, 1000.0));
+  command->add_flag("--allow-rounding", options->allow_rounding,
+                    "Of a protocol: round delays to whole frames, as `run` would with this option");
+  command->callback([options, &chosen] { chosen = [options] { return film(*options); }; });
+}
+
+}  // namespace impetus::inline commands

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/films/film_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "experiments/commands/films/ffmpeg_program.hpp"
+#include "experiments/commands/new_file.hpp"
+#include "experiments/exports/whole_output.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/tables/csv_line.hpp"
+
+namespace impetus::inline commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRecordName = "film.json";
+
+// Colours of films are those of television (BT.709) and said to be, so that players do not guess.
+const std::vector<std::string> kHalvedColours{
+    "-vf",
+    "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+    "-colorspace",
+    "bt709",
+    "-color_primaries",
+    "bt709",
+    "-color_trc",
+    "bt709",
+    "-color_range",
+    "tv"};
+
+std::vector<std::string> with_halved_colours(std::vector<std::string> words) {
+  words.insert(words.end(), kHalvedColours.begin(), kHalvedColours.end());
+  return words;
+}
+
+const std::array<FilmFormat, 4>& formats() {
+  static const std::array<FilmFormat, 4> all{{
+      {".mkv",
+       "matroska",
+       "ffv1",
+       {"-level", "3", "-g", "1", "-slicecrc", "1", "-pix_fmt", "bgr0"}},
+      {".mp4", "mp4", "libx264",
+       with_halved_colours({"-preset", "medium", "-crf", "12", "-movflags", "+faststart"}), true},
+      {".webm", "webm", "libvpx-vp9",
+       with_halved_colours({"-crf", "16", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"}), true},
+      // A palette for each frame: one for all would need all of them in memory.
+      {".gif",
+       "gif",
+       "gif",
+       {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"}},
+  }};
+  return all;
+}
+
+std::vector<std::string> ffmpeg_words(const FilmTarget& target, const PictureSize& size,
+                                      double refresh_hz, const fs::path& file) {
+  const FilmFormat& format = *target.format;
+  std::vector<std::string> words{
+      "-f",
+      "rawvideo",
+      "-pixel_format",
+      "rgb24",
+      "-video_size",
+      std::to_string(size.width_px) + "x" + std::to_string(size.height_px),
+      "-framerate",
+      csv_number(frame_rate(target, refresh_hz)),
+      "-i",
+      "-",
+      "-c:v",
+      format.encoder};
+  words.insert(words.end(), format.words.begin(), format.words.end());
+  words.insert(words.end(), {"-f", format.muxer, "-y", "file:" + file.string()});
+  return words;
+}
+
+/// A film that ffmpeg makes.
+class EncodedFilm final : public FilmFile {
+ public:
+  EncodedFilm(const FilmTarget& target, const PictureSize& size, double refresh_hz)
+      : name_(target.path.filename().string()),
+        film_(target.path),
+        record_(target.record()),
+        ffmpeg_(ffmpeg_words(target, size, refresh_hz, film_.path())) {}
+
+  void add(const Pixels& frame) override {
+    if (!ffmpeg_.take(frame.rgb)) {
+      refuse(ffmpeg_.await());
+    }
+  }
+
+  void put_in_place(const std::string& record) override {
+    const std::string complaint = ffmpeg_.await();
+    if (!complaint.empty()) {
+      refuse(complaint);
+    }
+    write_output_file(record_.path(), record);
+    record_.put_in_place();
+    film_.put_in_place();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw std::runtime_error(name_ + ": cannot be written, ffmpeg ended before it was whole (" +
+                             (why.empty() ? "without a word" : why) + ")");
+  }
+
+  std::string name_;
+  WholeFile film_;
+  WholeFile record_;
+  FfmpegProgram ffmpeg_;
+};
+
+/// A folder of PNG files.
+class PictureFolder final : public FilmFile {
+ public:
+  explicit PictureFolder(const fs::path& target)
+      : folder_(target, FolderCheck(refuse_full_folder)) {}
+
+  void add(const Pixels& frame) override {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame-%06d.png", count_++);
+    write_png(frame, folder_.path() / name);
+  }
+
+  void put_in_place(const std::string& record) override {
+    write_output_file(folder_.path() / kRecordName, record);
+    folder_.put_in_place();
+  }
+
+ private:
+  WholeFolder folder_;
+  int count_{0};
+};
+
+}  // namespace
+
+std::filesystem::path FilmTarget::record() const {
+  return format == nullptr ? path / kRecordName : fs::path(path).replace_extension(".json");
+}
+
+std::string film_endings() {
+  std::string all;
+  for (const FilmFormat& format : formats()) {
+    all += (all.empty() ? "" : ", ") + format.ending;
+  }
+  return all;
+}
+
+const FilmFormat* find_format(const std::string& ending) {
+  const auto found =
+      std::find_if(formats().begin(), formats().end(),
+                   [&](const FilmFormat& format) { return format.ending == ending; });
+  return found == formats().end() ? nullptr : &*found;
+}
+
+FilmTarget film_target(const std::string& out) {
+  const fs::path path(out);
+  const std::string ending = path.extension().string();
+  if (!path.has_filename() || ending.empty() || fs::is_directory(path)) {
+    return {path.has_filename() ? path : path.parent_path(), nullptr};
+  }
+  const FilmFormat* format = find_format(ending);
+  if (format == nullptr) {
+    throw InputError("--out " + out + ": expected a name that ends in one of " + film_endings() +
+                     ", or in / for a folder of PNG files, got " + ending);
+  }
+  return {path, format};
+}
+
+void require_new_folder(const std::filesystem::path& folder) {
+  if (fs::is_directory(folder) && !fs::is_empty(folder)) {
+    refuse_full_folder(folder);
+  }
+  if (fs::exists(folder) && !fs::is_directory(folder)) {
+    throw InputError("--out: expected a folder, but " + folder.string() + " is a file");
+  }
+}
+
+void refuse_full_folder(const std::filesystem::path& folder) {
+  throw InputError(folder.string() + ": holds files already and is not overwritten");
+}
+
+void require_filmable(const FilmTarget& target, const PictureSize& size) {
+  if (target.format == nullptr) {
+    require_new_folder(target.path);
+    return;
+  }
+  require_new_file(target.path);
+  require_new_file(target.record());
+  require_encodable(*target.format, size);
+}
+
+void require_encodable(const FilmFormat& format, const PictureSize& size) {
+  if (format.even_sides && (size.width_px % 2 != 0 || size.height_px % 2 != 0)) {
+    throw InputError("expected even sides, which " + format.ending + " needs, got " +
+                     std::to_string(size.width_px) + " x " + std::to_string(size.height_px) +
+                     " pixels; --width and --height change them, and .mkv takes any");
+  }
+  require_encoder(format.encoder);
+}
+
+double frame_rate(const FilmTarget& target, double refresh_hz) {
+  if (target.format == nullptr || target.format->muxer != "gif") {
+    return refresh_hz;
+  }
+  return 100.0 / std::max(2.0, std::round(100.0 / refresh_hz));
+}
+
+std::unique_ptr<FilmFile> open_film(const FilmTarget& target, const PictureSize& size,
+                                    double refresh_hz) {
+  if (target.format == nullptr) {
+    return std::make_unique<PictureFolder>(target.path);
+  }
+  return std::make_unique<EncodedFilm>(target, size, refresh_hz);
+}
+
+}  // namespace impetus::inline commands

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/commands/program_start.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace impetus::inline commands {
+
+std::optional<pid_t> start_program(std::vector<std::string> words,
+                                   const std::vector<GivenDescriptor>& given) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const GivenDescriptor& each : given) {
+    posix_spawn_file_actions_adddup2(&actions, each.ours, each.its);
+  }
+  pid_t child = 0;
+  const int error =
+      posix_spawnp(&child, pointers.front(), &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? std::optional(child) : std::nullopt;
+}
+
+int await_program(pid_t program) {
+  int status = 0;
+  while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace impetus::inline commands
