@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "engine/scheduling/work_meter.hpp"
+#include "engine/trees/tree_settings.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/seen_apart.hpp"
 #include "experiments/trade/crowds/tried_order.hpp"

@@ -98,9 +98,9 @@ TEST(FitCommand, AKindThatCannotBeFittedIsRefused) {
   const ProgramResult result =
       run_program(study.folder(), {"fit", "a.sqlite", "--observer", "response", "--out", "x.json"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.errors.find("/observer: expected a kind that can be fitted (causality, gap, "
-                               "gap-thresholds, gaze-contingent, launching, psychometric, rebound), "
-                               "got response"),
+  EXPECT_NE(result.errors.find("/observer: expected a kind that can be fitted (causality, "
+                               "counterfactual, foreseeing, gap, gap-thresholds, gaze-contingent, "
+                               "launching, psychometric, rebound), got response"),
             std::string::npos)
       << result.errors;
 }

@@ -1,0 +1,86 @@
+// How unsteady people's imagination is, found from marks and answers by the share of imagined runs.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/fitting/fit.hpp"
+#include "experiments/observers/imagining/noise_ladder.hpp"
+#include "tests/experiments/fitting/answering_group.hpp"
+
+namespace impetus::heading_fit_test {
+
+TEST(NoiseLadder, ReadsBetweenItsRungsAndNotBeyondThem) {
+  const Percept shares{1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.0};  // .25 ... 8 degrees
+  EXPECT_EQ(share_at_noise(shares, 0.25), 1.0);
+  EXPECT_NEAR(share_at_noise(shares, 0.5), 0.8, 1e-12);
+  EXPECT_NEAR(share_at_noise(shares, 0.25 * std::exp2(0.25)), 0.95, 1e-12);
+  EXPECT_EQ(share_at_noise(shares, 0.0), 1.0);
+  EXPECT_NEAR(share_at_noise(shares, 8.0), 0.0, 1e-12);
+  EXPECT_EQ(share_at_noise(shares, 80.0), 0.0);
+}
+
+TEST(NoiseLadder, AsksForEachRungWithTheSameDraws) {
+  std::vector<double> noises;
+  std::vector<double> draws_of;
+  const Percept shares =
+      shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& draws) {
+        noises.push_back(by.heading_noise_deg);
+        draws_of.push_back(draws.uniform());
+        return by.heading_noise_deg;
+      });
+  EXPECT_NEAR(noises.front(), 0.25, 1e-12);
+  EXPECT_NEAR(noises.back(), 8.0, 1e-12);
+  EXPECT_EQ(draws_of, std::vector(draws_of.size(), draws_of.front()));
+  EXPECT_EQ(shares, noises);
+}
+
+/// A clip that gets through by a distance, in degrees of heading: where the noise is as large, it
+/// does in 84 % of runs.
+Percept clip(double distance_deg) {
+  return shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& /*none*/) {
+    return normal_cdf(distance_deg / by.heading_noise_deg);
+  });
+}
+
+/// Marks, or yes and no, of people who imagine with that noise.
+std::vector<AnsweringPerson> people_with(double noise_deg, bool mark, std::uint64_t seed) {
+  RandomStream stream(seed, "heading fit");
+  std::vector<AnsweringPerson> people;
+  for (int i = 0; i < 8; ++i) {
+    AnsweringPerson& person = people.emplace_back("S" + std::to_string(i));
+    for (double distance_deg = -4.0; distance_deg <= 4.0; distance_deg += 0.5) {
+      AnsweredTrial& trial = person.trials.emplace_back();
+      trial.percepts = {clip(distance_deg)};
+      const double share = share_at_noise(trial.percepts[0], noise_deg);
+      if (mark) {
+        trial.mark = std::clamp(share + 0.1 * draw_normal(stream), 0.0, 1.0);
+      } else {
+        trial.yes = stream.uniform() < 0.01 + 0.98 * share;
+      }
+    }
+  }
+  return people;
+}
+
+void expect_found(const ObserverFit& fit, double planted_deg) {
+  const FittedParameter* noise = fit.find("heading_noise_deg");
+  ASSERT_NE(noise, nullptr);
+  ASSERT_TRUE(noise->is_fitted()) << noise->held_because;
+  EXPECT_LT(noise->low, planted_deg);
+  EXPECT_GT(noise->high, planted_deg);
+  EXPECT_LT(noise->high - noise->low, planted_deg);
+}
+
+TEST(HeadingFit, FindsTheNoiseFromMarks) {
+  const ObserverFile file = shipped_observer("two-balls");
+  expect_found(fit_observer(*file.kind, *file.parameters, people_with(2.0, true, 1)), 2.0);
+}
+
+TEST(HeadingFit, FindsTheNoiseFromYesAndNo) {
+  const ObserverFile file = shipped_observer("what-will-happen");
+  expect_found(fit_observer(*file.kind, *file.parameters, people_with(1.2, false, 2)), 1.2);
+}
+
+}  // namespace impetus::heading_fit_test

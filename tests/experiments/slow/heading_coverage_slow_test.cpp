@@ -1,0 +1,69 @@
+// 200 simulated studies of two balls: how often a 95 % interval holds the noise of heading.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "experiments/fitting/fit.hpp"
+#include "tests/experiments/fitting/answering_group.hpp"
+#include "tests/experiments/test_scenes.hpp"
+
+namespace impetus::heading_coverage_slow_test {
+
+/// The study's clips.
+std::vector<StagedScene> clips() {
+  const json factor = json::parse(shipped("protocols/two-balls.json"))["design"]["factors"][0];
+  std::vector<StagedScene> scenes;
+  for (const auto& [clip, values] : factor["sets"].items()) {
+    json scene = json::parse(shipped("stimuli/two-balls.json"));
+    for (const auto& [pointer, value] : values.items()) {
+      scene[json::json_pointer(pointer)] = value;
+    }
+    scenes.push_back(built(scene));
+  }
+  return scenes;
+}
+
+// Of 200 intervals that hold it with a probability of .95, 180 to 198 do in 99.6 % of cases.
+TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
+  constexpr int kStudies = 200;
+  constexpr int kPeople = 8;
+  ObserverFile file = shipped_observer("two-balls");
+  file.document.value["parameters"]["runs"]["value"] = 50;
+  file.parameters = file.kind->read(file.document);
+  const std::vector<StagedScene> scenes = clips();
+  std::vector<Percept> percepts;
+  for (const StagedScene& scene : scenes) {
+    percepts.push_back(file.kind->answers.percept(*file.parameters, {}, scene));
+  }
+  int within = 0;
+  for (int study = 1; study <= kStudies; ++study) {
+    std::vector<AnsweringPerson> people;
+    for (int i = 0; i < kPeople; ++i) {
+      const std::string code = "S" + std::to_string(i);
+      VirtualClock clock;
+      const auto observer =
+          make_observer(file, {static_cast<std::uint64_t>(study), code, clock, clock});
+      AnsweringPerson& person = people.emplace_back(code);
+      AttemptRecord shown;
+      shown.frames.resize(1);
+      shown.frames[0].interval = 1;
+      for (std::size_t clip = 0; clip < scenes.size(); ++clip) {
+        observer->witnessed(shown, scenes[clip]);
+        AnsweredTrial& trial = person.trials.emplace_back();
+        trial.percepts = {percepts[clip]};
+        trial.mark = std::round(100.0 * observer->mark()) / 100.0;
+      }
+    }
+    FitWish wish;
+    wish.starts = 1;
+    wish.only = {"heading_noise_deg"};
+    const ObserverFit fit = fit_observer(*file.kind, *file.parameters, people, wish);
+    const FittedParameter* noise = fit.find("heading_noise_deg");
+    within += noise->is_fitted() && noise->low <= 1.0 && 1.0 <= noise->high ? 1 : 0;
+  }
+  RecordProperty("within", within);
+  std::printf("the planted noise of heading is within %d of %d intervals\n", within, kStudies);
+  EXPECT_GE(within, 180);
+  EXPECT_LE(within, 198);
+}
+
+}  // namespace impetus::heading_coverage_slow_test
