@@ -55,6 +55,10 @@ class Gaze {
   /// Whether the mouse pointer stands in for the eye, so that it must be seen.
   [[nodiscard]] virtual bool is_pointer() const { return false; }
 
+  /// Tells that the stimulus of a planned trial begins, by its slot: the next flip but a fixation
+  /// cross's shows it.
+  virtual void begins(std::int64_t slot) { static_cast<void>(slot); }
+
   /// What was sampled since the last call, in order of time. Called once per frame, just before
   /// the frame's steps.
   virtual std::vector<GazeSample> take_samples() = 0;

@@ -83,6 +83,9 @@ bool Stimulus::show_fixation() {
 
 bool Stimulus::show_scene() {
   fixation_frames_ = static_cast<std::int64_t>(record_.frames.size());
+  if (script_.gaze && ports_.gaze != nullptr) {
+    ports_.gaze->begins(record_.slot);
+  }
   follower_.begin(static_cast<std::int64_t>(imposed_gaze_latency_s() * 1e9));
   if (takes_clicks(script_)) {
     static_cast<void>(ports_.input.take_clicks());

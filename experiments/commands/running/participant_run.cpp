@@ -38,8 +38,8 @@ void skip_told_demographics(StudyFile& study, const RunPart& part, const std::st
   }
 }
 
-SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOptions& options,
-                      const SyncTest& sync) {
+SessionFacts facts_of(Laboratory& laboratory, const Gaze* gaze, const RunPart& part,
+                      const RunOptions& options, const SyncTest& sync) {
   const LaboratoryOptions& lab = part.lab;
   SessionFacts facts;
   facts.build = build_name();
@@ -55,8 +55,7 @@ SessionFacts facts_of(Laboratory& laboratory, const RunPart& part, const RunOpti
   facts.sync = sync;
   facts.sync_overridden = !sync.passed && options.override_sync_test;
   facts.photodiode_patch = lab.photodiode ? name_of(*lab.photodiode) : "";
-  const Gaze* gaze = part.protocol.script.gaze ? laboratory.gaze() : nullptr;
-  facts.gaze_source = gaze != nullptr ? gaze->source() : "";
+  facts.gaze_source = part.protocol.script.gaze && gaze != nullptr ? gaze->source() : "";
   facts.series = part.series;
   facts.series_place = part.series_place;
   return facts;
@@ -115,6 +114,25 @@ void conclude(const SessionResult& result, const RunOptions& options, StudyWrite
   }
 }
 
+std::vector<std::int64_t> main_slots_of(const Plan& plan) {
+  std::vector<std::int64_t> slots;
+  for (const PlannedTrial& trial : plan) {
+    if (trial.phase == TrialPhase::kMain) {
+      slots.push_back(trial.slot);
+    }
+  }
+  return slots;
+}
+
+/// Recorded gaze has one trial for all, or one for each.
+void require_as_many(const RunPart& part, const RunOptions& options, std::size_t main_trials) {
+  const std::size_t recorded = part.gaze ? part.gaze->trials.size() : 1;
+  if (recorded != 1 && recorded != main_trials) {
+    throw InputError(options.gaze + ": expected the gaze of one trial, or of each of the " +
+                     std::to_string(main_trials) + " main trials, got " + std::to_string(recorded));
+  }
+}
+
 }  // namespace
 
 std::string sitting_words(const std::string& participant,
@@ -139,6 +157,8 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     warn_of_clock(resumed_, options_.participant);
   }
   gaze_paths_ = gaze_paths_of(plan_, study);
+  const std::vector<std::int64_t> main_slots = main_slots_of(plan_);
+  require_as_many(part, options_, main_slots.size());
   if (!laboratory_) {
     if (const auto expected = expected_screen(part.lab); expected && resumed) {
       change_of_screen(study, options_, *resumed, *expected);
@@ -151,6 +171,10 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   if (resumed) {
     screen_change_ = change_of_screen(study, options_, *resumed, laboratory_->display().geometry());
   }
+  if (part.gaze) {
+    eye_ = std::make_unique<RecordedEye>(part.gaze, main_slots, laboratory_->display().geometry(),
+                                         laboratory_->clock());
+  }
   sync_ = laboratory_->sync_test();
   enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);
   if (!part.series.empty()) {
@@ -160,7 +184,7 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
 
 SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const Protocol& protocol = part_.protocol;
-  SessionFacts facts = facts_of(*laboratory_, part_, options_, sync_);
+  SessionFacts facts = facts_of(*laboratory_, gaze(), part_, options_, sync_);
   facts.resumed = resumed_;
   StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
@@ -174,9 +198,9 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const double rounding_hz = options_.allow_rounding ? laboratory_->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz);
   const SteadyClock work_clock;
-  const Ports ports{laboratory_->display(), laboratory_->input(),  scenes,      writer,
-                    laboratory_->gaze(),    &laboratory_->clock(), &work_clock, &gaze_paths_,
-                    GazeCorrection{},       tell_at_once};
+  const Ports ports{
+      laboratory_->display(), laboratory_->input(), scenes,       writer,           gaze(),
+      &laboratory_->clock(),  &work_clock,          &gaze_paths_, GazeCorrection{}, tell_at_once};
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_warnings(result, writer);

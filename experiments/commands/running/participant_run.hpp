@@ -40,10 +40,14 @@ class ParticipantRun {
   [[nodiscard]] std::size_t planned_trials() const { return enrolment_.trials.size(); }
 
  private:
+  /// Where the region is said to follow somebody; null when nothing tells.
+  [[nodiscard]] Gaze* gaze() const { return eye_ ? eye_.get() : laboratory_->gaze(); }
+
   const RunPart& part_;
   RunOptions options_;
   StudyFile& study_;
   std::shared_ptr<Laboratory> laboratory_;
+  std::unique_ptr<RecordedEye> eye_;  ///< none: the participant's own gaze
   Plan plan_;
   GazePaths gaze_paths_;  ///< that regions of the plan follow
   SyncTest sync_;

@@ -275,6 +275,11 @@ void add_run(CLI::App& app, Command& chosen) {
                     "Go on when the sync test fails; every trial is marked");
   command->add_flag("--changed-screen", options->changed_screen,
                     "Resume on another screen than the session before; a note is kept");
+  command
+      ->add_option("--gaze", options->gaze,
+                   "A file of recorded gaze that is followed in place of the participant's: CSV "
+                   "or TSV with times and places, one trial for all or one for each")
+      ->check(CLI::ExistingFile);
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");

@@ -10,6 +10,7 @@
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
+#include "experiments/files/gaze_file.hpp"
 #include "experiments/files/protocol_files.hpp"
 #include "experiments/protocol/checks/protocol_checks.hpp"
 #include "experiments/protocol/checks/protocol_scene_checks.hpp"
@@ -63,6 +64,13 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.window_size = options.window_size;
   part.lab.letters = wide_letters(part.protocol);
   require_fonts(part);
+  if (!options.gaze.empty()) {
+    if (!part.protocol.script.gaze) {
+      refuse(part.protocol.document, "",
+             "expected the key \"gaze\", which --gaze asks for: this protocol does not follow it");
+    }
+    part.gaze = std::make_shared<const GazeRecording>(load_gaze_recording(options.gaze));
+  }
   if (!options.photodiode.empty()) {
     part.lab.photodiode = photodiode_corner(options);
   }

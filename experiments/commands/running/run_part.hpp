@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/commands/running/laboratory.hpp"
+#include "experiments/gaze/recorded_eye.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/shape_library.hpp"
@@ -31,6 +32,7 @@ struct RunOptions {
   bool changed_screen{false};  ///< a resumed session may have another screen than the one before
   std::string screen_file;
   std::string window_size;
+  std::string gaze;        ///< a file of recorded gaze; "": who takes part looks
   std::string photodiode;  ///< the corner of a patch for one; "": none
 
   [[nodiscard]] bool simulated() const { return !observers.empty(); }
@@ -39,10 +41,11 @@ struct RunOptions {
 /// One protocol of a run; a run of a series has several.
 struct RunPart {
   Protocol protocol;
-  LaboratoryOptions lab;            ///< without participant and seed
-  std::vector<SolvedFor> solved{};  ///< for the plan of whoever comes
-  std::string series{};             ///< "": it is alone
-  std::int64_t series_place{1};     ///< from 1
+  LaboratoryOptions lab;                        ///< without participant and seed
+  std::vector<SolvedFor> solved{};              ///< for the plan of whoever comes
+  std::shared_ptr<const GazeRecording> gaze{};  ///< in place of the participant's; none: his own
+  std::string series{};                         ///< "": it is alone
+  std::int64_t series_place{1};                 ///< from 1
 };
 
 /// Reads and checks the protocol and, unless "", the observer (a name or a file). Throws

@@ -1,0 +1,166 @@
+// Files of recorded gaze: common trackers' columns, what is refused, and who looks so.
+// SPDX-License-Identifier: MIT
+#include "experiments/files/gaze_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/numerics/elementary_functions.hpp"
+#include "experiments/observers/headless_lab.hpp"
+#include "tests/experiments/refusals.hpp"
+
+namespace impetus::gaze_file_test {
+
+constexpr ScreenGeometry kScreen{0.4, 0.2, 800, 400, 0.6};
+
+GazeRecording loaded(const std::string& text) {
+  const TemporaryFolder folder;
+  return load_gaze_recording(folder.write("gaze.csv", text));
+}
+
+/// The sentence without the folder.
+std::string refused(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("gaze.csv", text).string();
+  const std::string sentence = refusal([&] { load_gaze_recording(path); });
+  return sentence.starts_with(path) ? "gaze.csv" + sentence.substr(path.size()) : sentence;
+}
+
+TEST(GazeFile, OfImpetusCountsFromOnsetAndSaysWhatIsLost) {
+  const GazeRecording read = loaded(
+      "participant,trial,time_s,x_m,y_m,loss\n"
+      "\"P, 1\",7,0.01,0.1,-0.05,\nP1,7,0.02,,,blink\nP1,9,0.5,0,0,\n");
+  ASSERT_EQ(read.trials.size(), 2U);
+  EXPECT_EQ(read.unit, GazeRecording::Unit::kMetres);
+  ASSERT_EQ(read.trials[0].size(), 2U);
+  EXPECT_EQ(read.trials[0][0].time_s, 0.01);
+  EXPECT_EQ(read.trials[0][0].y, -0.05);
+  EXPECT_TRUE(read.trials[0][0].valid);
+  EXPECT_FALSE(read.trials[0][1].valid);
+  EXPECT_EQ(read.trials[1][0].time_s, 0.5);
+}
+
+TEST(GazeFile, OfEyeLinkHasMillisecondsOfItsClockAndPixels) {
+  const GazeRecording read = loaded(
+      "TRIAL_INDEX\tTIMESTAMP\tRIGHT_GAZE_X\tRIGHT_GAZE_Y\n"
+      "1\t5000\t640\t512\n1\t5004\t.\t.\n2\t9000\t0\t0\n");
+  EXPECT_EQ(read.unit, GazeRecording::Unit::kPixels);
+  ASSERT_EQ(read.trials.size(), 2U);
+  EXPECT_EQ(read.trials[0][0].time_s, 0.0);
+  EXPECT_NEAR(read.trials[0][1].time_s, 0.004, 1e-12);
+  EXPECT_FALSE(read.trials[0][1].valid);
+  EXPECT_EQ(read.trials[1][0].time_s, 0.0);
+}
+
+TEST(GazeFile, OfPupilCountsUpwardsAndGoesByConfidence) {
+  const GazeRecording read = loaded(
+      "gaze_timestamp,world_index,confidence,norm_pos_x,norm_pos_y\n"
+      "100.5,0,0.9,0.5,0.75\n100.51,0,0.2,0.5,0.75\n");
+  const Fixation at = read.place(read.trials[0][0], kScreen);
+  ASSERT_TRUE(at);
+  EXPECT_NEAR(at->x_m, 0.0, 1e-12);
+  EXPECT_NEAR(at->y_m, 0.05, 1e-12);
+  EXPECT_EQ(read.place(read.trials[0][1], kScreen), std::nullopt);
+}
+
+TEST(GazeFile, OfTobiiSaysItsUnitOfTime) {
+  const std::string after =
+      ";Gaze point X;Gaze point Y;Validity left\n0;10;20;Valid\n16667;11;21;Invalid\n";
+  const GazeRecording read = loaded("\xEF\xBB\xBFRecording timestamp [μs]" + after);
+  EXPECT_NEAR(read.trials[0][1].time_s, 0.016667, 1e-9);
+  EXPECT_FALSE(read.trials[0][1].valid);
+  EXPECT_NE(refused("Recording timestamp" + after).find("gaze.csv:1: expected a column of times"),
+            std::string::npos);
+}
+
+TEST(GazeFile, PlacesAreOnTheSessionsScreen) {
+  const GazeRecording px = loaded("time_ms,x_px,y_px\n0,0,0\n1,800,400\n2,801,0\n");
+  EXPECT_EQ(px.place(px.trials[0][0], kScreen), (ScreenPoint{-0.2, 0.1}));
+  EXPECT_EQ(px.place(px.trials[0][1], kScreen), (ScreenPoint{0.2, -0.1}));
+  EXPECT_EQ(px.place(px.trials[0][2], kScreen), std::nullopt) << "beyond the edge";
+  const GazeRecording deg = loaded("time_s,x_deg,y_deg,valid\n0,1,-2,1\n1,1,1,0\n");
+  EXPECT_NEAR(deg.place(deg.trials[0][0], kScreen)->y_m, -2 * metres_per_degree(0.6), 1e-12);
+  EXPECT_EQ(deg.place(deg.trials[0][1], kScreen), std::nullopt);
+}
+
+TEST(GazeFile, ThatSaysTooLittleOrTwoThingsIsRefused) {
+  EXPECT_EQ(refused(""),
+            "gaze.csv: expected a line of names and lines of samples, got an empty file");
+  EXPECT_EQ(refused("time_s,x_deg,y_deg\n"),
+            "gaze.csv: expected lines of samples after the names, got none");
+  EXPECT_EQ(refused("time_s,time_ms,x_deg,y_deg\n0,0,0,0\n"),
+            "gaze.csv:1: expected one column of times, got time_s and time_ms");
+  EXPECT_EQ(refused("time_s,x_deg,x_px,y_px,y_deg\n0,0,0,0,0\n"),
+            "gaze.csv:1: expected places in one unit, got x_deg and x_px");
+  EXPECT_EQ(refused("time_s,x_deg\n0,0\n"), "gaze.csv:1: expected a column y_deg beside x_deg");
+  EXPECT_NE(refused("time_s,gaze\n0,0\n").find("gaze.csv:1: expected columns of places (x_m, "),
+            std::string::npos);
+  EXPECT_EQ(refused("time_s,x_deg,y_deg\n0,0,0\nsoon,0,0\n"),
+            "gaze.csv:3: expected a number in the column \"time_s\", got \"soon\"");
+  EXPECT_EQ(refused("time_s,x_deg,y_deg\n0.2,0,0\n0.1,0,0\n"),
+            "gaze.csv:3: expected times that go on within a trial, got one before the last");
+}
+
+/// An eye with a recording of two trials, before main trials in slots 3 and 5.
+struct Looking {
+  Looking()
+      : eye(std::make_shared<const GazeRecording>(loaded("trial,time_s,x_share,y_share\n"
+                                                         "a,0,0.5,0.5\na,0.1,0.75,0.5\n"
+                                                         "b,0,0.25,0.5\nb,0.05,2,0.5\n")),
+            {3, 5}, kScreen, clock) {}
+
+  /// A stimulus begins in this slot, and is first shown at `onset_s`.
+  void begin(std::int64_t slot, double onset_s) {
+    eye.begins(slot);
+    Flip flip;
+    flip.flipped_ns = std::llround(onset_s * 1e9);
+    eye.shown(Picture{}, flip);
+  }
+
+  std::vector<GazeSample> samples_at(double time_s) {
+    clock.advance_to(std::llround(time_s * 1e9));
+    return eye.take_samples();
+  }
+
+  VirtualClock clock;
+  RecordedEye eye;
+};
+
+TEST(RecordedEye, LooksWhereItsTrialDidAtTheSameTimeFromOnset) {
+  Looking looking;
+  looking.begin(3, 1.0);
+  ASSERT_EQ(looking.samples_at(1.05).size(), 1U);
+  const auto later = looking.samples_at(1.2);
+  ASSERT_EQ(later.size(), 1U);
+  EXPECT_EQ(later[0].taken_ns, 1'100'000'000);
+  EXPECT_NEAR(later[0].at->x_m, 0.1, 1e-12);
+  EXPECT_TRUE(looking.samples_at(3.0).empty()) << "the recording is over";
+  looking.begin(5, 4.0);
+  const auto second = looking.samples_at(4.2);
+  ASSERT_EQ(second.size(), 2U);
+  EXPECT_NEAR(second[0].at->x_m, -0.1, 1e-12);
+  EXPECT_EQ(second[1].loss, GazeLoss::kOffScreen);
+}
+
+TEST(RecordedEye, LooksInPracticeAsInItsFirstTrialAndOnlyOnceSomethingIsShown) {
+  Looking looking;
+  looking.eye.begins(1);
+  EXPECT_TRUE(looking.samples_at(1.0).empty());
+  Picture cross;
+  cross.fixation_cross = true;
+  looking.eye.shown(cross, {});
+  EXPECT_TRUE(looking.samples_at(1.5).empty());
+  looking.begin(1, 2.0);
+  EXPECT_EQ(looking.samples_at(2.2).size(), 2U);
+}
+
+TEST(RecordedEye, LooksAtThePointsOfACalibration) {
+  Looking looking;
+  Picture point;
+  point.target = ScreenPoint{0.05, -0.02};
+  looking.eye.shown(point, {});
+  const auto samples = looking.samples_at(1.0);
+  ASSERT_EQ(samples.size(), 1U);
+  EXPECT_EQ(samples[0].at, point.target);
+}
+
+}  // namespace impetus::gaze_file_test
