@@ -129,6 +129,8 @@ class GazeColumns {
     for (const char* name : kTrials) {
       trial_ = trial_ ? trial_ : find(name);
     }
+    phase_ = find("phase");
+    participant_ = find("participant");
     for (const ValidityName& name : kValidities) {
       if (const auto column = find(name.name)) {
         validities_.emplace_back(*column, name.counts);
@@ -138,6 +140,12 @@ class GazeColumns {
 
   [[nodiscard]] Unit unit() const { return place_->unit; }
   [[nodiscard]] bool from_onset() const { return time_->from_onset; }
+  [[nodiscard]] bool is_main(const Line& line) const {
+    return !phase_ || cell(line, *phase_) == "main";
+  }
+  [[nodiscard]] std::string participant(const Line& line) const {
+    return participant_ ? cell(line, *participant_) : "";
+  }
   [[nodiscard]] std::string trial(const Line& line) const {
     return trial_ ? cell(line, *trial_) : "";
   }
@@ -221,6 +229,8 @@ class GazeColumns {
   std::size_t x_{0};
   std::size_t y_{0};
   std::optional<std::size_t> trial_;
+  std::optional<std::size_t> phase_;
+  std::optional<std::size_t> participant_;
   std::vector<std::pair<std::size_t, bool (*)(const std::string&)>> validities_;
 };
 
@@ -238,6 +248,14 @@ GazeRecording load_gaze_recording(const std::filesystem::path& file) {
   std::string trial;
   double first_s = 0.0;
   for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (!columns.is_main(lines[i])) {
+      continue;
+    }
+    if (columns.participant(lines[i]) != columns.participant(lines[1])) {
+      throw InputError(name + ":" + std::to_string(i + 1) +
+                       ": expected the gaze of one participant, got " +
+                       columns.participant(lines[1]) + " and " + columns.participant(lines[i]));
+    }
     GazeRecording::Sample sample = columns.sample(lines[i], i + 1);
     if (recording.trials.empty() || columns.trial(lines[i]) != trial) {
       trial = columns.trial(lines[i]);

@@ -8,6 +8,8 @@
 //   lost    valid (1 or 0), loss (empty: none), confidence (Pupil, from .6 on), Validity left
 //           (Tobii); and where a place is empty, ".", "NA" or no number
 //   trial   trial, TRIAL_INDEX           numbers or names; lines of one stand together
+//
+// Of a file that Impetus exported, lines of another phase than main are practice, and left out.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -114,25 +114,6 @@ void conclude(const SessionResult& result, const RunOptions& options, StudyWrite
   }
 }
 
-std::vector<std::int64_t> main_slots_of(const Plan& plan) {
-  std::vector<std::int64_t> slots;
-  for (const PlannedTrial& trial : plan) {
-    if (trial.phase == TrialPhase::kMain) {
-      slots.push_back(trial.slot);
-    }
-  }
-  return slots;
-}
-
-/// Recorded gaze has one trial for all, or one for each.
-void require_as_many(const RunPart& part, const RunOptions& options, std::size_t main_trials) {
-  const std::size_t recorded = part.gaze ? part.gaze->trials.size() : 1;
-  if (recorded != 1 && recorded != main_trials) {
-    throw InputError(options.gaze + ": expected the gaze of one trial, or of each of the " +
-                     std::to_string(main_trials) + " main trials, got " + std::to_string(recorded));
-  }
-}
-
 }  // namespace
 
 std::string sitting_words(const std::string& participant,
@@ -157,8 +138,6 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     warn_of_clock(resumed_, options_.participant);
   }
   gaze_paths_ = gaze_paths_of(plan_, study);
-  const std::vector<std::int64_t> main_slots = main_slots_of(plan_);
-  require_as_many(part, options_, main_slots.size());
   if (!laboratory_) {
     if (const auto expected = expected_screen(part.lab); expected && resumed) {
       change_of_screen(study, options_, *resumed, *expected);
@@ -172,8 +151,8 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     screen_change_ = change_of_screen(study, options_, *resumed, laboratory_->display().geometry());
   }
   if (part.gaze) {
-    eye_ = std::make_unique<RecordedEye>(part.gaze, main_slots, laboratory_->display().geometry(),
-                                         laboratory_->clock());
+    eye_ = std::make_unique<RecordedEye>(part.gaze, main_slots(plan_),
+                                         laboratory_->display().geometry(), laboratory_->clock());
   }
   sync_ = laboratory_->sync_test();
   enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);

@@ -50,7 +50,34 @@ void require_fonts(const RunPart& part) {
 #endif
 }
 
+/// Of one trial for all, or of each.
+std::shared_ptr<const GazeRecording> recorded_gaze(const Protocol& protocol, const Plan& plan,
+                                                   const std::string& file) {
+  if (!protocol.script.gaze) {
+    refuse(protocol.document, "",
+           "expected the key \"gaze\", which --gaze asks for: this protocol does not follow it");
+  }
+  auto recording = std::make_shared<const GazeRecording>(load_gaze_recording(file));
+  const std::size_t recorded = recording->trials.size();
+  const std::size_t main_trials = main_slots(plan).size();
+  if (recorded != 1 && recorded != main_trials) {
+    throw InputError(file + ": expected the gaze of one trial, or of each of the " +
+                     std::to_string(main_trials) + " main trials, got " + std::to_string(recorded));
+  }
+  return recording;
+}
+
 }  // namespace
+
+std::vector<std::int64_t> main_slots(const Plan& plan) {
+  std::vector<std::int64_t> slots;
+  for (const PlannedTrial& trial : plan) {
+    if (trial.phase == TrialPhase::kMain) {
+      slots.push_back(trial.slot);
+    }
+  }
+  return slots;
+}
 
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
@@ -64,19 +91,16 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.window_size = options.window_size;
   part.lab.letters = wide_letters(part.protocol);
   require_fonts(part);
-  if (!options.gaze.empty()) {
-    if (!part.protocol.script.gaze) {
-      refuse(part.protocol.document, "",
-             "expected the key \"gaze\", which --gaze asks for: this protocol does not follow it");
-    }
-    part.gaze = std::make_shared<const GazeRecording>(load_gaze_recording(options.gaze));
-  }
   if (!options.photodiode.empty()) {
     part.lab.photodiode = photodiode_corner(options);
   }
   const bool group = options.participants > 0;
-  plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
-           options.seed.value_or(1));
+  const Plan plan =
+      plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
+               options.seed.value_or(1));
+  if (!options.gaze.empty()) {
+    part.gaze = recorded_gaze(part.protocol, plan, options.gaze);
+  }
   check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
   return part;
 }

@@ -53,6 +53,9 @@ struct RunPart {
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options);
 
+/// Of the plan's main trials.
+std::vector<std::int64_t> main_slots(const Plan& plan);
+
 /// Builds all bodies of the part, telling its progress.
 void build_shapes(const RunPart& part);
 

@@ -39,6 +39,15 @@ TEST(GazeFile, OfImpetusCountsFromOnsetAndSaysWhatIsLost) {
   EXPECT_EQ(read.trials[1][0].time_s, 0.5);
 }
 
+TEST(GazeFile, OfImpetusLeavesPracticeOutAndIsOfOneParticipant) {
+  const std::string names = "participant,trial,phase,time_s,x_m,y_m,loss\n";
+  const GazeRecording read = loaded(names + "P1,1,practice,0,0,0,\nP1,2,main,0,0.1,0,\n");
+  ASSERT_EQ(read.trials.size(), 1U);
+  EXPECT_EQ(read.trials[0][0].x, 0.1);
+  EXPECT_EQ(refused(names + "P1,1,main,0,0,0,\nP2,2,main,0,0,0,\n"),
+            "gaze.csv:3: expected the gaze of one participant, got P1 and P2");
+}
+
 TEST(GazeFile, OfEyeLinkHasMillisecondsOfItsClockAndPixels) {
   const GazeRecording read = loaded(
       "TRIAL_INDEX\tTIMESTAMP\tRIGHT_GAZE_X\tRIGHT_GAZE_Y\n"
