@@ -30,6 +30,7 @@ struct TimeName {
 };
 
 constexpr TimeName kTimes[] = {{"time_s", 1.0, true},
+                               {"stimulus_time_s", 1.0, true},
                                {"time_ms", 1e-3, true},
                                {"time_us", 1e-6, true},
                                {"TIMESTAMP", 1e-3, false},
@@ -55,7 +56,7 @@ constexpr PlaceNames kPlaces[] = {{"x_m", "y_m", Unit::kMetres},
                                   {"norm_pos_x", "norm_pos_y", Unit::kSharesUp},
                                   {"Gaze point X", "Gaze point Y", Unit::kPixels}};
 
-constexpr const char* kTrials[] = {"trial", "TRIAL_INDEX"};
+constexpr const char* kTrials[] = {"trial", "trial_id", "TRIAL_INDEX"};
 
 /// A column that says whether a sample counts, and what it says where it does.
 struct ValidityName {
@@ -129,7 +130,8 @@ class GazeColumns {
     for (const char* name : kTrials) {
       trial_ = trial_ ? trial_ : find(name);
     }
-    phase_ = find("phase");
+    phase_ = find("trial_phase");
+    outcome_ = find("attempt_outcome");
     participant_ = find("participant");
     for (const ValidityName& name : kValidities) {
       if (const auto column = find(name.name)) {
@@ -141,7 +143,8 @@ class GazeColumns {
   [[nodiscard]] Unit unit() const { return place_->unit; }
   [[nodiscard]] bool from_onset() const { return time_->from_onset; }
   [[nodiscard]] bool is_main(const Line& line) const {
-    return !phase_ || cell(line, *phase_) == "main";
+    return (!phase_ || cell(line, *phase_) == "main") &&
+           (!outcome_ || cell(line, *outcome_) == "completed");
   }
   [[nodiscard]] std::string participant(const Line& line) const {
     return participant_ ? cell(line, *participant_) : "";
@@ -230,6 +233,7 @@ class GazeColumns {
   std::size_t y_{0};
   std::optional<std::size_t> trial_;
   std::optional<std::size_t> phase_;
+  std::optional<std::size_t> outcome_;
   std::optional<std::size_t> participant_;
   std::vector<std::pair<std::size_t, bool (*)(const std::string&)>> validities_;
 };

@@ -1,15 +1,16 @@
 // Files of recorded gaze: a table with a line of names, separated by commas, tabs or semicolons.
 //
-//   time    time_s, time_ms, time_us     from the stimulus's onset, as Impetus exports it
+//   time    time_s, time_ms, time_us, stimulus_time_s (`impetus export`)
+//                                        from the stimulus's onset
 //           TIMESTAMP (EyeLink, ms), gaze_timestamp (Pupil, s), Recording timestamp [ms] or [µs]
 //           (Tobii)                      of the tracker's clock: from the trial's first sample
 //   place   x_deg, x_px, x_m, x_share, and y; AVERAGE_, LEFT_ or RIGHT_GAZE_X (EyeLink),
 //           norm_pos_x (Pupil), Gaze point X (Tobii)
 //   lost    valid (1 or 0), loss (empty: none), confidence (Pupil, from .6 on), Validity left
 //           (Tobii); and where a place is empty, ".", "NA" or no number
-//   trial   trial, TRIAL_INDEX           numbers or names; lines of one stand together
+//   trial   trial, trial_id, TRIAL_INDEX numbers or names; lines of one stand together
 //
-// Of a file that Impetus exported, lines of another phase than main are practice, and left out.
+// Of a file that Impetus exported, lines of completed main trials count, and no others.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -28,7 +28,7 @@ std::string refused(const std::string& text) {
 TEST(GazeFile, OfImpetusCountsFromOnsetAndSaysWhatIsLost) {
   const GazeRecording read = loaded(
       "participant,trial,time_s,x_m,y_m,loss\n"
-      "\"P, 1\",7,0.01,0.1,-0.05,\nP1,7,0.02,,,blink\nP1,9,0.5,0,0,\n");
+      "\"P, 1\",7,0.01,0.1,-0.05,\n\"P, 1\",7,0.02,,,blink\n\"P, 1\",9,0.5,0,0,\n");
   ASSERT_EQ(read.trials.size(), 2U);
   EXPECT_EQ(read.unit, GazeRecording::Unit::kMetres);
   ASSERT_EQ(read.trials[0].size(), 2U);
@@ -40,11 +40,14 @@ TEST(GazeFile, OfImpetusCountsFromOnsetAndSaysWhatIsLost) {
 }
 
 TEST(GazeFile, OfImpetusLeavesPracticeOutAndIsOfOneParticipant) {
-  const std::string names = "participant,trial,phase,time_s,x_m,y_m,loss\n";
-  const GazeRecording read = loaded(names + "P1,1,practice,0,0,0,\nP1,2,main,0,0.1,0,\n");
+  const std::string names =
+      "participant,trial_id,trial_phase,attempt_outcome,x_m,y_m,loss,stimulus_time_s\n";
+  const GazeRecording read = loaded(names +
+                                    "P1,1,practice,completed,0,0,,0\nP1,2,main,interrupted,0.2,0,,"
+                                    "0\nP1,2,main,completed,0.1,0,,0\n");
   ASSERT_EQ(read.trials.size(), 1U);
   EXPECT_EQ(read.trials[0][0].x, 0.1);
-  EXPECT_EQ(refused(names + "P1,1,main,0,0,0,\nP2,2,main,0,0,0,\n"),
+  EXPECT_EQ(refused(names + "P1,1,main,completed,0,0,,0\nP2,2,main,completed,0,0,,0\n"),
             "gaze.csv:3: expected the gaze of one participant, got P1 and P2");
 }
 
