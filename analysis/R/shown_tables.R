@@ -114,6 +114,21 @@ levels_by_factor <- function(path, protocol) {
 kFactorLevelHeads <- c("Factor", "Level", "Collisions", "Share", "Gap, median (′)",
   "Gap, 95 % below (′)", "Hidden share, median", "Levels of the tree reached")
 
+# The same by how far from the gaze they began, where it was followed: which levels were looked at.
+levels_looked_at <- function(path, protocol) {
+  rows <- query_study(path, paste("SELECT gaze_eccentricity_deg AS away_deg, level AS reached,",
+    "CAST(gap_arcmin AS REAL) AS gap_arcmin, CAST(hidden_share AS REAL) AS hidden_share",
+    "FROM seen_collision WHERE protocol = ? AND phase = 'main'",
+    "AND gaze_eccentricity_deg IS NOT NULL"), protocol)
+  if (nrow(rows) == 0) return(NULL)
+  away <- cut(rows$away_deg, c(0, 2, 5, 10, Inf), include.lowest = TRUE,
+    labels = c("within 2°", "2° to 5°", "5° to 10°", "beyond 10°"))
+  gaps_by(rows, away, function(cell) data.frame(reached = mean(cell$reached)))
+}
+
+kLookedAtHeads <- c("From the gaze", "Collisions", "Share", "Gap, median (′)",
+  "Gap, 95 % below (′)", "Hidden share, median", "Level reached, mean")
+
 gaps_by <- function(rows, by, more) {
   cells <- split(rows, by, drop = TRUE)
   table <- each_row(cells, function(cell) data.frame(collisions = nrow(cell),

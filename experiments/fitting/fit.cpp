@@ -156,6 +156,15 @@ class Fitting {
 
   // ---- 3: intervals
 
+  /// Never less than before: where something is held the intervals begin anew.
+  void tell(double share_of_intervals) {
+    constexpr double kOfSearch = 0.2;
+    told_ = std::max(told_, kOfSearch + (1.0 - kOfSearch) * share_of_intervals);
+    if (wish_.progress) {
+      wish_.progress(told_);
+    }
+  }
+
   /// The least cost with one parameter fixed, the others followed from `guess`, which moves there.
   double least_cost(std::size_t fixed, double x, VectorXd& guess, const MatrixXd& curvature) {
     const auto place = static_cast<Index>(fixed);
@@ -297,6 +306,7 @@ class Fitting {
   /// True when a profile came upon a better place, which is the best from now on.
   bool find_intervals() {
     for (std::size_t i = 0; i < free_.size(); ++i) {
+      tell(static_cast<double>(i) / static_cast<double>(free_.size()));
       if (!is_wanted(i)) {
         continue;
       }
@@ -379,6 +389,7 @@ class Fitting {
   MatrixXd inverse_;
   std::optional<FoundMinimum> better_;
   int betters_{0};
+  double told_{0.0};
 };
 
 /// Whether two trials have the same answers.

@@ -11,6 +11,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,8 +50,9 @@ struct ObserverFit {
 struct FitWish {
   bool as_group{true};  ///< people differ; else all are alike, or there is one
   int starts{3};
-  bool intervals{true};             ///< else held is only what no answer depends on
-  std::vector<std::string> only{};  ///< whose intervals are wanted; none: all
+  bool intervals{true};                    ///< else held is only what no answer depends on
+  std::vector<std::string> only{};         ///< whose intervals are wanted; none: all
+  std::function<void(double)> progress{};  ///< is told the share that is done
 };
 
 /// Fits. `start` is the kind's.

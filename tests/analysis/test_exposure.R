@@ -4,7 +4,7 @@ library(testthat)
 
 # Two participants with one trial each of tracked and random at 5 bodies; trials 1 to 4 are
 # P1 tracked, P1 random, P2 tracked, P2 random.
-exposure_study <- function(merge_within_ms = 100) {
+exposure_file <- function(merge_within_ms = 100) {
   trials <- data.frame(participant = c("P1", "P1", "P2", "P2"), repetition = 1,
     scheduling = c("tracked", "random"), bodies = 5, rating = c(4, 3, 5, 2), clicks = c(1, 2, 0, 4),
     region_covered_share = c(0.2, 0.4, 0.3, 0.4))
@@ -23,9 +23,23 @@ exposure_study <- function(merge_within_ms = 100) {
     # P2 tracked: nothing. P2 random: good only, and not known where the gaze was.
     row(4, 5, 4)
   ))
+  path
+}
+
+exposure_study <- function(...) {
+  path <- exposure_file(...)
   study <- open_gaze_study(study_description("gaze-contingent"), c(path, "--out", tempdir()))
   with_events(study)
 }
+
+test_that("the levels that were looked at are told by how far from the gaze they were", {
+  told <- levels_looked_at(exposure_file(), "gaze-contingent")
+  expect_equal(told$level, c("within 2°", "2° to 5°", "5° to 10°"))
+  expect_equal(told$collisions, c(2, 1, 4))  # the one at 10 degrees is the last of its kind
+  expect_equal(told$share, c("28.6 %", "14.3 %", "57.1 %"))
+  expect_equal(told$reached, c(2, 0, 1))
+  expect_equal(told$median, c(25, 24, 25))
+})
 
 test_that("collisions of one sort closer than the limit are one event, however long the series", {
   expect_equal(event_count(c(1, 1.09, 1.18, 1.3), 0.1), 2)

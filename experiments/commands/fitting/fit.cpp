@@ -153,6 +153,14 @@ void fit_one_by_one(const FitOptions& options, const ObserverFile& observer,
   }
 }
 
+ObserverFit fit_as_group(const ObserverFile& observer, const std::vector<AnsweringPerson>& people) {
+  ProgressLine line("fitting");
+  FitWish wish;
+  wish.as_group = people.size() > 1;
+  wish.progress = [&](double share) { line.tell(share); };
+  return fit_observer(*observer.kind, *observer.parameters, people, wish);
+}
+
 /// The observers' names as they were given, with the answers as each perceives the trials.
 ObserverComparison compare(const FitOptions& options, const std::vector<ObserverFile>& observers,
                            const std::vector<std::vector<AnsweringPerson>>& people) {
@@ -187,8 +195,7 @@ FitStory told_fit(const FitOptions& options, const AnsweredStudy& answered,
   story.trials = trials_of(people.front());
   std::fprintf(stderr, "fitting %s to %zu trials of %zu people\n", story.kind.c_str(), story.trials,
                story.people);
-  story.fit = fit_observer(*observer.kind, *observer.parameters, people.front(),
-                           {.as_group = story.people > 1});
+  story.fit = fit_as_group(observer, people.front());
   require_any_found(options, observer, story.fit);
   if (options.by_person) {
     fit_one_by_one(options, observer, people.front(), story);
