@@ -163,9 +163,8 @@ TEST(Fit, MarksOnALineTellThresholdWidthAndTheirOwnNoise) {
   study.question = "slider";
   const ObserverFit fit =
       fit_observer(*file.kind, *file.parameters, answering_group(file, study, 8, /*seed=*/3));
-  for (const auto& [name, planted] : {std::pair{"gap_threshold_arcmin", 36.0},
-                                      {"gap_width_arcmin", 20.0},
-                                      {"mark_sd", 0.12}}) {
+  for (const auto& [name, planted] :
+       {std::pair{"gap_threshold_arcmin", 36.0}, {"gap_width_arcmin", 20.0}, {"mark_sd", 0.12}}) {
     const FittedParameter& one = found(fit, name);
     ASSERT_TRUE(one.is_fitted()) << name;
     EXPECT_LT(one.low, planted) << name;
