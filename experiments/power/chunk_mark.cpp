@@ -10,6 +10,7 @@
 
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/power/power_chunk.hpp"
+#include "experiments/power/process_mark.hpp"
 #include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline power {
@@ -54,9 +55,16 @@ void remove_mark(const fs::path& file) {
   fs::remove(file, ignored);
 }
 
+/// Whether the process of a mark has ended, as far as this machine can know.
+bool has_ended(const json& mark) {
+  return mark.value("machine", "") == name_of_this_machine() &&
+         !still_runs(mark.value("process", ""));
+}
+
 void read_running(const json& mark, ChunkReport& report) {
-  const double silent_s = now_s() - mark.value("told_s", 0.0);
-  report.state = silent_s > kSilentAfter_s ? ChunkState::kSilent : ChunkState::kRunning;
+  const double silent_s = std::max(0.0, now_s() - mark.value("told_s", 0.0));
+  report.state =
+      silent_s > kSilentAfter_s || has_ended(mark) ? ChunkState::kSilent : ChunkState::kRunning;
   report.machine = mark.value("machine", "");
   report.share = std::clamp(mark.value("share", 0.0), 0.0, 1.0);
   report.since_s = report.state == ChunkState::kSilent
@@ -109,7 +117,7 @@ void ChunkMark::keep_fresh() {
 
 void ChunkMark::write() const {
   write_mark(chunk_file(out_, number_, kRunning), {{"machine", machine_},
-                                                   {"process", getpid()},
+                                                   {"process", mark_of_this_process()},
                                                    {"began_s", began_s_},
                                                    {"told_s", now_s()},
                                                    {"share", share_}});

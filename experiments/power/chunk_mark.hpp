@@ -53,7 +53,8 @@ class ChunkMark {
 enum class ChunkState {
   kWaiting,  ///< nobody has begun it
   kRunning,  ///< its mark was told of late
-  kSilent,   ///< its mark has not been told for minutes: it was probably killed
+  kSilent,   ///< its mark has not been told for minutes, or its process has ended here: it was
+             ///< probably killed
   kFailed,   ///< its last attempt ended with a sentence
   kDone,     ///< its file is there
 };

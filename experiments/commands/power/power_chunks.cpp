@@ -7,6 +7,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"
 #include "experiments/power/power_ledger.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -85,10 +87,20 @@ std::string sums_words(const SweepSums& sums, std::int64_t chunks) {
   return words;
 }
 
+/// A folder of this machine alone, for what is thrown away.
+fs::path own_disk() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) {
+    throw InputError("TMPDIR: expected a folder of this machine to simulate in, got none");
+  }
+  return folder;
+}
+
 /// The chunk's studies from a ledger of its own, which no other machine sees.
 PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, ChunkMark& mark) {
   const auto begin = std::chrono::steady_clock::now();
-  const ScratchFolder scratch(fs::temp_directory_path(), std::string("impetus-") + kScratchBegin);
+  const ScratchFolder scratch(own_disk(), std::string("impetus-") + kScratchBegin);
   const fs::path ledger = scratch.path() / "chunk.sqlite";
   const auto told = [&mark](double share) { mark.tell(share); };
   if (!simulate_studies({options, task, scratch.path(), ledger, told})) {
