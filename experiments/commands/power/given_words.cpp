@@ -29,7 +29,7 @@ std::vector<std::string> words_of_values(const CLI::Option& option) {
 }
 
 std::string option_words(const CLI::Option& option) {
-  const std::string name = option.get_positional() ? "" : " " + option.get_name();
+  std::string name = option.get_positional() ? "" : " " + option.get_name();
   if (option.get_items_expected_max() == 0) {
     return name;  // a flag
   }

@@ -90,7 +90,7 @@ std::string sums_words(const SweepSums& sums, std::int64_t chunks) {
 /// A folder of this machine alone, for what is thrown away.
 fs::path own_disk() {
   std::error_code error;
-  const fs::path folder = fs::temp_directory_path(error);
+  fs::path folder = fs::temp_directory_path(error);
   if (error) {
     throw InputError("TMPDIR: expected a folder of this machine to simulate in, got none");
   }

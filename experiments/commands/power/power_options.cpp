@@ -219,7 +219,7 @@ void add_options(CLI::App& command, PowerOptions& options) {
   command
       .add_option("--out", options.out,
                   "The folder of the ledger and the results; the same one goes on, and may be "
-                  "shared by several processes")
+                  "shared by several processes of one machine")
       ->capture_default_str();
   add_chunk_options(command, options);
 }
