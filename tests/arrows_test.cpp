@@ -67,7 +67,7 @@ const std::vector<Room> kRooms = {
      {"experiments/store", "experiments/tables"},
      {"JSON", "SQLite", "zlib"}},
     {"experiments/fitting", {"experiments/observers"}, {"Eigen"}},
-    {"experiments/power", {"experiments/settings"}, {"SQLite"}},
+    {"experiments/power", {"experiments/settings"}, {"JSON", "SQLite"}},
     {"experiments/site",
      {"experiments/lines", "experiments/study", "experiments/exports"},
      {"JSON", "SQLite"}},

@@ -21,40 +21,18 @@ constexpr int kPatience_ms = 60000;         // for another process that writes
 /// Number, participants, with the effect or without.
 using DoneStudies = std::set<std::tuple<std::int64_t, std::int64_t, bool>>;
 
-/// A column of the ledger's question, what it is in words, and where it stands in the struct.
-struct Column {
-  const char* name;
-  const char* words;
-  std::string PowerQuestion::*place;
-};
-
-const std::vector<Column>& columns() {
-  using Q = PowerQuestion;
-  static const std::vector<Column> columns{
-      {"protocol", "protocol", &Q::protocol},
-      {"protocol_hash", "version of the protocol", &Q::protocol_hash},
-      {"observer", "observer", &Q::observer},
-      {"null_observer", "observer without the effect", &Q::null_observer},
-      {"screen", "screen", &Q::screen},
-      {"response", "response", &Q::response},
-      {"model", "model", &Q::model},
-      {"factors", "choice of factors", &Q::factors},
-      {"compared", "pair of levels", &Q::compared}};
-  return columns;
-}
-
 void create(SQLite::Database& database, const PowerQuestion& question) {
   database.exec(kLedgerSql);
   database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
   std::string names = "id, created_utc, seed";
   std::string marks = "1, strftime('%Y-%m-%dT%H:%M:%fZ'), :seed";
-  for (const Column& column : columns()) {
+  for (const QuestionText& column : question_texts()) {
     names += std::string(", ") + column.name;
     marks += std::string(", :") + column.name;
   }
   SQLite::Statement insert(database, "INSERT INTO question (" + names + ") VALUES (" + marks + ")");
   insert.bind(":seed", question.seed);
-  for (const Column& column : columns()) {
+  for (const QuestionText& column : question_texts()) {
     insert.bind(std::string(":") + column.name, question.*column.place);
   }
   insert.exec();
@@ -62,21 +40,18 @@ void create(SQLite::Database& database, const PowerQuestion& question) {
 
 void require_same(SQLite::Database& database, const PowerQuestion& question,
                   const std::string& name) {
-  const auto refuse = [&](const std::string& words) {
-    throw InputError(name + ": expected a ledger of the same question, got one of another " +
-                     words + "; give another --out");
-  };
-  SQLite::Statement kept(database, "SELECT * FROM question");
-  if (!kept.executeStep()) {
+  SQLite::Statement row(database, "SELECT * FROM question");
+  if (!row.executeStep()) {
     throw InputError(name + ": expected a ledger of a power analysis, got one without a question");
   }
-  for (const Column& column : columns()) {
-    if (kept.getColumn(column.name).getString() != question.*column.place) {
-      refuse(column.words);
-    }
+  PowerQuestion kept;
+  kept.seed = row.getColumn("seed").getInt64();
+  for (const QuestionText& column : question_texts()) {
+    kept.*column.place = row.getColumn(column.name).getString();
   }
-  if (kept.getColumn("seed").getInt64() != question.seed) {
-    refuse("seed");
+  if (const std::string words = difference(kept, question); !words.empty()) {
+    throw InputError(name + ": expected a ledger of the same question, got one of another " +
+                     words + "; give another --out");
   }
 }
 
@@ -127,25 +102,71 @@ DoneStudies taken_cells(SQLite::Database& database) {
   return taken;
 }
 
-/// Numbers rise, each with the effect and then without: what is done first tells of both.
 template <typename Visit>
 void visit_missing(const PowerRequest& request, const DoneStudies& done, const Visit& visit) {
-  const std::int64_t most = std::max(request.studies, request.null_studies);
-  for (std::int64_t number = 1; number <= most; ++number) {
-    for (const bool effect : {true, false}) {
-      if (number > (effect ? request.studies : request.null_studies)) {
-        continue;
-      }
-      PowerCell cell{effect, number, {}};
-      for (const std::int64_t size : request.sizes) {
-        if (done.count({number, size, effect}) == 0) {
-          cell.sizes.push_back(size);
-        }
-      }
-      if (!cell.sizes.empty() && !visit(cell)) {
-        return;
-      }
+  for (PowerCell& cell : cells_of(request)) {
+    std::erase_if(cell.sizes, [&](std::int64_t size) {
+      return done.count({cell.number, size, cell.effect}) > 0;
+    });
+    if (!cell.sizes.empty() && !visit(cell)) {
+      return;
     }
+  }
+}
+
+TestedStudy study_in(const SQLite::Statement& row) {
+  return {row.getColumn("effect").getInt() == 1,
+          row.getColumn("number").getInt64(),
+          row.getColumn("participants").getInt64(),
+          row.getColumn("seed").getInt64(),
+          row.getColumn("build").getString(),
+          row.getColumn("simulated_s").getDouble(),
+          {}};
+}
+
+StudyTest test_in(const SQLite::Statement& row) {
+  const SQLite::Column p = row.getColumn("p");
+  return {row.getColumn("factor").getString(),
+          p.isNull() ? std::nullopt : std::optional(p.getDouble()),
+          row.getColumn("method").getString(), row.getColumn("remark").getString()};
+}
+
+void bind_key(SQLite::Statement& row, const TestedStudy& study) {
+  row.bind(1, study.effect ? 1 : 0);
+  row.bind(2, study.number);
+  row.bind(3, study.participants);
+}
+
+/// False when it is there already.
+bool insert_study(SQLite::Database& database, const TestedStudy& study) {
+  SQLite::Statement row(database, "INSERT OR IGNORE INTO study VALUES (?, ?, ?, ?, ?, ?)");
+  bind_key(row, study);
+  row.bind(4, study.seed);
+  row.bind(5, study.build);
+  row.bind(6, study.simulated_s);
+  return row.exec() == 1;
+}
+
+void insert_tests(SQLite::Database& database, const TestedStudy& study) {
+  SQLite::Statement row(database, "INSERT INTO test VALUES (?, ?, ?, ?, ?, ?, ?)");
+  for (const StudyTest& test : study.tests) {
+    bind_key(row, study);
+    row.bind(4, test.factor);
+    test.p ? row.bind(5, *test.p) : row.bind(5);
+    row.bind(6, test.method);
+    row.bind(7, test.remark);
+    row.exec();
+    row.reset();
+  }
+}
+
+void require_one_build(SQLite::Database& database, const std::string& build,
+                       const std::string& name) {
+  SQLite::Statement other(database, "SELECT build FROM study WHERE build <> ? LIMIT 1");
+  other.bind(1, build);
+  if (other.executeStep()) {
+    throw InputError(name + ": expected studies of the build of the chunks, " + build +
+                     ", got some of " + other.getColumn(0).getString() + "; give another --out");
   }
 }
 
@@ -213,6 +234,40 @@ std::int64_t PowerLedger::missing(const PowerRequest& request) {
     return true;
   });
   return count;
+}
+
+std::vector<TestedStudy> PowerLedger::studies() {
+  const std::lock_guard lock(mutex_);
+  const SQLite::Transaction transaction(database_);
+  std::vector<TestedStudy> studies;
+  SQLite::Statement row(database_,
+                        "SELECT * FROM study ORDER BY number, effect DESC, participants");
+  SQLite::Statement test(database_,
+                         "SELECT * FROM test WHERE effect = ? AND number = ? AND participants = ? "
+                         "ORDER BY factor");
+  while (row.executeStep()) {
+    studies.push_back(study_in(row));
+    bind_key(test, studies.back());
+    while (test.executeStep()) {
+      studies.back().tests.push_back(test_in(test));
+    }
+    test.reset();
+  }
+  return studies;
+}
+
+void PowerLedger::add(const std::vector<TestedStudy>& studies) {
+  const std::lock_guard lock(mutex_);
+  SQLite::Transaction transaction(database_, SQLite::TransactionBehavior::IMMEDIATE);
+  for (const TestedStudy& study : studies) {
+    if (insert_study(database_, study)) {
+      insert_tests(database_, study);
+    }
+  }
+  if (!studies.empty()) {
+    require_one_build(database_, studies.front().build, name_);
+  }
+  transaction.commit();
 }
 
 }  // namespace impetus::inline power

@@ -3,7 +3,8 @@
 //   take() ─> simulate ─> an R script tests, and writes `study` and `test` ─> give_back()
 //
 // Any number of processes of one machine may share a ledger: each takes what is neither done nor
-// taken by one that still runs. The tables are those of ledger.sql.
+// taken by one that still runs. Machines share none: each fills one of its own, whose rows travel
+// as a chunk (power_chunk.hpp). The tables are those of ledger.sql.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,35 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "experiments/power/power_question.hpp"
+#include "experiments/power/power_study.hpp"
+
 namespace impetus::inline power {
-
-/// What a ledger answers. Everything that changes a study's tests is in it.
-struct PowerQuestion {
-  std::string protocol;
-  std::string protocol_hash;
-  std::string observer;       ///< JSON
-  std::string null_observer;  ///< JSON; "": none is known
-  std::string screen;
-  std::string response;  ///< "rating", "answer" or "clicks"
-  std::string model;     ///< "means" or "mixed"
-  std::string factors;   ///< JSON array
-  std::string compared;  ///< JSON array
-  std::int64_t seed{1};
-};
-
-/// How many studies of which sizes are wanted.
-struct PowerRequest {
-  std::vector<std::int64_t> sizes;  ///< numbers of participants, rising, each once
-  std::int64_t studies{0};          ///< of each size with the effect
-  std::int64_t null_studies{0};     ///< of each size without it
-};
-
-/// One number of a study, to be simulated with as many participants as its greatest size.
-struct PowerCell {
-  bool effect{true};
-  std::int64_t number{1};
-  std::vector<std::int64_t> sizes;  ///< that are not done, rising
-};
 
 /// The ledger, open and shared.
 class PowerLedger {
@@ -61,6 +37,13 @@ class PowerLedger {
 
   /// How many studies of the request are not done, each size by itself.
   std::int64_t missing(const PowerRequest& request);
+
+  /// All that is done, in the order of cells_of() and then of sizes, each with its tests.
+  std::vector<TestedStudy> studies();
+
+  /// Adds what was done elsewhere, all of it or nothing; what is there already stays. Throws
+  /// InputError when the ledger holds studies of another build.
+  void add(const std::vector<TestedStudy>& studies);
 
  private:
   std::mutex mutex_;

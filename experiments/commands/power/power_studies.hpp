@@ -7,8 +7,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_ledger.hpp"
@@ -26,7 +28,10 @@ struct PowerWork {
   std::filesystem::path script;   ///< power-fits.R
   std::filesystem::path scratch;  ///< a folder for what is thrown away
   std::filesystem::path ledger;
+  std::function<void(double)> told;  ///< the share that is done; may be empty
 };
+
+double seconds_since(std::chrono::steady_clock::time_point begin);
 
 /// The seed of a study: `impetus run --participants N --seed SEED` simulates it again.
 std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number);

@@ -1,59 +1,21 @@
-// `impetus power`: how many participants a study needs, from whole simulated studies.
-//
-//   options ─> a question ─> its ledger ─> simulated studies, tested (power_studies.hpp)
-//                              └──────────> Rscript power.R ─> power.html, figure, table
-//
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <thread>
-#include <vector>
+#include "experiments/commands/power/power_options.hpp"
 
-#include "experiments/commands/commands.hpp"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "experiments/commands/named_observer.hpp"
-#include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/r_program.hpp"
-#include "experiments/commands/running/power_studies.hpp"
-#include "experiments/commands/running/run_part.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
-#include "experiments/exports/r_scripts.hpp"
-#include "experiments/power/process_mark.hpp"
-#include "experiments/protocol/observer_file.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/questions/response_kinds.hpp"
 
 namespace impetus::inline commands {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kLedgerName = "power.sqlite";
-constexpr const char* kScratch = "simulating-";  ///< and the process's mark
-
-/// What `impetus power` was asked for.
-struct PowerOptions {
-  std::string protocol;
-  std::string observer;
-  std::string null_observer;
-  bool no_null{false};
-  std::vector<std::int64_t> sizes;
-  std::int64_t studies{1000};
-  std::string model{"means"};
-  std::string response;
-  std::vector<std::string> factors;
-  std::string compared;
-  std::int64_t seed{1};
-  std::int64_t jobs{0};
-  bool allow_rounding{false};
-  std::string screen_file;
-  std::string out{"power"};
-};
+constexpr std::int64_t kMostChunks = 9999;  ///< four digits in a file's name
 
 /// The response that is tested: the one asked for, or the first that the protocol has.
 std::string response_of(const Protocol& protocol, const std::string& wanted) {
@@ -154,48 +116,6 @@ PowerRequest request_of(const PowerOptions& options, bool null_known) {
   return request;
 }
 
-/// Throws InputError unless the folder is new, empty, or one of an earlier power analysis.
-void require_power_folder(const fs::path& folder) {
-  if (!fs::exists(folder)) {
-    return;
-  }
-  const std::string expected =
-      folder.string() + ": expected a new folder, an empty one or an earlier power analysis, got ";
-  if (!fs::is_directory(folder)) {
-    throw InputError(expected + "a file");
-  }
-  if (!fs::is_empty(folder) && !fs::exists(folder / kLedgerName)) {
-    throw InputError(expected + "one that holds " +
-                     fs::directory_iterator(folder)->path().filename().string());
-  }
-}
-
-/// A folder of this process in `out`; those of processes that were killed are removed.
-class Scratch {
- public:
-  explicit Scratch(const fs::path& out) : folder_(out / (kScratch + mark_of_this_process())) {
-    for (const auto& entry : fs::directory_iterator(out)) {
-      const std::string name = entry.path().filename().string();
-      if (name.rfind(kScratch, 0) == 0 && !still_runs(name.substr(std::string(kScratch).size()))) {
-        std::error_code ignored;  // another process may be at it, too
-        fs::remove_all(entry.path(), ignored);
-      }
-    }
-    fs::create_directories(folder_);
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-
- private:
-  fs::path folder_;
-};
-
 PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
                           const std::string& response, const std::optional<ObserverFile>& without) {
   PowerQuestion question;
@@ -212,11 +132,6 @@ PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
   return question;
 }
 
-std::int64_t jobs_of(const PowerOptions& options) {
-  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-  return std::max<std::int64_t>(1, options.jobs > 0 ? options.jobs : cores);
-}
-
 RunOptions run_options_of(const PowerOptions& options) {
   RunOptions run;
   run.protocol = options.protocol;
@@ -227,58 +142,34 @@ RunOptions run_options_of(const PowerOptions& options) {
   return run;
 }
 
-void say_what_is_not_simulated(const PowerOptions& options, const std::string& response) {
-  if (!options.no_null) {
-    std::fprintf(stderr,
-                 "note: no type-I error: how this observer's %s would be without the effect is "
-                 "not known; --null FILE gives one\n",
-                 response == "rating"   ? "ratings"
-                 : response == "answer" ? "answers"
-                                        : "clicks");
-  }
+/// So that each chunk has a study at least.
+void require_chunks(const PowerOptions& options, const PowerRequest& request) {
+  const std::string chunks = std::to_string(options.chunks);
+  const std::int64_t most = request.studies + request.null_studies;
+  require(options.chunks <= most, "--chunks: expected at most " + std::to_string(most) +
+                                      ", a study in each, got " + chunks);
+  require(options.chunk <= options.chunks,
+          "--chunk: expected from 1 to " + chunks + ", got " + std::to_string(options.chunk));
 }
 
-int power(const PowerOptions& options) {
-  const BuildingLine told;
-  require_power_folder(options.out);
-  PowerWork work;
-  work.run = run_options_of(options);
-  const JsonDocument document = read_json(options.protocol);
-  if (document.value.contains("participants")) {
-    throw InputError(options.protocol + ": expected a protocol with participants, got one without");
-  }
-  work.planted = part_from(options.protocol, options.observer, work.run);
-  const std::string response = response_of(work.planted.protocol, options.response);
-  const auto without = null_observer_of(work.planted, options, response);
-  const PowerQuestion question = question_of(work.planted, options, response, without);
-  fs::create_directories(options.out);
-  const Scratch scratch(options.out);
-  const fs::path scripts = write_r_scripts(scratch.folder(), {"power-fits.R", "power.R"});
-  if (run_needed_r_script({(scripts / "power-fits.R").string(), "--check", options.model}) != 0) {
-    return kCouldNotRun;  // R has said why
-  }
-  work.ledger = fs::path(options.out) / kLedgerName;
-  PowerLedger ledger(work.ledger, question);
-  if (!without) {
-    say_what_is_not_simulated(options, response);
-  }
-  solve_what_is_asked(work.planted);
-  build_shapes(work.planted);
-  work.without = work.planted;
-  work.without.lab.observer = without ? without : work.planted.lab.observer;
-  work.request = request_of(options, without.has_value());
-  work.seed = options.seed;
-  work.jobs = jobs_of(options);
-  work.script = scripts / "power-fits.R";
-  work.scratch = scratch.folder();
-  do_power_studies(work, ledger);
-  const std::string page = (scripts / "power.R").string();
-  if (run_needed_r_script({page, work.ledger.string(), "--out", options.out}) != 0) {
-    return kCouldNotRun;
-  }
-  std::printf("%s: open it in a browser\n", (fs::path(options.out) / "power.html").c_str());
-  return kDone;
+void add_chunk_options(CLI::App& command, PowerOptions& options) {
+  CLI::Option* chunks =
+      command
+          .add_option("--chunks", options.chunks,
+                      "In so many pieces, each a command of its own on any machine that sees the "
+                      "folder; alone, reads them together once all are done")
+          ->check(CLI::Range(std::int64_t{1}, kMostChunks));
+  CLI::Option* chunk = command.add_option("--chunk", options.chunk, "Compute this one, from 1")
+                           ->check(CLI::Range(std::int64_t{1}, kMostChunks))
+                           ->needs(chunks);
+  command
+      .add_flag("--list", options.list,
+                "Print the command of each chunk and how far it is, and compute nothing")
+      ->needs(chunks)
+      ->excludes(chunk);
 }
+
+}  // namespace
 
 void add_options(CLI::App& command, PowerOptions& options) {
   command.add_option("protocol", options.protocol, "Protocol file, such as protocols/gap.json")
@@ -328,18 +219,28 @@ void add_options(CLI::App& command, PowerOptions& options) {
   command
       .add_option("--out", options.out,
                   "The folder of the ledger and the results; the same one goes on, and may be "
-                  "shared by several processes")
+                  "shared by several processes of one machine")
       ->capture_default_str();
+  add_chunk_options(command, options);
 }
 
-}  // namespace
-
-void add_power(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<PowerOptions>();
-  CLI::App* command = app.add_subcommand(
-      "power", "How many participants a study needs: whole simulated studies, tested (needs R)");
-  add_options(*command, *options);
-  command->callback([options, &chosen] { chosen = [options] { return power(*options); }; });
+PowerTask task_of(const PowerOptions& options) {
+  PowerTask task;
+  task.run = run_options_of(options);
+  const JsonDocument document = read_json(options.protocol);
+  if (document.value.contains("participants")) {
+    throw InputError(options.protocol + ": expected a protocol with participants, got one without");
+  }
+  task.planted = part_from(options.protocol, options.observer, task.run);
+  const std::string response = response_of(task.planted.protocol, options.response);
+  task.without = null_observer_of(task.planted, options, response);
+  task.question = question_of(task.planted, options, response, task.without);
+  task.request = request_of(options, task.without.has_value());
+  if (options.chunks > 0) {
+    require_chunks(options, task.request);
+    task.request.chunk = {std::max<std::int64_t>(options.chunk, 1), options.chunks};
+  }
+  return task;
 }
 
 }  // namespace impetus::inline commands

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/running/power_studies.hpp"
+#include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/build_name.hpp"
 
 #include <SQLiteCpp/Database.h>
@@ -28,10 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr double kBatch_s = 20.0;     ///< studies tested by one start of R: so much work
 constexpr double kMostInABatch = 50;  ///< so that an interruption costs little
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// Threads that take studies from the ledger, simulate and test them, until none is missing.
 class PowerStudies {
@@ -145,11 +141,11 @@ class PowerStudies {
       const auto sizes = static_cast<double>(work_.request.sizes.size());
       const double left = static_cast<double>(ledger_.missing(work_.request)) / sizes;
       std::fprintf(
-          stderr,
-          "one study took %s; %.0f more, %lld at a time, take about %s. Interrupt it "
-          "whenever you like: the same command goes on.\n",
+          stderr, "one study took %s; %.0f more, %lld at a time, take about %s.%s\n",
           duration_words(study_s).c_str(), left, static_cast<long long>(work_.jobs),
-          duration_words(study_s * std::ceil(left / static_cast<double>(work_.jobs))).c_str());
+          duration_words(study_s * std::ceil(left / static_cast<double>(work_.jobs))).c_str(),
+          work_.request.chunk.of == 1 ? " Interrupt it whenever you like: the same command goes on."
+                                      : "");
     }
     study_s_ = study_s;
   }
@@ -158,8 +154,13 @@ class PowerStudies {
   std::int64_t tell_progress() {
     const std::int64_t missing = ledger_.missing(work_.request);
     const std::lock_guard lock(mutex_);
-    line_.tell(1.0 - static_cast<double>(missing) /
-                         static_cast<double>(std::max<std::int64_t>(missing_at_first_, 1)));
+    const double share =
+        1.0 - static_cast<double>(missing) /
+                  static_cast<double>(std::max<std::int64_t>(missing_at_first_, 1));
+    line_.tell(share);
+    if (work_.told) {
+      work_.told(share);
+    }
     return missing;
   }
 
@@ -178,6 +179,10 @@ class PowerStudies {
 };
 
 }  // namespace
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number) {
   constexpr std::uint64_t kStudies = 1'000'000;  // of one seed, so that no two share one
