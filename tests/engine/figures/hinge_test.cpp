@@ -124,7 +124,7 @@ TEST(Hinge, AWorldRefusesWhatFiguresCannotHave) {
   };
   EXPECT_EQ(refused([](WorldSettings&) {}), "");
   EXPECT_EQ(refused([](WorldSettings& settings) { settings.imposed_hold_s = 0.1; }),
-            "world: expected no imposed hold or spin where there are figures");
+            "world: expected no imposed hold, spin or rebound where there are figures");
   EXPECT_EQ(refused([](WorldSettings& settings) { settings.response = ResponseMethod::kTogether; }),
             "world: expected impulses in turn where there are figures, got together");
   EXPECT_EQ(refused([](WorldSettings& settings) { settings.figures[0].first_part = 1; }),
