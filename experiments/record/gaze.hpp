@@ -13,9 +13,9 @@
 //                   the device's; places are metres right of and above the screen's centre, so the
 //                   tracker's pixels times metres per pixel. What has no place says why, and is
 //                   never left out: losses are counted.
-//   shown()         nothing
+//   begins(), shown()  nothing; a recording that is played again goes by them
 //
-// commands/laboratory.cpp then hands it to the session in place of the mouse.
+// commands/running/laboratory.cpp then hands it to the session in place of the mouse.
 // SPDX-License-Identifier: MIT
 #pragma once
 
