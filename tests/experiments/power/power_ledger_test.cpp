@@ -12,23 +12,11 @@
 #include <string>
 
 #include "experiments/power/process_mark.hpp"
+#include "tests/experiments/power/power_chunks.hpp"
 #include "tests/experiments/refusals.hpp"
 #include "tests/experiments/temporary_folder.hpp"
 
 namespace impetus::power_ledger_test {
-
-PowerQuestion a_question() {
-  PowerQuestion question;
-  question.protocol = "gap";
-  question.protocol_hash = "0123";
-  question.observer = "{}";
-  question.response = "rating";
-  question.model = "means";
-  question.factors = "[]";
-  question.compared = "[]";
-  question.seed = 7;
-  return question;
-}
 
 /// Planted and without, numbers 1 to 3, of 10 and 20 participants.
 const PowerRequest kRequest{{10, 20}, 3, 3};
@@ -51,7 +39,7 @@ class PowerLedgerTest : public testing::Test {
 };
 
 TEST_F(PowerLedgerTest, GivesEachCellOnceWithTheSizesThatAreMissing) {
-  PowerLedger ledger(path(), a_question());
+  PowerLedger ledger(path(), chunked_question());
   EXPECT_EQ(ledger.missing(kRequest), 12);
   write_done(true, 1, 20);
   write_done(false, 1, 10);
@@ -70,7 +58,7 @@ TEST_F(PowerLedgerTest, GivesEachCellOnceWithTheSizesThatAreMissing) {
 }
 
 TEST_F(PowerLedgerTest, WhatIsGivenBackUndoneIsThereAgain) {
-  PowerLedger ledger(path(), a_question());
+  PowerLedger ledger(path(), chunked_question());
   const std::vector<PowerCell> all = ledger.take(kRequest, 100);
   write_done(true, 1, 10);
   write_done(true, 1, 20);
@@ -83,7 +71,7 @@ TEST_F(PowerLedgerTest, WhatIsGivenBackUndoneIsThereAgain) {
 }
 
 TEST_F(PowerLedgerTest, MoreStudiesAndMoreSizesAreWhatIsMissing) {
-  PowerLedger ledger(path(), a_question());
+  PowerLedger ledger(path(), chunked_question());
   for (const int size : {10, 20}) {
     write_done(true, 1, size);
   }
@@ -100,7 +88,7 @@ TEST_F(PowerLedgerTest, AnotherProcessTakesWhatIsLeftAndAllThatAKilledOneHad) {
   ASSERT_EQ(pipe(ready), 0);
   const pid_t other = fork();
   if (other == 0) {
-    PowerLedger ledger(path(), a_question());
+    PowerLedger ledger(path(), chunked_question());
     const auto taken = static_cast<char>(ledger.take(kRequest, 4).size());
     if (write(ready[1], &taken, 1) == 1) {
       pause();
@@ -110,7 +98,7 @@ TEST_F(PowerLedgerTest, AnotherProcessTakesWhatIsLeftAndAllThatAKilledOneHad) {
   char taken = 0;
   ASSERT_EQ(::read(ready[0], &taken, 1), 1);
   EXPECT_EQ(taken, 4);
-  PowerLedger ledger(path(), a_question());
+  PowerLedger ledger(path(), chunked_question());
   EXPECT_EQ(ledger.take(kRequest, 100).size(), 2U);
   EXPECT_TRUE(ledger.take(kRequest, 100).empty());
   kill(other, SIGKILL);
@@ -119,9 +107,9 @@ TEST_F(PowerLedgerTest, AnotherProcessTakesWhatIsLeftAndAllThatAKilledOneHad) {
 }
 
 TEST_F(PowerLedgerTest, RefusesAnotherQuestionAndNamesWhatDiffers) {
-  { const PowerLedger ledger(path(), a_question()); }
+  { const PowerLedger ledger(path(), chunked_question()); }
   const auto refused = [&](auto change) {
-    PowerQuestion question = a_question();
+    PowerQuestion question = chunked_question();
     change(question);
     return refusal([&] { const PowerLedger ledger(path(), question); });
   };
@@ -139,15 +127,16 @@ TEST_F(PowerLedgerTest, RefusesAnotherQuestionAndNamesWhatDiffers) {
 TEST_F(PowerLedgerTest, RefusesAFileThatIsNoLedger) {
   folder_.write("power.sqlite", "a diary");
   EXPECT_NE(refusal([&] {
-              const PowerLedger ledger(path(), a_question());
+              const PowerLedger ledger(path(), chunked_question());
             }).find("expected a ledger of a power analysis that can be written"),
             std::string::npos);
   SQLite::Database other((folder_ / "other.sqlite").string(),
                          SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   other.exec("CREATE TABLE a (b)");
-  EXPECT_EQ(refusal([&] { const PowerLedger ledger(folder_ / "other.sqlite", a_question()); }),
-            (folder_ / "other.sqlite").string() +
-                ": expected a ledger of a power analysis, got another database");
+  EXPECT_EQ(
+      refusal([&] { const PowerLedger ledger(folder_ / "other.sqlite", chunked_question()); }),
+      (folder_ / "other.sqlite").string() +
+          ": expected a ledger of a power analysis, got another database");
 }
 
 TEST(ProcessMark, TellsARunningProcessFromOneThatEndedAndFromWords) {
