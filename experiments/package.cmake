@@ -2,6 +2,7 @@
 #
 #   bin/impetus
 #   share/impetus/   protocols, stimuli, experiments/observers and languages, analysis: as in a clone
+#   lib/python3/dist-packages/impetus/   of a build with IMPETUS_PYTHON
 #   share/doc/impetus/
 #
 # Only the component `program`: the engine as a library is installed by `cmake --install`.
@@ -39,4 +40,7 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk | fonts-wqy-microhei, ffmpeg")
 # Studies run without R; reports and figures need it.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "r-base-core, r-cran-rsqlite, r-cran-ordinal, r-cran-lme4, \
 r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, r-cran-jsonlite")
+if(IMPETUS_PYTHON)
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-pandas")
+endif()
 include(CPack)

@@ -63,11 +63,12 @@ const std::vector<Room> kRooms = {
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/store/merging", {"experiments/store"}, {"SQLite"}},
     {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
+    {"experiments/provenance", {"experiments/store"}, {}},
     {"experiments/exports",
      {"experiments/store", "experiments/tables"},
      {"JSON", "SQLite", "zlib"}},
     {"experiments/fitting", {"experiments/observers"}, {"Eigen"}},
-    {"experiments/power", {"experiments/settings"}, {"JSON", "SQLite"}},
+    {"experiments/power", {"experiments/settings", "experiments/tables"}, {"JSON", "SQLite"}},
     {"experiments/site",
      {"experiments/lines", "experiments/study", "experiments/exports"},
      {"JSON", "SQLite"}},
@@ -80,8 +81,11 @@ const std::vector<Room> kRooms = {
      {"experiments/files", "experiments/study", "experiments/store/merging",
       "experiments/viewers/replays", "experiments/trade", "experiments/timing",
       "experiments/extremes", "experiments/exports", "experiments/fitting", "experiments/power",
-      "experiments/site"},
+      "experiments/site", "experiments/provenance"},
      {"CLI", "JSON", "SQLite", "valijson", "assimp", "window"}},
+    {"experiments/python",
+     {"experiments/files", "experiments/study", "experiments/exports", "experiments/provenance"},
+     {"JSON", "SQLite", "pybind11"}},
 };
 
 /// How a library's headers begin.
@@ -95,7 +99,7 @@ const std::vector<Library> kLibraries = {
     {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
     {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
     {"window", "imgui"},       {"CLI", "CLI/"},       {"zlib", "zlib.h"},
-    {"PNG", "png.h"},          {"FCL", "fcl/"},  // tests alone
+    {"pybind11", "pybind11/"}, {"PNG", "png.h"},      {"FCL", "fcl/"},  // tests alone
 };
 
 /// The engine reads no clock, no file and no global random state, prints nothing, has no threads

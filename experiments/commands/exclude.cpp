@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/exclusion.hpp"
 

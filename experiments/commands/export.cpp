@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/exports/anonymise.hpp"
 #include "experiments/exports/bids_export.hpp"
 #include "experiments/exports/csv_export.hpp"
 #include "experiments/exports/whole_output.hpp"
 #include "experiments/protocol/protocol_file.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {

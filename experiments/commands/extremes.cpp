@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/extremes/extreme_cases.hpp"
 #include "experiments/models/atomic_file.hpp"
+#include "experiments/provenance/build_name.hpp"
+#include "experiments/provenance/machine_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/nearest_word.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace {

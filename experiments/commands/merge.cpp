@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/store/merging/study_merge.hpp"
 
 namespace impetus::inline commands {

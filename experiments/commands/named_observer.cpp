@@ -14,7 +14,8 @@ ObserverFile observer_for(const Protocol& protocol, const std::filesystem::path&
   const auto beside = std::filesystem::absolute(file).parent_path().parent_path() / name;
   std::error_code ignored;
   const bool is_own = std::filesystem::exists(name_or_path, ignored) ||
-                      std::filesystem::exists(beside, ignored) || shipped == name;
+                      std::filesystem::exists(beside, ignored) ||
+                      !std::filesystem::exists(shipped, ignored);
   ObserverFile observer = load_observer(is_own ? name_or_path : shipped, file);
   check_observer(protocol, observer);
   return observer;

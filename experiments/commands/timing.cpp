@@ -7,12 +7,11 @@
 #include <memory>
 #include <string>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 #ifdef IMPETUS_WINDOW
-#include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/patch_corner.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -20,6 +19,7 @@
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/models/atomic_file.hpp"
+#include "experiments/provenance/machine_name.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/timing/timing_json.hpp"
 #include "experiments/timing/timing_page.hpp"

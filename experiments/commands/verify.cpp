@@ -9,8 +9,8 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/replays/replay_levels.hpp"
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/store/study_file.hpp"
+#include "experiments/study/replay_library.hpp"
 #include "experiments/study/study_verification.hpp"
 #include "experiments/study/verification_report.hpp"
 

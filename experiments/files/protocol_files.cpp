@@ -57,13 +57,20 @@ MoreFiles files_of_design(const Protocol& protocol) {
 }  // namespace
 
 Protocol load_protocol(const std::filesystem::path& path) {
-  JsonDocument document = read_json(path);
+  return protocol_from(read_json(path), path);
+}
+
+Protocol protocol_from(JsonDocument document, const std::filesystem::path& path,
+                       std::optional<JsonDocument> scene) {
   hold_language(document, path);
   Protocol protocol = read_protocol(std::move(document));
   check_texts(protocol);
-  const std::filesystem::path file = named_file(protocol.document, path, "/scene", "a file");
-  JsonDocument scene = read_scene(file, files_of_design(protocol));
-  return with_scene(std::move(protocol), std::move(scene));
+  const std::filesystem::path file =
+      scene ? path.parent_path() / protocol.document.value["scene"].get<std::string>()
+            : named_file(protocol.document, path, "/scene", "a file");
+  JsonDocument own = scene ? std::move(*scene) : read_json(file);
+  return with_scene(std::move(protocol),
+                    with_files(std::move(own), file, files_of_design(protocol)));
 }
 
 }  // namespace impetus::inline files

@@ -120,7 +120,11 @@ std::string hold_mesh(json& scene, const std::string& file, const std::filesyste
 }
 
 JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more) {
-  JsonDocument scene = read_json(path);
+  return with_files(read_json(path), path, more);
+}
+
+JsonDocument with_files(JsonDocument scene, const std::filesystem::path& path,
+                        const MoreFiles& more) {
   require_scene_schema(scene);
   hold_noticing(scene, path);
   hold_files(scene, more, path.parent_path());

@@ -28,6 +28,10 @@ struct MoreFiles {
 /// `more` names: what load_scene() goes on to check. Throws InputError.
 JsonDocument read_scene(const std::filesystem::path& path, const MoreFiles& more = {});
 
+/// The same of a scene that was read already, or written by a program, as if it lay at `path`.
+JsonDocument with_files(JsonDocument scene, const std::filesystem::path& path,
+                        const MoreFiles& more = {});
+
 /// Puts the content of `file` into the scene's "meshes", unless it is there; `folder` is the
 /// scene's. Returns what is wrong in words, "" when nothing is: the path leaves the folder, the
 /// file cannot be read, or the mesh cannot be simulated.

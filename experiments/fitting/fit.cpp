@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/fitting/minimum.hpp"
+#include "experiments/fitting/profiles.hpp"
 
 namespace impetus::inline fitting {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double kFirstTolerance = 1e-3;  ///< of starts, in the logarithm
 constexpr double kTolerance = 1e-5;
-constexpr double kProfileTolerance = 1e-3;
+constexpr int kMostBetters = 5;  ///< times that a profile may send the search back
 
 constexpr const char* kNotAsked = "no answer of the study depends on it";
 constexpr const char* kNotIdentified = "the study does not identify it";
@@ -71,14 +71,16 @@ class Fitting {
   [[nodiscard]] const MovableParameter& movable(std::size_t free) const {
     return likelihood_.movable()[free_[free]];
   }
+  /// Beyond reach it is that of the end, and rises, so that a search has a slope to come back by.
   [[nodiscard]] double cost(const VectorXd& x) {
+    VectorXd within = x;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      if (std::abs(x[static_cast<Index>(i)]) > 1.05 * movable(i).reach()) {
-        return std::numeric_limits<double>::infinity();
-      }
+      const double reach = movable(i).reach();
+      double& one = within[static_cast<Index>(i)];
+      one = std::clamp(one, -reach, reach);
     }
-    put(x);
-    return -likelihood_.logarithm();
+    put(within);
+    return -likelihood_.logarithm() + (x - within).squaredNorm();
   }
   [[nodiscard]] SmoothFunction cost_function() {
     return [this](const VectorXd& x) { return cost(x); };
@@ -165,137 +167,12 @@ class Fitting {
     }
   }
 
-  /// The least cost with one parameter fixed, the others followed from `guess`, which moves there.
-  double least_cost(std::size_t fixed, double x, VectorXd& guess, const MatrixXd& curvature) {
-    const auto place = static_cast<Index>(fixed);
-    const auto with = [&](const VectorXd& others) {
-      VectorXd all(best_.at.size());
-      all << others.head(place), x, others.tail(others.size() - place);
-      return all;
-    };
-    const FoundMinimum found =
-        find_minimum([&](const VectorXd& others) { return cost(with(others)); }, guess,
-                     kProfileTolerance, curvature);
-    guess = found.at;
-    if (found.value < best_.value - 0.01) {
-      better_ = FoundMinimum{with(found.at), found.value};
-    }
-    return found.value;
-  }
-
-  [[nodiscard]] VectorXd without(const VectorXd& all, std::size_t place) const {
-    const auto at = static_cast<Index>(place);
-    VectorXd others(all.size() - 1);
-    others << all.head(at), all.tail(all.size() - at - 1);
-    return others;
-  }
-
-  /// The inverse Hessian of the others when one is fixed: what is left of it (Schur).
-  [[nodiscard]] MatrixXd others_inverse(std::size_t fixed) const {
-    const auto at = static_cast<Index>(fixed);
-    const MatrixXd given =
-        inverse_ - inverse_.col(at) * inverse_.row(at) / std::max(inverse_(at, at), 1e-12);
-    MatrixXd others(given.rows() - 1, given.cols() - 1);
-    for (Index i = 0, r = 0; i < given.rows(); ++i) {
-      if (i == at) {
-        continue;
-      }
-      for (Index j = 0, c = 0; j < given.cols(); ++j) {
-        if (j != at) {
-          others(r, c++) = given(i, j);
-        }
-      }
-      ++r;
-    }
-    return others + 1e-6 * MatrixXd::Identity(others.rows(), others.cols());
-  }
-
-  [[nodiscard]] bool is_cut(std::size_t free) const {
-    return movable(free).name.rfind("cut_", 0) == 0;
-  }
-  /// All cuts but the fixed one, among the others, by as much.
-  void move_cuts(std::size_t fixed, double by, VectorXd& others) const {
+  [[nodiscard]] Profiles profiles_of_best() {
+    std::vector<ProfiledParameter> parameters;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      if (i != fixed && is_cut(i)) {
-        others[static_cast<Index>(i < fixed ? i : i - 1)] += by;
-      }
+      parameters.push_back({movable(i).reach(), movable(i).name.starts_with("cut_")});
     }
-  }
-
-  /// Where the profile has fallen by kProfileFall, in the direction `sign`. The root of twice the
-  /// fall is nearly a line in x: a few secants find it.
-  IntervalEnd interval_end(std::size_t free, double sign) {
-    const auto at = static_cast<Index>(free);
-    const MovableParameter& one = movable(free);
-    const double target = std::sqrt(2.0 * kProfileFall);
-    constexpr double kClose = 0.02;
-    const double end = sign * one.reach();
-    const double centre = best_.at[at];
-    const MatrixXd curvature = others_inverse(free);
-    const VectorXd direction = without(inverse_.col(at), free) / std::max(inverse_(at, at), 1e-12);
-    VectorXd guess = without(best_.at, free);
-    double inner = centre;  // where the fall is too small, and how large it is
-    double inner_root = 0.0;
-    IntervalEnd outer;  // where it is too large
-    double outer_root = 0.0;
-    double step = std::clamp(target * std::sqrt(inverse_(at, at)), 1e-4, 3.0);
-    double x = centre;
-    double inner_weight = 1.0;
-    double outer_weight = 1.0;
-    bool last_was_outer = false;
-    for (int count = 0; count < 40; ++count) {
-      double next =
-          outer ? inner + (*outer - inner) * (target - inner_root) / (outer_root - inner_root)
-                : inner + sign * step;
-      if (!outer && sign * (end - next) <= 0.0) {
-        next = end;
-      }
-      if (is_cut(free)) {
-        move_cuts(free, next - x, guess);  // together, or their order would stop it
-      } else if (count == 0) {
-        guess += direction * (next - x);
-      }
-      x = next;
-      const double fall = least_cost(free, x, guess, curvature) - best_.value;
-      if (better_) {
-        return {};
-      }
-      const double root = std::sqrt(2.0 * std::max(fall, 0.0));
-      if (std::abs(root - target) < kClose) {
-        return x;
-      }
-      // A side that is kept twice counts half as much, or its other end would hardly move
-      // (Illinois; Dowell and Jarratt 1971).
-      const bool is_outer = !(root < target);
-      if (outer && count > 1 && is_outer == last_was_outer) {
-        (is_outer ? inner_weight : outer_weight) *= 0.5;
-      } else {
-        inner_weight = outer_weight = 1.0;
-      }
-      last_was_outer = is_outer;
-      if (is_outer) {
-        outer = x;
-        outer_root = std::isfinite(root) ? root : 10.0 * target;
-        if (!std::isfinite(root)) {
-          guess = without(best_.at, free);
-          move_cuts(free, is_cut(free) ? x - centre : 0.0, guess);
-        }
-      } else {
-        // As far as the last point went, and as far as its own slope says.
-        const double slope = (root - inner_root) / std::max(std::abs(x - inner), 1e-9);
-        inner = x;
-        inner_root = root;
-        if (!outer && x == end) {
-          return {};
-        }
-        const double needed = slope > 1e-6 ? (target - root) / slope : step * 2.0;
-        step = std::clamp(needed * 1.02, 0.1 * step, 2.0 * step + 0.5);
-      }
-      if (outer && std::abs(*outer - inner) < 1e-4) {
-        return 0.5 * (*outer + inner);
-      }
-    }
-    return {};
+    return {cost_function(), best_, inverse_, std::move(parameters)};
   }
 
   [[nodiscard]] bool is_wanted(std::size_t free) const {
@@ -305,18 +182,18 @@ class Fitting {
 
   /// True when a profile came upon a better place, which is the best from now on.
   bool find_intervals() {
+    Profiles profiles = profiles_of_best();
     for (std::size_t i = 0; i < free_.size(); ++i) {
       tell(static_cast<double>(i) / static_cast<double>(free_.size()));
       if (!is_wanted(i)) {
         continue;
       }
-      better_.reset();
-      low_[free_[i]] = interval_end(i, -1.0);
-      if (!better_) {
-        high_[free_[i]] = interval_end(i, 1.0);
+      low_[free_[i]] = profiles.end(i, -1.0);
+      if (!profiles.better()) {
+        high_[free_[i]] = profiles.end(i, 1.0);
       }
-      if (better_ && ++betters_ <= 5) {
-        best_ = *better_;
+      if (profiles.better() && ++betters_ <= kMostBetters) {
+        best_ = *profiles.better();
         return true;
       }
       if (is_open(i)) {
@@ -338,6 +215,7 @@ class Fitting {
 
   /// The last in the list, which is the least telling: what it can be traded against comes before.
   [[nodiscard]] std::optional<std::size_t> last_open() {
+    Profiles profiles = profiles_of_best();
     std::optional<std::size_t> open;
     bool found = false;
     for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -349,9 +227,8 @@ class Fitting {
         open = found ? std::optional(free_[i]) : open;
         continue;
       }
-      better_.reset();
-      low_[free_[i]] = interval_end(i, -1.0);
-      high_[free_[i]] = interval_end(i, 1.0);
+      low_[free_[i]] = profiles.end(i, -1.0);
+      high_[free_[i]] = profiles.end(i, 1.0);
       open = is_open(i) ? free_[i] : open;
     }
     return open;
@@ -387,7 +264,6 @@ class Fitting {
   std::vector<IntervalEnd> high_;
   FoundMinimum best_;
   MatrixXd inverse_;
-  std::optional<FoundMinimum> better_;
   int betters_{0};
   double told_{0.0};
 };

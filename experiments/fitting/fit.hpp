@@ -21,9 +21,6 @@
 
 namespace impetus::inline fitting {
 
-/// Half the 95 % point of χ² with one degree of freedom.
-inline constexpr double kProfileFall = 1.9207;
-
 /// A parameter after a fit.
 struct FittedParameter {
   std::string name;

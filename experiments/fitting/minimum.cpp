@@ -16,14 +16,18 @@ constexpr double kCurvatureStep = 3e-3;
 constexpr double kLongestStep = 2.0;  ///< of any one number
 constexpr int kMostSteps = 200;
 
-VectorXd gradient_at(const SmoothFunction& function, const VectorXd& at) {
+/// From one side alone where the function is not defined on the other. `value` is that at `at`.
+VectorXd gradient_at(const SmoothFunction& function, const VectorXd& at, double value) {
   VectorXd gradient(at.size());
   VectorXd near = at;
   for (Eigen::Index i = 0; i < at.size(); ++i) {
     near[i] = at[i] + kGradientStep;
     const double above = function(near);
     near[i] = at[i] - kGradientStep;
-    gradient[i] = (above - function(near)) / (2.0 * kGradientStep);
+    const double below = function(near);
+    gradient[i] = !std::isfinite(above)   ? (value - below) / kGradientStep
+                  : !std::isfinite(below) ? (above - value) / kGradientStep
+                                          : (above - below) / (2.0 * kGradientStep);
     near[i] = at[i];
   }
   return gradient;
@@ -51,7 +55,7 @@ FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start,
   const MatrixXd identity = MatrixXd::Identity(start.size(), start.size());
   bool is_fresh = inverse_curvature.rows() == 0;
   MatrixXd inverse = is_fresh ? identity : inverse_curvature;
-  VectorXd gradient = gradient_at(function, found.at);
+  VectorXd gradient = gradient_at(function, found.at, found.value);
   for (int count = 0; count < kMostSteps && gradient.allFinite(); ++count) {
     VectorXd step = -(inverse * gradient);
     double fall = -gradient.dot(step);
@@ -82,7 +86,7 @@ FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start,
     is_fresh = false;
     const VectorXd moved = share * step;
     found = {found.at + moved, value};
-    const VectorXd there = gradient_at(function, found.at);
+    const VectorXd there = gradient_at(function, found.at, found.value);
     learn(moved, there - gradient, inverse);
     gradient = there;
   }

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <string>
 
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/store/adaptive_rows.hpp"
+#include "experiments/study/replay_library.hpp"
 #include "tests/fuzz/asked_work.hpp"
 #include "tests/fuzz/refusals.hpp"
 #include "tests/fuzz/small_studies.hpp"

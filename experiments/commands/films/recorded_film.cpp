@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/gaze/gaze_trail.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/store/rows.hpp"
+#include "experiments/study/replay_library.hpp"
 
 namespace impetus::inline commands {
 namespace {

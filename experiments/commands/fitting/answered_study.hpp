@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/fitting/answered_trials.hpp"
 #include "experiments/protocol/observer_file.hpp"
+#include "experiments/study/replay_library.hpp"
 
 namespace impetus::inline commands {
 

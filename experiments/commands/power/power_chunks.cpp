@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/power_simulation.hpp"
@@ -22,6 +21,7 @@
 #include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"
 #include "experiments/power/power_ledger.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/power/power_studies.hpp"
-#include "experiments/commands/build_name.hpp"
+#include "experiments/provenance/build_name.hpp"
 
 #include <SQLiteCpp/Database.h>
 

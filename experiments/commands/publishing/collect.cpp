@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/settings/json_document.hpp"
 #include "experiments/site/returned_session.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/publishing/publication.hpp"
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/files/protocol_files.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/study/stored_plan.hpp"
 
 namespace impetus::inline commands {

@@ -10,9 +10,9 @@
 #include <random>
 #include <string>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/publishing/publication.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/site/http_server.hpp"
 #include "experiments/site/served_study.hpp"

@@ -7,13 +7,13 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/replays/replay_levels.hpp"
 #include "experiments/commands/replays/replay_with.hpp"
-#include "experiments/commands/replays/replayed_trial.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/study/replay_library.hpp"
 #include "experiments/tables/text_table.hpp"
 
 #ifdef IMPETUS_WINDOW

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/design/adaptive_levels.hpp"
+#include "experiments/study/replay_library.hpp"
 
 namespace impetus::inline commands {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
+#include "experiments/study/replay_library.hpp"
 #include "experiments/viewers/replays/replay_viewer.hpp"
 #include "experiments/viewing/viewed_stimuli.hpp"
 

@@ -13,10 +13,10 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/replays/replayed_trial.hpp"
 #include "experiments/commands/replays/what_if_sums.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/models/atomic_file.hpp"
+#include "experiments/study/replay_library.hpp"
 #include "experiments/tables/csv_line.hpp"
 
 namespace impetus::inline commands {

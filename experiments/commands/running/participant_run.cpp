@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/participant_run.hpp"
-#include "experiments/commands/build_name.hpp"
+#include "experiments/provenance/build_name.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/session_warnings.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/provenance/machine_name.hpp"
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/store/session_rows.hpp"

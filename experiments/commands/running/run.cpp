@@ -9,9 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/commands/build_name.hpp"
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/machine_name.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/participant_run.hpp"
@@ -25,6 +23,8 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/protocol/series_file.hpp"
+#include "experiments/provenance/build_name.hpp"
+#include "experiments/provenance/machine_name.hpp"
 #include "experiments/questions/session_pages.hpp"
 #include "experiments/session/unattended.hpp"
 #include "experiments/store/study_file.hpp"

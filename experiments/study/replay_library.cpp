@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/replays/replayed_trial.hpp"
+#include "experiments/study/replay_library.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/store/step_rows.hpp"
 
-namespace impetus::inline commands {
+namespace impetus::inline study {
 namespace {
 
 using nlohmann::json;
@@ -173,4 +173,4 @@ const Protocol& ReplayLibrary::protocol(std::int64_t id) {
       .first->second;
 }
 
-}  // namespace impetus::inline commands
+}  // namespace impetus::inline study

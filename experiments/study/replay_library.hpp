@@ -14,7 +14,7 @@
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/store/study_reader.hpp"
 
-namespace impetus::inline commands {
+namespace impetus::inline study {
 
 /// What to add to the word that the attempt diverges: nothing, unless it is of an older format.
 std::string why_divergent(const StoredAttempt& attempt);
@@ -69,4 +69,4 @@ class ReplayLibrary {
   std::shared_ptr<ShapeLibrary> shapes_ = std::make_shared<ShapeLibrary>();
 };
 
-}  // namespace impetus::inline commands
+}  // namespace impetus::inline study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/build_name.hpp"
+#include "experiments/provenance/build_name.hpp"
 
 #include "build_info.hpp"
 #include "engine/world/world.hpp"
 #include "experiments/store/migration.hpp"
 
-namespace impetus::inline commands {
+namespace impetus::inline provenance {
 
 const char* build_name() {
   return "impetus " IMPETUS_VERSION ", " IMPETUS_COMMIT ", " IMPETUS_COMPILER ", " IMPETUS_FLAGS;
@@ -21,4 +21,4 @@ std::string version_text() {
          "\nreads studies of schema: " + up_to(kOldestSchemaVersion, kSchemaVersion);
 }
 
-}  // namespace impetus::inline commands
+}  // namespace impetus::inline provenance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/machine_name.hpp"
+#include "experiments/provenance/machine_name.hpp"
 
 #include <sys/utsname.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-namespace impetus::inline commands {
+namespace impetus::inline provenance {
 namespace {
 
 /// What a file of "key separator value" lines says of the key, without quotation marks; "":
@@ -50,4 +50,4 @@ std::string machine_name() {
          names.machine + ", " + (processor.empty() ? "" : processor + ", ") + size_of_machine();
 }
 
-}  // namespace impetus::inline commands
+}  // namespace impetus::inline provenance

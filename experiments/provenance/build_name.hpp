@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace impetus::inline commands {
+namespace impetus::inline provenance {
 
 /// "impetus 0.1.0, COMMIT, COMPILER, FLAGS": what a recording names as its build.
 const char* build_name();
@@ -13,4 +13,4 @@ const char* build_name();
 /// recordings and study files this build can use; a line each.
 std::string version_text();
 
-}  // namespace impetus::inline commands
+}  // namespace impetus::inline provenance

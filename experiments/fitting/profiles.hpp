@@ -1,0 +1,69 @@
+// The profile of a likelihood: how far a parameter can go, all others following, until the answers
+// are less probable by 1.92 in the logarithm. That is its 95 % interval (Venzon and Moolgavkar
+// 1988).
+//
+//   fall   0 ──────── inner ──────── 1.92 ──────── outer       from the best place, in one
+//   direction
+//                       └─ the others, followed from the nearest inner place: a profile has no
+//                       cliffs
+//
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "experiments/fitting/minimum.hpp"
+
+namespace impetus::inline fitting {
+
+/// Half the 95 % point of χ² with one degree of freedom.
+inline constexpr double kProfileFall = 1.9207;
+
+/// A parameter of a profile, on its scale.
+struct ProfiledParameter {
+  double reach{1.0};            ///< as good as infinitely far from 0
+  bool moves_with_cuts{false};  ///< it is one of several that stay in order: the others move along
+};
+
+/// The profiles of all parameters about a minimum.
+class Profiles {
+ public:
+  /// `cost` is minus the logarithm of the likelihood, `best` its minimum, and `inverse` the inverse
+  /// Hessian there; one of `parameters` for each of its numbers.
+  Profiles(SmoothFunction cost, FoundMinimum best, Eigen::MatrixXd inverse,
+           std::vector<ProfiledParameter> parameters);
+
+  /// Where the profile has fallen by kProfileFall, in the direction `sign`; none: nowhere within
+  /// reach, or a better place than the best was found on the way.
+  std::optional<double> end(std::size_t parameter, double sign);
+
+  /// The better place that end() came upon; none: there was none.
+  [[nodiscard]] const std::optional<FoundMinimum>& better() const { return better_; }
+
+ private:
+  /// A place of the profile.
+  struct Place {
+    double x{0.0};
+    Eigen::VectorXd others;
+    double root{0.0};  ///< of twice the fall: nearly a line in x
+  };
+
+  [[nodiscard]] Eigen::VectorXd whole(std::size_t parameter, double x,
+                                      const Eigen::VectorXd& others) const;
+  [[nodiscard]] Eigen::VectorXd others_of(std::size_t parameter, const Eigen::VectorXd& all) const;
+  [[nodiscard]] Eigen::MatrixXd others_inverse(std::size_t parameter) const;
+  [[nodiscard]] Eigen::VectorXd moved_along(std::size_t parameter, const Place& from,
+                                            double x) const;
+  Place followed(std::size_t parameter, const Place& from, double x);
+
+  SmoothFunction cost_;
+  FoundMinimum best_;
+  Eigen::MatrixXd inverse_;
+  std::vector<ProfiledParameter> parameters_;
+  std::optional<FoundMinimum> better_;
+};
+
+}  // namespace impetus::inline fitting

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/python/module.hpp"
+
+#include "experiments/provenance/build_name.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/store/study_file.hpp"
+#include "experiments/tables/csv_line.hpp"
+
+namespace impetus::inline python {
+
+namespace py = pybind11;
+
+py::object as_python(const nlohmann::json& value) {
+  return py::module_::import("json").attr("loads")(value.dump());
+}
+
+nlohmann::json as_json(const py::object& value) {
+  const py::dict strict(py::arg("allow_nan") = false);
+  const py::object text = py::module_::import("json").attr("dumps")(value, **strict);
+  return nlohmann::json::parse(text.cast<std::string>());
+}
+
+std::string bits_of(std::uint64_t bits) { return bits_text(static_cast<std::int64_t>(bits)); }
+
+}  // namespace impetus::inline python
+
+PYBIND11_MODULE(_impetus, module) {
+  namespace py = pybind11;
+  module.doc() = "The engine and the files of Impetus; use the package `impetus`.";
+  py::register_exception<impetus::InputError>(module, "InputError", PyExc_ValueError).doc() =
+      "What a user gave is wrong: one sentence naming file, place, what was expected and there.";
+  py::register_exception<impetus::StoreError>(module, "StoreError", PyExc_OSError).doc() =
+      "A study could not be read or written.";
+  module.def("version", &impetus::version_text,
+             "Which build this is, as `impetus --version` says.");
+  module.def(
+      "build_name", [] { return std::string(impetus::build_name()); },
+      "What a recording would name as its build.");
+  impetus::add_worlds(module);
+  impetus::add_files(module);
+  impetus::add_studies(module);
+  impetus::add_pilots(module);
+}
