@@ -33,6 +33,7 @@ void add_power(CLI::App& app, Command& chosen);
 void add_predict(CLI::App& app, Command& chosen);
 void add_preview(CLI::App& app, Command& chosen);
 void add_publish(CLI::App& app, Command& chosen);
+void add_recover(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_report(CLI::App& app, Command& chosen);
 void add_screen(CLI::App& app, Command& chosen);

@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   impetus::add_predict(app, chosen);
   impetus::add_preview(app, chosen);
   impetus::add_publish(app, chosen);
+  impetus::add_recover(app, chosen);
   impetus::add_replay(app, chosen);
   impetus::add_report(app, chosen);
   impetus::add_screen(app, chosen);

@@ -170,9 +170,12 @@ class Fitting {
   [[nodiscard]] Profiles profiles_of_best() {
     std::vector<ProfiledParameter> parameters;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      parameters.push_back({movable(i).reach(), movable(i).name.starts_with("cut_")});
+      const MovableParameter& one = movable(i);
+      const bool is_share = one.scale == MovableParameter::Scale::kShare;
+      parameters.push_back(
+          {one.reach(), one.ends_at_zero || is_share, is_share, one.name.starts_with("cut_")});
     }
-    return {cost_function(), best_, inverse_, std::move(parameters)};
+    return {cost_function(), assumed(), best_, inverse_, std::move(parameters)};
   }
 
   [[nodiscard]] bool is_wanted(std::size_t free) const {

@@ -14,7 +14,6 @@ using Eigen::VectorXd;
 constexpr double kGradientStep = 1e-4;
 constexpr double kCurvatureStep = 3e-3;
 constexpr double kLongestStep = 2.0;  ///< of any one number
-constexpr int kMostSteps = 200;
 
 /// From one side alone where the function is not defined on the other. `value` is that at `at`.
 VectorXd gradient_at(const SmoothFunction& function, const VectorXd& at, double value) {
@@ -47,7 +46,7 @@ void learn(const VectorXd& step, const VectorXd& change, MatrixXd& inverse) {
 }  // namespace
 
 FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start, double tolerance,
-                          const MatrixXd& inverse_curvature) {
+                          const MatrixXd& inverse_curvature, int most_steps) {
   FoundMinimum found{start, function(start)};
   if (start.size() == 0) {
     return found;
@@ -56,7 +55,7 @@ FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start,
   bool is_fresh = inverse_curvature.rows() == 0;
   MatrixXd inverse = is_fresh ? identity : inverse_curvature;
   VectorXd gradient = gradient_at(function, found.at, found.value);
-  for (int count = 0; count < kMostSteps && gradient.allFinite(); ++count) {
+  for (int count = 0; count < most_steps && gradient.allFinite(); ++count) {
     VectorXd step = -(inverse * gradient);
     double fall = -gradient.dot(step);
     if (fall <= 0.0) {

@@ -21,9 +21,11 @@ struct FoundMinimum {
 };
 
 /// The minimum that is downhill from `start`, to a fall of `tolerance` that is still expected.
-/// `inverse_curvature`: a guess of the inverse Hessian; of no rows: the identity.
+/// `inverse_curvature`: a guess of the inverse Hessian; of no rows: the identity. After
+/// `most_steps` it is wherever it came to.
 FoundMinimum find_minimum(const SmoothFunction& function, const Eigen::VectorXd& start,
-                          double tolerance, const Eigen::MatrixXd& inverse_curvature = {});
+                          double tolerance, const Eigen::MatrixXd& inverse_curvature = {},
+                          int most_steps = 200);
 
 /// The second derivatives at a place, by differences.
 Eigen::MatrixXd curvature_at(const SmoothFunction& function, const Eigen::VectorXd& at);

@@ -17,15 +17,18 @@ constexpr double kBetter = 0.01;  ///< a place that is better than the best by s
 constexpr double kCloseRoot = 0.02;
 constexpr double kCloseX = 1e-3;
 constexpr double kLongestFirst = 1.0;  ///< on the scale: a longer step may leap over a ridge
+constexpr int kMostValleys = 4;
+constexpr int kMostSteps = 25;  ///< of the others: they begin near their end, or lead nowhere
 constexpr int kMostPlaces = 60;
 
 const double kTarget = std::sqrt(2.0 * kProfileFall);
 
 }  // namespace
 
-Profiles::Profiles(SmoothFunction cost, FoundMinimum best, MatrixXd inverse,
+Profiles::Profiles(SmoothFunction cost, VectorXd begun, FoundMinimum best, MatrixXd inverse,
                    std::vector<ProfiledParameter> parameters)
     : cost_(std::move(cost)),
+      begun_(std::move(begun)),
       best_(std::move(best)),
       inverse_(std::move(inverse)),
       parameters_(std::move(parameters)) {}
@@ -33,9 +36,29 @@ Profiles::Profiles(SmoothFunction cost, FoundMinimum best, MatrixXd inverse,
 std::optional<double> Profiles::end(std::size_t parameter, double sign) {
   const auto at = static_cast<Index>(parameter);
   better_.reset();
+  const Place begun{begun_[at], others_of(parameter, begun_)};
+  Place inner{best_.at[at], others_of(parameter, best_.at)};
+  for (int valley = 0; valley < kMostValleys; ++valley) {
+    const std::optional<double> x = end_from(parameter, sign, inner);
+    if (!x) {
+      return {};
+    }
+    Place there = followed(parameter, begun, *x);
+    if (better_) {
+      return {};
+    }
+    if (there.root > kTarget - kCloseRoot) {
+      return x;
+    }
+    inner = std::move(there);  // what was followed had led into another valley
+  }
+  return {};
+}
+
+/// The same, the others followed from `inner` on, wherever that leads.
+std::optional<double> Profiles::end_from(std::size_t parameter, double sign, Place inner) {
+  const auto at = static_cast<Index>(parameter);
   const double end = sign * parameters_[parameter].reach;
-  const Place centre{best_.at[at], others_of(parameter, best_.at), 0.0};
-  Place inner = centre;
   std::optional<Place> outer;
   double inner_weight = 1.0;
   double outer_weight = 1.0;
@@ -51,11 +74,7 @@ std::optional<double> Profiles::end(std::size_t parameter, double sign) {
       x = end;
     }
     Place there = followed(parameter, inner, x);
-    if (there.root > kTarget && inner.x != centre.x) {
-      Place from_centre = followed(parameter, centre, x);
-      there = from_centre.root < there.root ? std::move(from_centre) : std::move(there);
-    }
-    if (better_) {
+    if (better_ || (there.root > kTarget && there.is_bound)) {
       return {};
     }
     if (std::abs(there.root - kTarget) < kCloseRoot) {
@@ -79,7 +98,7 @@ std::optional<double> Profiles::end(std::size_t parameter, double sign) {
       inner = std::move(there);
     }
     if (outer && std::abs(outer->x - inner.x) < kCloseX) {
-      return 0.5 * (outer->x + inner.x);
+      return outer->x;
     }
   }
   return {};
@@ -95,13 +114,29 @@ Profiles::Place Profiles::followed(std::size_t parameter, const Place& from, dou
     guess = from.others;
   }
   const FoundMinimum found =
-      find_minimum(cost_of_others, guess, kOthersTolerance, others_inverse(parameter));
+      find_minimum(cost_of_others, guess, kOthersTolerance, others_inverse(parameter), kMostSteps);
   if (found.value < best_.value - kBetter) {
     better_ = FoundMinimum{whole(parameter, x, found.at), found.value};
   }
   const double fall = found.value - best_.value;
   const double root = std::isfinite(fall) ? std::sqrt(2.0 * std::max(fall, 0.0)) : 10.0 * kTarget;
-  return {x, found.at, root};
+  return {x, found.at, root, has_come_to_an_end(whole(parameter, x, found.at))};
+}
+
+/// Whether a parameter that was not at an end of its reach is at one where it stands for infinity.
+bool Profiles::has_come_to_an_end(const VectorXd& all) const {
+  constexpr double kNearly = 0.95;
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const ProfiledParameter& one = parameters_[i];
+    const double x = all[static_cast<Index>(i)];
+    const double at_best = best_.at[static_cast<Index>(i)];
+    const bool may_end = x < 0.0 ? one.may_end_low : one.may_end_high;
+    const double end = kNearly * one.reach;
+    if (!may_end && std::abs(x) >= end && std::abs(at_best) < end) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Cuts go together, or their order would stop one; else as the curvature at the best place says.

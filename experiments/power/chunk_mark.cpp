@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/models/atomic_file.hpp"
-#include "experiments/power/power_chunk.hpp"
+#include "experiments/power/chunk_file.hpp"
 #include "experiments/power/process_mark.hpp"
 #include "experiments/settings/json_document.hpp"
 

@@ -15,8 +15,6 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/power/power_question.hpp"
-
 namespace impetus::inline power {
 
 /// The mark of this process at a chunk, kept fresh by a thread for as long as it lives. Marks that

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/power/power_chunk.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "experiments/models/atomic_file.hpp"
-#include "experiments/models/mesh_bytes.hpp"
+#include "experiments/power/chunk_file.hpp"
 #include "experiments/settings/input_error.hpp"
-#include "experiments/settings/json_document.hpp"
 
 namespace impetus::inline power {
 namespace {
@@ -16,12 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kChunkFormat = 1;
-
-/// Numbers are written with all their digits: a p that is read is bit for bit the one written.
-std::string text_of(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
+constexpr SweepKind kPower{"power", 2, "a power analysis"};
 
 json json_of(const StudyTest& test) {
   return {{"factor", test.factor},
@@ -56,8 +47,7 @@ json json_of(const PowerChunk& chunk) {
   for (const TestedStudy& study : chunk.studies) {
     studies.push_back(json_of(study));
   }
-  return {{"format", kChunkFormat},
-          {"build", chunk.build},
+  return {{"build", chunk.build},
           {"question", json_of(chunk.question)},
           {"participants", chunk.request.sizes},
           {"studies_with_effect", chunk.request.studies},
@@ -113,34 +103,8 @@ PowerChunk chunk_of(const json& value) {
   return chunk;
 }
 
-[[noreturn]] void refuse_chunk(const fs::path& file, const std::string& expected,
-                               const std::string& instead) {
-  throw InputError(file.string() + ": expected " + expected + ", got " + instead +
-                   "; remove it and compute it again");
-}
-
-/// What the file holds, once it is known to be as it was written.
-json chunk_value(const fs::path& file) {
-  json whole;
-  try {
-    whole = read_json(file).value;
-  } catch (const InputError&) {
-    refuse_chunk(file, "a whole chunk", "one that was cut short");
-  }
-  if (!whole.is_object() || !whole.contains("chunk") || !whole.contains("checksum")) {
-    refuse_chunk(file, "a chunk of a power analysis", "other JSON");
-  }
-  if (whole["checksum"] != content_hash(text_of(whole["chunk"]))) {
-    refuse_chunk(file, "a chunk as it was written", "one that was changed since");
-  }
-  return whole["chunk"];
-}
-
 PowerChunk parse_chunk(const fs::path& file) {
-  const json value = chunk_value(file);
-  if (value.value("format", 0) != kChunkFormat) {
-    refuse_chunk(file, "a chunk of format " + std::to_string(kChunkFormat), "another format");
-  }
+  const json value = read_chunk_value(file, kPower);
   try {
     return chunk_of(value);
   } catch (const json::exception&) {
@@ -185,46 +149,10 @@ bool is_complete(const PowerChunk& chunk) {
   refuse_chunk(file, "a chunk of the build of the others, " + build, "one of " + other);
 }
 
-/// "3, 7 and 20 more".
-std::string first_few(const std::vector<std::int64_t>& numbers) {
-  constexpr std::size_t kFew = 8;
-  std::string words;
-  for (std::size_t i = 0; i < std::min(kFew, numbers.size()); ++i) {
-    words += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
-  }
-  return numbers.size() <= kFew ? words
-                                : words + " and " + std::to_string(numbers.size() - kFew) + " more";
-}
-
-void require_all(const fs::path& out, std::int64_t chunks) {
-  std::vector<std::int64_t> missing;
-  for (std::int64_t number = 1; number <= chunks; ++number) {
-    if (!fs::exists(chunk_file(out, number))) {
-      missing.push_back(number);
-    }
-  }
-  if (!missing.empty()) {
-    throw InputError(chunk_folder(out).string() + ": expected all " + std::to_string(chunks) +
-                     " chunks, got " + std::to_string(chunks - std::ssize(missing)) +
-                     " of them, without " + first_few(missing) +
-                     "; --list prints the command of each");
-  }
-}
-
 }  // namespace
 
-fs::path chunk_folder(const fs::path& out) { return out / "chunks"; }
-
-fs::path chunk_file(const fs::path& out, std::int64_t number, const std::string& ending) {
-  char name[32];
-  std::snprintf(name, sizeof name, "chunk-%04lld", static_cast<long long>(number));
-  return chunk_folder(out) / (name + ending);
-}
-
 void write_chunk(const fs::path& out, const PowerChunk& chunk) {
-  const json value = json_of(chunk);
-  const json whole{{"checksum", content_hash(text_of(value))}, {"chunk", value}};
-  write_whole_file(chunk_file(out, chunk.request.chunk.number), text_of(whole) + "\n");
+  write_chunk_value(chunk_file(out, chunk.request.chunk.number), kPower, json_of(chunk));
 }
 
 PowerChunk read_chunk(const fs::path& out, const PowerQuestion& question,
@@ -245,19 +173,14 @@ void require_build(const fs::path& out, const PowerQuestion& question, PowerRequ
     if (!fs::exists(file)) {
       continue;
     }
-    const PowerChunk there = read_chunk(out, question, request);
-    if (there.build != build) {
-      throw InputError(file.string() + ": expected a chunk of this build, " + build +
-                       ", got one of " + there.build +
-                       "; go on with that build, or give another --out");
-    }
+    require_same_build(file, read_chunk(out, question, request).build, build);
     return;  // whoever wrote the others has looked at this one
   }
 }
 
 std::vector<PowerChunk> read_all_chunks(const fs::path& out, const PowerQuestion& question,
                                         PowerRequest request) {
-  require_all(out, request.chunk.of);
+  require_all_chunks(out, request.chunk.of);
   std::vector<PowerChunk> chunks;
   for (request.chunk.number = 1; request.chunk.number <= request.chunk.of; ++request.chunk.number) {
     chunks.push_back(read_chunk(out, question, request));

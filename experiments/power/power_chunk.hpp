@@ -1,12 +1,6 @@
-// A chunk of a power analysis: one file that any machine computes by itself and writes whole.
-//
-//   OUT/chunks/chunk-0007.json      done: the studies of chunk 7 with all their tests
-//                    .running.json  somebody is at it, or was (chunk_mark.hpp)
-//                    .failed.json   what its last attempt ended with
-//
-// Nothing is locked and nothing is shared, so that any network file system will do: a file appears
-// under its name once all of it is on disk. It says what it answers and by which build, and holds
-// a checksum of itself; whoever reads all of them refuses what does not belong together.
+// What a chunk of a power analysis keeps (chunk_file.hpp): its studies with all their tests. It
+// says what it answers and by which build; whoever reads all of them refuses what does not belong
+// together.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -28,13 +22,6 @@ struct PowerChunk {
   double took_s{0.0};    ///< from its first study to its last test
   std::vector<TestedStudy> studies;
 };
-
-/// Where the chunks of a power analysis are.
-std::filesystem::path chunk_folder(const std::filesystem::path& out);
-
-/// OUT/chunks/chunk-0007 and an ending: ".json".
-std::filesystem::path chunk_file(const std::filesystem::path& out, std::int64_t number,
-                                 const std::string& ending = ".json");
 
 /// Throws std::runtime_error, in one sentence, when it cannot be written; then there is no file.
 void write_chunk(const std::filesystem::path& out, const PowerChunk& chunk);

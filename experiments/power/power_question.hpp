@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/power/chunk_file.hpp"
+
 namespace impetus::inline power {
 
 /// What a power analysis answers. Everything that changes a study's tests is in it.
@@ -40,12 +42,6 @@ const std::vector<QuestionText>& question_texts();
 
 /// In words, what two questions differ in first ("observer"); "" when they ask the same.
 std::string difference(const PowerQuestion& one, const PowerQuestion& other);
-
-/// One of so many chunks of a request, as equal as can be.
-struct ChunkNumber {
-  std::int64_t number{1};  ///< from 1
-  std::int64_t of{1};
-};
 
 /// How many studies of which sizes are wanted.
 struct PowerRequest {

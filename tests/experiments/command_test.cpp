@@ -17,7 +17,8 @@ TEST(CommandLine, WhatIsNoCommandIsRefusedWithTheCommandsThereAre) {
       "expected one of the commands run, check, collect, exclude, export, extremes, film, fit, "
       "merge, "
       "new, "
-      "observers, power, predict, preview, publish, replay, report, screen, serve, sessions, "
+      "observers, power, predict, preview, publish, recover, replay, report, screen, serve, "
+      "sessions, "
       "timing, "
       "verify, mesh, "
       "tree, trade, got ";

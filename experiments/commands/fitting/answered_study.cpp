@@ -10,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/commands/progress_line.hpp"
 #include "experiments/protocol/design_words.hpp"
 #include "experiments/questions/rating.hpp"
 #include "experiments/questions/two_interval.hpp"
@@ -224,13 +223,12 @@ AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice) {
 
 std::vector<std::vector<AnsweringPerson>> answering_people(
     StudyFile& study, ReplayLibrary& library, const AnsweredStudy& answered,
-    const std::vector<ObserverFile>& observers) {
-  ProgressLine line("simulating trials again");
+    const std::vector<ObserverFile>& observers, const Progress& told) {
   std::vector<std::vector<AnsweringPerson>> people(observers.size());
   std::vector<Perception> perceptions(observers.begin(), observers.end());
   double done = 0.0;
   for (const StoredAttempt& attempt : answered.attempts) {
-    line.tell(done++ / static_cast<double>(answered.attempts.size()));
+    told(done++ / static_cast<double>(answered.attempts.size()));
     const Protocol& protocol = library.protocol(attempt.protocol_id);
     const std::optional<AnsweredTrial> answers = answers_of(study, protocol, attempt);
     if (!answers) {

@@ -32,9 +32,10 @@ struct AnsweredStudy {
 AnsweredStudy choose_answers(StudyFile& study, const AnswerChoice& choice);
 
 /// What everybody answered, with the percepts of each observer: a list of people for each, in their
-/// order. Throws InputError when a trial does not replay as it was recorded. Tells its progress.
+/// order. `told` is told the share that is done. Throws InputError when a trial does not replay as
+/// it was recorded.
 std::vector<std::vector<AnsweringPerson>> answering_people(
     StudyFile& study, ReplayLibrary& library, const AnsweredStudy& answered,
-    const std::vector<ObserverFile>& observers);
+    const std::vector<ObserverFile>& observers, const Progress& told);
 
 }  // namespace impetus::inline commands

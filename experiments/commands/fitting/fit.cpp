@@ -13,6 +13,7 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/fitting/answered_study.hpp"
 #include "experiments/commands/fitting/fit_page.hpp"
+#include "experiments/commands/fitting/fittable.hpp"
 #include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
@@ -36,20 +37,6 @@ struct FitOptions {
   std::vector<std::string> compared;
   std::int64_t folds{10};
 };
-
-void require_fittable(const ObserverFile& observer) {
-  if (observer.kind->answers.percept != nullptr) {
-    return;
-  }
-  std::vector<std::string> names;
-  for (const ObserverKind& kind : observer_kinds()) {
-    if (kind.answers.percept != nullptr) {
-      names.push_back(kind.name);
-    }
-  }
-  refuse(observer.document, "/observer",
-         "expected a kind that can be fitted (" + listed(names) + "), got " + observer.kind->name);
-}
 
 /// Those that are fitted or compared; the first is the one to fit.
 std::vector<ObserverFile> observers_of(const FitOptions& options, const Protocol& protocol) {
@@ -208,6 +195,14 @@ FitStory told_fit(const FitOptions& options, const AnsweredStudy& answered,
   return story;
 }
 
+std::vector<std::vector<AnsweringPerson>> people_of(StudyFile& study, ReplayLibrary& library,
+                                                    const AnsweredStudy& answered,
+                                                    const std::vector<ObserverFile>& observers) {
+  ProgressLine line("simulating trials again");
+  return answering_people(study, library, answered, observers,
+                          [&line](double share) { line.tell(share); });
+}
+
 int fit(const FitOptions& options) {
   const fs::path page = fs::path(options.out).replace_extension(".md");
   require_new_file(options.out);
@@ -217,7 +212,7 @@ int fit(const FitOptions& options) {
   ReplayLibrary library(study);
   const Protocol& protocol = library.protocol(answered.protocol_id);
   const std::vector<ObserverFile> observers = observers_of(options, protocol);
-  const auto people = answering_people(study, library, answered, observers);
+  const auto people = people_of(study, library, answered, observers);
   const FitStory story = told_fit(options, answered, protocol, observers, people);
   const std::string text = fitted_document(observers.front().document, story).dump(2) + "\n";
   static_cast<void>(observers.front().kind->read(parse_json(options.out, text)));

@@ -15,8 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::int64_t kMostChunks = 9999;  ///< four digits in a file's name
-
 /// The response that is tested: the one asked for, or the first that the protocol has.
 std::string response_of(const Protocol& protocol, const std::string& wanted) {
   std::vector<std::string> has;
@@ -152,23 +150,6 @@ void require_chunks(const PowerOptions& options, const PowerRequest& request) {
           "--chunk: expected from 1 to " + chunks + ", got " + std::to_string(options.chunk));
 }
 
-void add_chunk_options(CLI::App& command, PowerOptions& options) {
-  CLI::Option* chunks =
-      command
-          .add_option("--chunks", options.chunks,
-                      "In so many pieces, each a command of its own on any machine that sees the "
-                      "folder; alone, reads them together once all are done")
-          ->check(CLI::Range(std::int64_t{1}, kMostChunks));
-  CLI::Option* chunk = command.add_option("--chunk", options.chunk, "Compute this one, from 1")
-                           ->check(CLI::Range(std::int64_t{1}, kMostChunks))
-                           ->needs(chunks);
-  command
-      .add_flag("--list", options.list,
-                "Print the command of each chunk and how far it is, and compute nothing")
-      ->needs(chunks)
-      ->excludes(chunk);
-}
-
 }  // namespace
 
 void add_options(CLI::App& command, PowerOptions& options) {
@@ -221,7 +202,10 @@ void add_options(CLI::App& command, PowerOptions& options) {
                   "The folder of the ledger and the results; the same one goes on, and may be "
                   "shared by several processes of one machine")
       ->capture_default_str();
-  add_chunk_options(command, options);
+  add_chunk_options(
+      command, options,
+      "In so many pieces, each a command of its own on any machine that sees the folder; alone, "
+      "reads them together once all are done");
 }
 
 PowerTask task_of(const PowerOptions& options) {

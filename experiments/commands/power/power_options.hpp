@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_question.hpp"
 #include "experiments/protocol/observer_file.hpp"
@@ -18,7 +19,7 @@
 namespace impetus::inline commands {
 
 /// What `impetus power` was asked for.
-struct PowerOptions {
+struct PowerOptions : ChunkOptions {
   std::string protocol;
   std::string observer;
   std::string null_observer;
@@ -34,10 +35,6 @@ struct PowerOptions {
   bool allow_rounding{false};
   std::string screen_file;
   std::string out{"power"};
-  std::int64_t chunks{0};  ///< 0: in one piece
-  std::int64_t chunk{0};   ///< the one to be computed; 0: none
-  bool list{false};
-  std::string repeated;  ///< the command as it was given, but for `chunk` and `list`
 };
 
 void add_options(CLI::App& command, PowerOptions& options);

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "experiments/power/process_mark.hpp"
+#include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
 
@@ -36,5 +38,15 @@ class ScratchFolder {
  private:
   std::filesystem::path folder_;
 };
+
+/// A folder of this machine alone, for what is thrown away. Throws InputError where there is none.
+inline std::filesystem::path own_disk() {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (error) {
+    throw InputError("TMPDIR: expected a folder of this machine to simulate in, got none");
+  }
+  return folder;
+}
 
 }  // namespace impetus::inline commands

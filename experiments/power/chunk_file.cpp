@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/power/chunk_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "experiments/models/atomic_file.hpp"
+#include "experiments/models/mesh_bytes.hpp"
+#include "experiments/settings/input_error.hpp"
+#include "experiments/settings/json_document.hpp"
+
+namespace impetus::inline power {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Numbers are written with all their digits: what is read is bit for bit what was written.
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// "3, 7 and 20 more".
+std::string first_few(const std::vector<std::int64_t>& numbers) {
+  constexpr std::size_t kFew = 8;
+  std::string words;
+  for (std::size_t i = 0; i < std::min(kFew, numbers.size()); ++i) {
+    words += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  }
+  return numbers.size() <= kFew ? words
+                                : words + " and " + std::to_string(numbers.size() - kFew) + " more";
+}
+
+}  // namespace
+
+fs::path chunk_folder(const fs::path& out) { return out / "chunks"; }
+
+fs::path chunk_file(const fs::path& out, std::int64_t number, const std::string& ending) {
+  char name[32];
+  std::snprintf(name, sizeof name, "chunk-%04lld", static_cast<long long>(number));
+  return chunk_folder(out) / (name + ending);
+}
+
+void write_chunk_value(const fs::path& file, const SweepKind& kind, json value) {
+  value["sweep"] = kind.name;
+  value["format"] = kind.format;
+  const json whole{{"checksum", content_hash(text_of(value))}, {"chunk", value}};
+  write_whole_file(file, text_of(whole) + "\n");
+}
+
+json read_chunk_value(const fs::path& file, const SweepKind& kind) {
+  json whole;
+  try {
+    whole = read_json(file).value;
+  } catch (const InputError&) {
+    refuse_chunk(file, "a whole chunk", "one that was cut short");
+  }
+  if (!whole.is_object() || !whole.contains("chunk") || !whole.contains("checksum")) {
+    refuse_chunk(file, std::string("a chunk of ") + kind.words, "other JSON");
+  }
+  if (whole["checksum"] != content_hash(text_of(whole["chunk"]))) {
+    refuse_chunk(file, "a chunk as it was written", "one that was changed since");
+  }
+  json value = std::move(whole["chunk"]);
+  if (value.value("sweep", kind.name) != std::string(kind.name)) {
+    refuse_chunk(file, std::string("a chunk of ") + kind.words, "one of another sweep");
+  }
+  if (value.value("format", 0) != kind.format) {
+    refuse_chunk(file, "a chunk of format " + std::to_string(kind.format), "another format");
+  }
+  return value;
+}
+
+void refuse_chunk(const fs::path& file, const std::string& expected, const std::string& instead) {
+  throw InputError(file.string() + ": expected " + expected + ", got " + instead +
+                   "; remove it and compute it again");
+}
+
+void require_all_chunks(const fs::path& out, std::int64_t chunks) {
+  std::vector<std::int64_t> missing;
+  for (std::int64_t number = 1; number <= chunks; ++number) {
+    if (!fs::exists(chunk_file(out, number))) {
+      missing.push_back(number);
+    }
+  }
+  if (!missing.empty()) {
+    throw InputError(chunk_folder(out).string() + ": expected all " + std::to_string(chunks) +
+                     " chunks, got " + std::to_string(chunks - std::ssize(missing)) +
+                     " of them, without " + first_few(missing) +
+                     "; --list prints the command of each");
+  }
+}
+
+void require_same_build(const fs::path& file, const std::string& there, const std::string& build) {
+  if (there != build) {
+    throw InputError(file.string() + ": expected a chunk of this build, " + build +
+                     ", got one of " + there + "; go on with that build, or give another --out");
+  }
+}
+
+}  // namespace impetus::inline power
