@@ -147,6 +147,19 @@ LEFT JOIN participant ON participant.id = enrolment.participant_id
 LEFT JOIN protocol ON protocol.id = enrolment.protocol_id
 ORDER BY click.attempt_id, click.number;
 
+-- markers: One row per marker that was sent to another recorder
+SELECT participant.pseudonym AS participant, participant.simulated AS participant_simulated,
+  protocol.name AS protocol, trial.id AS trial_id, trial.slot AS slot, trial.phase AS trial_phase,
+  attempt.number AS attempt_number, attempt.outcome AS attempt_outcome, marker.*,
+  (marker.written_ns - marker.event_ns) / 1e6 AS sent_after_ms
+FROM marker
+LEFT JOIN attempt ON attempt.id = marker.attempt_id
+LEFT JOIN trial ON trial.id = attempt.trial_id
+LEFT JOIN enrolment ON enrolment.id = trial.enrolment_id
+LEFT JOIN participant ON participant.id = enrolment.participant_id
+LEFT JOIN protocol ON protocol.id = enrolment.protocol_id
+ORDER BY marker.attempt_id, marker.number;
+
 -- gaze: One row per sample of the gaze during a stimulus, raw
 SELECT participant.pseudonym AS participant, participant.simulated AS participant_simulated,
   protocol.name AS protocol, trial.id AS trial_id, trial.slot AS slot, trial.phase AS trial_phase,

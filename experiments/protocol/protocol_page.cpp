@@ -155,6 +155,16 @@ std::string trial(const Protocol& protocol) {
   return page + table_row({least + span, what}) + questions;
 }
 
+std::string markers(const MarkerCodes& codes) {
+  std::string page = heading("What is marked for another recorder") + table_head({"event", "code"});
+  for (std::size_t i = 0; i < kMarkedEvents.size(); ++i) {
+    if (const auto code = codes.of(static_cast<MarkedEvent>(i))) {
+      page += table_row({std::string(kMarkedEvents[i]), std::to_string(*code)});
+    }
+  }
+  return page;
+}
+
 std::string gaze(const GazeTask& task) {
   std::string page = heading("How the gaze is followed");
   if (task.calibration) {
@@ -332,6 +342,7 @@ std::string protocol_page(const Protocol& protocol) {
   if (protocol.has_participants) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
+    page += protocol.script.markers ? markers(*protocol.script.markers) : "";
     page += resuming(protocol.script) + left_out(protocol.exclude_when) + words_shown(protocol);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);

@@ -184,6 +184,25 @@ std::vector<Row<P>> design_rows() {
           row("train_until", &P::script, &S::training_rule, training_rule_kind())};
 }
 
+// ---------------------------------------------------------------- markers
+
+Row<S> markers_row() {
+  using M = MarkerCodes;
+  const Kind<std::int64_t> code = count(1, 255);
+  return row(
+      "markers", &S::markers,
+      object<M>(
+          "Codes for another recorder, such as an EEG's amplifier, sent right after the flip "
+          "that shows the event: `impetus run --markers` says where to. What has no code is "
+          "not marked.",
+          {row("fixation", &M::fixation, code, "The flip that first shows the cross."),
+           row("onset", &M::onset, code, "The flip that first shows the stimulus."),
+           row("contact", &M::contact, code, "Each flip that is the first to show a collision."),
+           row("end", &M::end, code, "The flip that shows the stimulus for the last time."),
+           row("click", &M::click, code, "A click during the stimulus, once it was taken."),
+           row("answer", &M::answer, code, "An answer, once it was taken.")}));
+}
+
 // ---------------------------------------------------------------- the gaze
 
 Kind<CalibrationTask> calibration_kind() {
@@ -375,7 +394,7 @@ const Kind<P>& protocol_kind() {
     rows.insert(rows.end(), language.begin(), language.end());
     std::vector<Row<S>> script = question_rows();
     script.insert(script.end(), {question_order_row(), timing_row(),
-                                 row("gaze", &S::gaze, gaze_kind()), session_row()});
+                                 row("gaze", &S::gaze, gaze_kind()), markers_row(), session_row()});
     for (const Row<S>& each : script) {
       rows.push_back(row_within(&P::script, each));
     }

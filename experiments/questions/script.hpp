@@ -12,6 +12,7 @@
 #include "experiments/design/design.hpp"
 #include "experiments/gaze/gaze_loss.hpp"
 #include "experiments/questions/fixation_time.hpp"
+#include "experiments/record/markers.hpp"
 #include "experiments/record/page.hpp"
 
 namespace impetus::inline questions {
@@ -145,6 +146,7 @@ struct Script {
   ResumeRule resume{};
   bool light_pages{false};  ///< else pages and stimuli have one ground
   bool progress_during_stimuli{false};
+  std::optional<MarkerCodes> markers{};  ///< for another recorder; none: nothing is marked
 };
 
 /// Whether breaks come after each block.

@@ -12,6 +12,7 @@
 #include "experiments/record/frame_grid.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
+#include "experiments/record/markers.hpp"
 #include "experiments/record/wall_names.hpp"
 
 namespace impetus::inline record {
@@ -153,6 +154,7 @@ struct AttemptRecord {
   std::string interrupted_by{};             ///< "pause", "display closed", "gaze lost"; or ""
   std::optional<double> gaze_lost_share{};  ///< of the stimulus, time without a valid sample
   std::optional<double> imposed_gaze_latency_s{};
+  std::vector<MarkerRecord> markers{};
 };
 
 /// A point of a calibration, validation or drift check: where it was shown, what the gaze did.

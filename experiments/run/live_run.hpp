@@ -33,6 +33,9 @@ class LiveRun {
   /// When the stimulus ends, as far as is known now.
   [[nodiscard]] double ends_s() const { return run_.ends_s(); }
 
+  /// So far.
+  [[nodiscard]] const std::vector<CollisionRecord>& collisions() const { return collisions_; }
+
   /// Hands the record over, after which nothing more is to be run.
   std::vector<StepRecord> take_steps() { return std::move(steps_); }
   std::vector<CollisionRecord> take_collisions() { return std::move(collisions_); }

@@ -77,6 +77,9 @@ bool Stimulus::show_fixation() {
     if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
       return false;
     }
+    if (frame == 0) {
+      mark(MarkedEvent::kFixation);
+    }
   }
   return true;
 }
@@ -101,13 +104,15 @@ bool Stimulus::show_scene() {
       take_simulation(frame);
       return false;
     }
+    mark_frame(frame, last_frame);
     take_clicks();
     if (frame == 0) {
       record_.onset_ns = record_.frames.back().flip.flipped_ns;
       record_.clicks.clear();  // made before there was anything to see
     }
-    if (ends_with_click(script_) && !record_.clicks.empty()) {
+    if (ends_with_click(script_) && !record_.clicks.empty() && last_frame != frame) {
       last_frame = frame;
+      mark(MarkedEvent::kEnd);
     }
   }
   take_simulation(last_frame);
@@ -146,8 +151,40 @@ void Stimulus::take_clicks() {
   if (takes_clicks(script_)) {
     for (ClickRecord& click : ports_.input.take_clicks()) {
       click.interval = interval_;
+      if (ports_.markers != nullptr && record_.onset_ns != 0) {
+        ports_.markers->mark(MarkedEvent::kClick, click.arrived_ns, interval_);
+      }
       record_.clicks.push_back(std::move(click));
     }
+  }
+}
+
+void Stimulus::mark(MarkedEvent event) {
+  if (ports_.markers != nullptr) {
+    ports_.markers->mark(event, record_.frames.back().flip.flipped_ns, interval_);
+  }
+}
+
+/// What the flip of this frame showed first, or last.
+void Stimulus::mark_frame(std::int64_t frame, std::int64_t last_frame) {
+  if (ports_.markers == nullptr) {
+    return;
+  }
+  if (frame == 0) {
+    mark(MarkedEvent::kOnset);
+  }
+  const std::vector<CollisionRecord>& collisions = live_.collisions();
+  bool shows_contact = false;
+  while (marked_collisions_ < collisions.size() &&
+         first_frame(collisions[marked_collisions_].step, frame) >= 0) {
+    ++marked_collisions_;
+    shows_contact = true;
+  }
+  if (shows_contact) {
+    mark(MarkedEvent::kContact);
+  }
+  if (frame == last_frame) {
+    mark(MarkedEvent::kEnd);
   }
 }
 

@@ -58,6 +58,8 @@ class Stimulus {
   [[nodiscard]] std::int64_t last_frame_of(const LiveRun& live) const;
   bool show_timed(const Picture& frame, FramePhase phase, double time_s);
   [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses, double time_s) const;
+  void mark(MarkedEvent event);
+  void mark_frame(std::int64_t frame, std::int64_t last_frame);
   void take_simulation(std::int64_t last_frame_shown);
   [[nodiscard]] std::int64_t first_frame(std::int64_t step, std::int64_t last_shown) const;
 
@@ -70,6 +72,7 @@ class Stimulus {
   GazeFollower& follower_;
   LiveRun live_;
   std::int64_t fixation_frames_{0};
+  std::size_t marked_collisions_{0};
   AttemptRecord record_;
   Interruption interruption_{Interruption::kNone};
 };

@@ -150,6 +150,9 @@ class Attempt {
     if (answer.interruption != Interruption::kNone) {
       return false;
     }
+    if (ports_.markers != nullptr && !answer.timed_out) {
+      ports_.markers->mark(MarkedEvent::kAnswer, answer.arrived_ns, asked_.test_interval);
+    }
     answer.choice = keyed.answers.empty() ? answer.choice : keyed.answers.at(answer.choice);
     given = std::move(answer);
     return true;
@@ -172,6 +175,9 @@ class Attempt {
       stimulus.append_to(record);
       depends_on_gaze = depends_on_gaze || stimulus.scene().depends_on_gaze;
       record.gaze_lost_share = std::max(record.gaze_lost_share, stimulus.gaze_lost_share());
+    }
+    if (ports_.markers != nullptr) {
+      record.markers = ports_.markers->take();
     }
     if (depends_on_gaze) {
       record.gaze_latency_p95_ms = gaze_latency_p95_ms(record.steps, record.frames, record.gaze);

@@ -24,6 +24,7 @@ struct Ports {
   GazeCorrection gaze_correction{};      ///< by the last calibration
   /// Says a sentence to the experimenter while the session runs; none: nobody is there to hear it.
   std::function<void(const std::string&)> tell{};
+  Markers* markers{nullptr};  ///< none: nothing is marked
 };
 
 /// An attempt's record, and what interrupted it.
@@ -36,8 +37,9 @@ struct AttemptResult {
 /// then shows fixation and stimulus (where two intervals are asked for, both, with a blank between)
 /// and asks the script's questions. Each frame shows the state for its scheduled time, so every
 /// participant sees the same frames. Where the script asks for it, clicks are kept and the gaze is
-/// followed during the stimulus. A trial that `may_be_repeated` ends before its questions when too
-/// much of the gaze was lost, interrupted by kGazeLostNote. Throws what the recorder throws.
+/// followed during the stimulus; where markers go to another recorder, they are told right after
+/// the flip. A trial that `may_be_repeated` ends before its questions when too much of the gaze was
+/// lost, interrupted by kGazeLostNote. Throws what the recorder throws.
 AttemptResult run_attempt(const PlannedTrial& trial, std::int64_t number, const Script& script,
                           const SessionProgress& progress, const Ports& ports,
                           bool may_be_repeated = false);

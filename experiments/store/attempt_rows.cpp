@@ -173,6 +173,21 @@ void insert_clicks(SQLite::Database& database, std::int64_t id,
   }
 }
 
+void insert_markers(SQLite::Database& database, std::int64_t id,
+                    const std::vector<MarkerRecord>& markers) {
+  RowInsert rows(database, "marker");
+  std::int64_t number = 0;
+  for (const MarkerRecord& marker : markers) {
+    rows.insert({{"attempt_id", id},
+                 {"number", ++number},
+                 {"event", std::string(name_of(marker.event))},
+                 {"code", marker.code},
+                 {"event_ns", marker.event_ns},
+                 {"written_ns", marker.written_ns},
+                 {"interval", marker.interval}});
+  }
+}
+
 void insert_ratings(SQLite::Database& database, std::int64_t id,
                     const std::vector<RatingRecord>& ratings) {
   RowInsert rows(database, "rating");
@@ -279,6 +294,7 @@ void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
   insert_frames(database, id, attempt.frames);
   insert_gaze(database, id, attempt.gaze);
   insert_clicks(database, id, attempt.clicks);
+  insert_markers(database, id, attempt.markers);
   insert_ratings(database, id, attempt.ratings);
   insert_responses(database, id, attempt.responses);
   insert_not_finite_notes(database, owner.session_id, attempt);

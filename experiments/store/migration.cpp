@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "experiments/store/embedded_migration_10_11.hpp"
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_migration_3_4.hpp"
@@ -108,6 +109,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 10) {
     database.exec(kMigrationFrom9To10Sql);
+  }
+  if (version < 11) {
+    database.exec(kMigrationFrom10To11Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

@@ -3,7 +3,8 @@
 --   participant --< enrolment >-- protocol        who does which protocol, with which seed
 --                      |
 --                      +--< trial                  the plan: stored before the first is shown
---                      |      +--< attempt --< step, collision, frame, gaze, click, rating, response
+--                      |      +--< attempt --< step, collision, frame, gaze, click, marker, rating,
+--                      |      |              response
 --                      +--< session                one sitting; a resumed enrolment has several
 --                             +--< answer, note, calibration --< calibration_point
 --
@@ -258,6 +259,20 @@ CREATE TABLE click (
                                       -- simulated: no person clicked
   arrived_ns INTEGER NOT NULL,        -- when the program got it
   arrival_uncertainty_ns INTEGER NOT NULL,  -- may be this much earlier
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
+  PRIMARY KEY (attempt_id, number)
+) STRICT, WITHOUT ROWID;
+
+-- Markers that were sent to another recorder, such as an EEG's amplifier.
+CREATE TABLE marker (
+  attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  number INTEGER NOT NULL CHECK (number >= 1),  -- in the order sent
+  event TEXT NOT NULL CHECK (event IN ('fixation', 'onset', 'contact', 'end', 'click', 'answer')),
+                                      -- what it marks
+  code INTEGER NOT NULL CHECK (code BETWEEN 1 AND 255),  -- that was sent, as the protocol names it
+  event_ns INTEGER NOT NULL,          -- the flip or the arrival that it marks
+  written_ns INTEGER,                 -- when the system had taken it; NULL: it did not in time
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
                                       -- which stimulus of a two-interval trial; otherwise 1
   PRIMARY KEY (attempt_id, number)

@@ -35,6 +35,10 @@ SELECT place || ': of the clicks 1 to ' || max(click.number) || ' there are ' ||
   FROM click JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
   HAVING max(click.number) <> count(*);
 
+SELECT place || ': of the markers 1 to ' || max(marker.number) || ' there are ' || count(*)
+  FROM marker JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
+  HAVING max(marker.number) <> count(*);
+
 SELECT place || ': of the answers 1 to ' || max(response.number) || ' there are ' || count(*)
   FROM response JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
   HAVING max(response.number) <> count(*);

@@ -59,7 +59,9 @@ class WholeStudy {
     SQLite::Database(file().string(), SQLite::OPEN_READWRITE)
         .exec(
             "INSERT INTO note (session_id, written_utc, kind, text) VALUES "
-            "(1, '2026-01-02T03:04:05Z', 'test', '')");
+            "(1, '2026-01-02T03:04:05Z', 'test', ''); "
+            "INSERT INTO marker VALUES (1, 1, 'onset', 20, 500, 600, 1), "
+            "(1, 2, 'contact', 30, 700, NULL, 1)");
   }
 
   void run(const std::string& study,

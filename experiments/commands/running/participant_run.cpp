@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/participant_run.hpp"
+#include "experiments/markers/marker_writer.hpp"
 #include "experiments/provenance/build_name.hpp"
 
 #include <algorithm>
@@ -21,6 +22,9 @@
 
 namespace impetus::inline commands {
 namespace {
+
+constexpr const char* kMarkersNote = "markers";
+constexpr const char* kMarkersLostNote = "markers lost";
 
 /// In a series nobody is asked the same about themselves twice.
 void skip_told_demographics(StudyFile& study, const RunPart& part, const std::string& participant,
@@ -71,6 +75,17 @@ void save_screen_notes(const ScreenGeometry& screen, const std::string& change,
   if (!has_square_pixels(screen)) {
     writer.save(NoteRecord{kPixelsNotSquareNote, pixel_words(screen)});
   }
+}
+
+/// Says how many markers did not reach the other recorder in time, where some did not.
+void save_markers_note(const MarkerCounts& counts, StudyWriter& writer) {
+  if (counts.lost == 0) {
+    return;
+  }
+  const std::string words = std::to_string(counts.lost) + " of " + std::to_string(counts.marked) +
+                            " markers were not sent in time";
+  std::fprintf(stderr, "warning: %s\n", words.c_str());
+  writer.save(NoteRecord{kMarkersLostNote, words});
 }
 
 /// The participant may still sit there, so that it can be mended before more is recorded.
@@ -138,6 +153,9 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
     warn_of_clock(resumed_, options_.participant);
   }
   gaze_paths_ = gaze_paths_of(plan_, study);
+  if (!options_.markers.empty()) {
+    markers_ = open_marker_line(options_.markers);
+  }
   if (!laboratory_) {
     if (const auto expected = expected_screen(part.lab); expected && resumed) {
       change_of_screen(study, options_, *resumed, *expected);
@@ -177,12 +195,21 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   const double rounding_hz = options_.allow_rounding ? laboratory_->display().refresh_hz() : 0.0;
   const ProtocolScenes scenes(protocol, rounding_hz);
   const SteadyClock work_clock;
-  const Ports ports{
+  Ports ports{
       laboratory_->display(), laboratory_->input(), scenes,       writer,           gaze(),
       &laboratory_->clock(),  &work_clock,          &gaze_paths_, GazeCorrection{}, tell_at_once};
+  std::optional<MarkerWriter> markers;
+  if (markers_) {
+    writer.save(NoteRecord{kMarkersNote, options_.markers});
+    markers.emplace(std::move(markers_), *protocol.script.markers, laboratory_->clock());
+    ports.markers = &*markers;
+  }
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   tell_warnings(result, writer);
+  if (markers) {
+    save_markers_note(markers->counts(), writer);
+  }
   conclude(result, options_, writer);
   session_id_ = writer.session_id();
   return result.ending;

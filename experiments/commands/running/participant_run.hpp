@@ -9,6 +9,7 @@
 
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/design/plan.hpp"
+#include "experiments/markers/marker_line.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/session/session.hpp"
 #include "experiments/store/enrolment.hpp"
@@ -47,7 +48,8 @@ class ParticipantRun {
   RunOptions options_;
   StudyFile& study_;
   std::shared_ptr<Laboratory> laboratory_;
-  std::unique_ptr<RecordedEye> eye_;  ///< none: the participant's own gaze
+  std::unique_ptr<MarkerLine> markers_;  ///< none: nothing is marked
+  std::unique_ptr<RecordedEye> eye_;     ///< none: the participant's own gaze
   Plan plan_;
   GazePaths gaze_paths_;  ///< that regions of the plan follow
   SyncTest sync_;

@@ -286,6 +286,9 @@ void add_run(CLI::App& app, Command& chosen) {
   command->add_option(
       "--photodiode", options->photodiode,
       "A corner, such as \"bottom left\", for a square whose light tells each frame");
+  command->add_option("--markers", options->markers,
+                      "Where the codes of a protocol's \"markers\" go, right after each flip: "
+                      "serial:///dev/ttyUSB0?baud=115200 or tcp://HOST:PORT");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

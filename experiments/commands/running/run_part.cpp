@@ -32,6 +32,24 @@ ScreenCorner photodiode_corner(const RunOptions& options) {
   return patch_corner("--photodiode", options.photodiode);
 }
 
+/// Markers go by real time, and are those that the protocol names.
+void require_markers(const RunPart& part, const RunOptions& options) {
+  if (options.markers.empty()) {
+    if (part.protocol.script.markers && part.lab.has_window()) {
+      std::fprintf(stderr, "note: no markers are sent; --markers ADDRESS says where to\n");
+    }
+    return;
+  }
+  if (!part.lab.has_window()) {
+    throw InputError(
+        "--markers: expected a window, whose flips are marked; with --observer, give --show too");
+  }
+  if (!part.protocol.script.markers) {
+    refuse(part.protocol.document, "",
+           "expected the key \"markers\", which --markers asks for: this protocol marks nothing");
+  }
+}
+
 /// Where there is a window, some font has all letters.
 void require_fonts(const RunPart& part) {
 #ifdef IMPETUS_WINDOW
@@ -91,6 +109,7 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.window_size = options.window_size;
   part.lab.letters = wide_letters(part.protocol);
   require_fonts(part);
+  require_markers(part, options);
   if (!options.photodiode.empty()) {
     part.lab.photodiode = photodiode_corner(options);
   }

@@ -34,6 +34,7 @@ struct RunOptions {
   std::string window_size;
   std::string gaze;        ///< a file of recorded gaze; "": who takes part looks
   std::string photodiode;  ///< the corner of a patch for one; "": none
+  std::string markers;     ///< the address of another recorder; "": none
 
   [[nodiscard]] bool simulated() const { return !observers.empty(); }
 };

@@ -7,6 +7,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/run/touching.hpp"
+#include "experiments/scenes/scene_file.hpp"
 #include "tests/experiments/program.hpp"
 #include "tests/experiments/test_study.hpp"
 

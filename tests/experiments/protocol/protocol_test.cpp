@@ -26,7 +26,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
        {"/seed", 1,
         "/: expected only the keys \"$schema\", \"clicks\", \"design\", \"exclude_when\", "
         "\"free_text\", \"gaze\", "
-        "\"language\", \"name\", \"participants\", \"question_order\", \"rating\", \"scene\", "
+        "\"language\", \"markers\", \"name\", \"participants\", \"question_order\", \"rating\", "
+        "\"scene\", "
         "\"schema_version\", "
         "\"session\", \"slider\", \"solve\", \"source\", \"texts\", \"timing\", "
         "\"title\", \"two_interval\", \"yes_no\", got \"seed\""}});

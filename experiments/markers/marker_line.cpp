@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/markers/marker_line.hpp"
+
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <utility>
+
+#include "experiments/settings/input_error.hpp"
+
+namespace impetus::inline markers {
+namespace {
+
+using Milliseconds = std::chrono::milliseconds;
+
+constexpr Milliseconds kLongestWrite{100};
+constexpr Milliseconds kLongestOpening{2000};
+constexpr Milliseconds kLongestReopening{50};  ///< markers wait meanwhile
+constexpr std::chrono::seconds kTriedAgainAfter{1};
+
+/// A file descriptor that closes itself.
+class OpenFile {
+ public:
+  explicit OpenFile(int file = -1) : file_(file) {}
+  ~OpenFile() { close(); }
+  OpenFile(OpenFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
+    close();
+    file_ = std::exchange(other.file_, -1);
+    return *this;
+  }
+
+  [[nodiscard]] int get() const { return file_; }
+  [[nodiscard]] bool is_open() const { return file_ >= 0; }
+  void close() {
+    if (file_ >= 0) {
+      ::close(file_);
+      file_ = -1;
+    }
+  }
+
+ private:
+  int file_;
+};
+
+/// Whether it can be written to within that time.
+bool awaits_writing(int file, Milliseconds longest) {
+  pollfd waiting{file, POLLOUT, 0};
+  return poll(&waiting, 1, static_cast<int>(longest.count())) == 1 &&
+         (waiting.revents & POLLOUT) != 0 && (waiting.revents & (POLLERR | POLLHUP)) == 0;
+}
+
+/// As write(2), but a socket whose other end is gone is an error and not a signal.
+ssize_t write_some(int file, const char* bytes, std::size_t size) {
+  const ssize_t count = send(file, bytes, size, MSG_NOSIGNAL);
+  return count < 0 && errno == ENOTSOCK ? ::write(file, bytes, size) : count;
+}
+
+bool write_whole(int file, const std::string& bytes) {
+  const auto until = std::chrono::steady_clock::now() + kLongestWrite;
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = write_some(file, bytes.data() + done, bytes.size() - done);
+    if (count > 0) {
+      done += static_cast<std::size_t>(count);
+      continue;
+    }
+    const auto left =
+        std::chrono::duration_cast<Milliseconds>(until - std::chrono::steady_clock::now());
+    const bool may_wait = count < 0 && (errno == EAGAIN || errno == EINTR);
+    if (!may_wait || left.count() <= 0 || !awaits_writing(file, left)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Opens it, in at most that time. Throws InputError, saying what was there.
+using Opening = std::function<OpenFile(Milliseconds longest)>;
+
+/// A line that is opened again when it was lost.
+class ReopenedLine final : public MarkerLine {
+ public:
+  ReopenedLine(Opening open, std::string (*bytes_of)(MarkedEvent, std::int64_t))
+      : open_(std::move(open)), bytes_of_(bytes_of), file_(open_(kLongestOpening)) {}
+
+  bool write(MarkedEvent event, std::int64_t code) override {
+    if (!file_.is_open() && !reopen()) {
+      return false;
+    }
+    if (write_whole(file_.get(), bytes_of_(event, code))) {
+      return true;
+    }
+    file_.close();
+    lost_at_ = std::chrono::steady_clock::now();
+    return false;
+  }
+
+ private:
+  bool reopen() {
+    if (std::chrono::steady_clock::now() - lost_at_ < kTriedAgainAfter) {
+      return false;
+    }
+    lost_at_ = std::chrono::steady_clock::now();
+    try {
+      file_ = open_(kLongestReopening);
+    } catch (const InputError&) {  // still away
+    }
+    return file_.is_open();
+  }
+
+  Opening open_;
+  std::string (*bytes_of_)(MarkedEvent, std::int64_t);
+  OpenFile file_;
+  std::chrono::steady_clock::time_point lost_at_;
+};
+
+std::string byte_of(MarkedEvent /*event*/, std::int64_t code) { return {static_cast<char>(code)}; }
+
+std::string line_of(MarkedEvent event, std::int64_t code) {
+  return std::to_string(code) + " " + std::string(name_of(event)) + "\n";
+}
+
+[[noreturn]] void refuse_address(const std::string& address, const std::string& expected) {
+  throw InputError("--markers: expected " + expected + ", got " + address);
+}
+
+[[noreturn]] void refuse_line(const std::string& address, const char* expected,
+                              const std::string& instead) {
+  throw InputError(std::string("--markers: expected ") + expected + ", got " + address + ": " +
+                   instead);
+}
+
+// ---------------------------------------------------------------- a serial port
+
+struct Speed {
+  std::string_view words;
+  speed_t speed;
+};
+constexpr std::array<Speed, 7> kSpeeds{{{"9600", B9600},
+                                        {"19200", B19200},
+                                        {"38400", B38400},
+                                        {"57600", B57600},
+                                        {"115200", B115200},
+                                        {"230400", B230400},
+                                        {"460800", B460800}}};
+
+speed_t speed_of(const std::string& address, const std::string& words) {
+  std::vector<std::string> known;
+  for (const Speed& each : kSpeeds) {
+    if (each.words == words) {
+      return each.speed;
+    }
+    known.emplace_back(each.words);
+  }
+  refuse_address(address, "a baud of " + listed(known));
+}
+
+constexpr const char* kPort = "a serial port that opens";
+
+OpenFile open_port(const std::string& address, const std::string& port, speed_t speed) {
+  OpenFile file(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  termios settings{};
+  if (!file.is_open() || tcgetattr(file.get(), &settings) != 0) {
+    refuse_line(address, kPort, std::strerror(errno));
+  }
+  cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL;
+  cfsetspeed(&settings, speed);
+  if (tcsetattr(file.get(), TCSANOW, &settings) != 0) {
+    refuse_line(address, kPort, std::strerror(errno));
+  }
+  return file;
+}
+
+std::unique_ptr<MarkerLine> serial_line(const std::string& address, const std::string& rest) {
+  constexpr std::string_view kBaud = "?baud=";
+  const std::size_t mark = rest.find('?');
+  const std::string port = rest.substr(0, mark);
+  const std::string query = mark == std::string::npos ? "" : rest.substr(mark);
+  if (port.empty() || port.front() != '/' || (!query.empty() && !query.starts_with(kBaud))) {
+    refuse_address(address, "serial:///dev/PORT or serial:///dev/PORT?baud=115200");
+  }
+  const speed_t speed = speed_of(address, query.empty() ? "115200" : query.substr(kBaud.size()));
+  return std::make_unique<ReopenedLine>(
+      [=](Milliseconds /*longest*/) { return open_port(address, port, speed); }, byte_of);
+}
+
+// ---------------------------------------------------------------- a socket
+
+/// 0, or what went wrong.
+int connected(int file, const addrinfo& place, Milliseconds longest) {
+  if (connect(file, place.ai_addr, place.ai_addrlen) == 0) {
+    return 0;
+  }
+  if (errno != EINPROGRESS) {
+    return errno;
+  }
+  pollfd waiting{file, POLLOUT, 0};
+  if (poll(&waiting, 1, static_cast<int>(longest.count())) != 1) {
+    return ETIMEDOUT;
+  }
+  int error = 0;
+  socklen_t size = sizeof error;
+  getsockopt(file, SOL_SOCKET, SO_ERROR, &error, &size);
+  return error;
+}
+
+constexpr const char* kProgram = "a program that listens";
+
+OpenFile open_socket(const std::string& address, const std::string& host, const std::string& port,
+                     Milliseconds longest) {
+  addrinfo wanted{};
+  wanted.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (const int error = getaddrinfo(host.c_str(), port.c_str(), &wanted, &found); error != 0) {
+    refuse_line(address, kProgram, gai_strerror(error));
+  }
+  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> places(found, freeaddrinfo);
+  int error = EADDRNOTAVAIL;
+  for (const addrinfo* place = found; place != nullptr; place = place->ai_next) {
+    OpenFile file(socket(place->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    error = file.is_open() ? connected(file.get(), *place, longest) : errno;
+    if (error == 0) {
+      const int at_once = 1;  // a marker is never held back for the next (Nagle)
+      setsockopt(file.get(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
+      return file;
+    }
+  }
+  refuse_line(address, kProgram, std::strerror(error));
+}
+
+std::unique_ptr<MarkerLine> socket_line(const std::string& address, const std::string& rest) {
+  const std::size_t colon = rest.rfind(':');
+  const std::string port = colon == std::string::npos ? "" : rest.substr(colon + 1);
+  if (colon == 0 || port.empty() || port.find_first_not_of("0123456789") != std::string::npos) {
+    refuse_address(address, "tcp://HOST:PORT");
+  }
+  const std::string host = rest.substr(0, colon);
+  return std::make_unique<ReopenedLine>(
+      [=](Milliseconds longest) { return open_socket(address, host, port, longest); }, line_of);
+}
+
+}  // namespace
+
+std::unique_ptr<MarkerLine> open_marker_line(const std::string& address) {
+  const std::size_t end = address.find("://");
+  const std::string scheme = address.substr(0, end == std::string::npos ? 0 : end);
+  const std::string rest = end == std::string::npos ? "" : address.substr(end + 3);
+  if (scheme == "serial") {
+    return serial_line(address, rest);
+  }
+  if (scheme == "tcp") {
+    return socket_line(address, rest);
+  }
+  refuse_address(address, "serial:///dev/PORT or tcp://HOST:PORT");
+}
+
+}  // namespace impetus::inline markers
