@@ -1,7 +1,7 @@
 """From a protocol to a figure in Python:  python3 analysis/in_python.py figure.png
 
-Changes a protocol, runs simulated participants, and asks a mixed model how ratings fall with the
-delay at contact. Run it line by line, or as a whole. With people, begin at impetus.read().
+Changes a protocol, runs simulated participants, and asks a mixed model how ratings change with
+the delay at contact. Run it line by line, or as a whole. With people, begin at impetus.read().
 """
 
 import pathlib

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "experiments/exports/export_table.hpp"
 #include "experiments/store/schema_words.hpp"
@@ -134,6 +135,18 @@ std::vector<CodebookColumn> describe_columns(const RowQuery& query,
     columns.push_back(describe(query, i, factors));
   }
   return columns;
+}
+
+OpenTable open_table(SQLite::Database& database, const ExportTable& table,
+                     const FactorLabels& factors) {
+  const FactorLabels own = table.base == "trial" ? factors : FactorLabels();
+  std::vector<std::string> names;
+  for (const auto& [name, label] : own) {
+    names.push_back(name);
+  }
+  RowQuery rows(database, export_query(table, names), names);
+  std::vector<CodebookColumn> columns = describe_columns(rows, own);
+  return {std::move(rows), std::move(columns)};
 }
 
 const std::vector<std::string>& reading_rules() {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/exports/export_table.hpp"
 #include "experiments/exports/row_query.hpp"
 
 namespace impetus::inline exports {
@@ -40,6 +41,16 @@ struct CodebookHead {
 /// "factor_NAME" by name.
 std::vector<CodebookColumn> describe_columns(const RowQuery& query,
                                              const std::map<std::string, std::string>& factors);
+
+/// A table of the study, row by row, with what is known of its columns.
+struct OpenTable {
+  RowQuery rows;
+  std::vector<CodebookColumn> columns;
+};
+
+/// `factors` are factor_labels(). Throws StoreError.
+OpenTable open_table(SQLite::Database& database, const ExportTable& table,
+                     const FactorLabels& factors);
 
 /// How cells are to be read, a sentence each.
 const std::vector<std::string>& reading_rules();

@@ -100,21 +100,11 @@ class CsvWriter {
   ExportReport report_;
 };
 
-std::vector<std::string> names_of(const FactorLabels& factors) {
-  std::vector<std::string> names;
-  for (const auto& [name, label] : factors) {
-    names.push_back(name);
-  }
-  return names;
-}
-
 CodebookFile write_table(SQLite::Database& database, const ExportTable& table,
-                         const FactorLabels& all_factors, CsvWriter& writer) {
-  const FactorLabels factors = table.base == "trial" ? all_factors : FactorLabels();
-  const std::vector<std::string> names = names_of(factors);
-  RowQuery query(database, export_query(table, names), names);
-  CodebookFile file{table.file + ".csv", table.rows, describe_columns(query, factors)};
-  writer.write(query, file.columns, file.name);
+                         const FactorLabels& factors, CsvWriter& writer) {
+  OpenTable open = open_table(database, table, factors);
+  CodebookFile file{table.file + ".csv", table.rows, std::move(open.columns)};
+  writer.write(open.rows, file.columns, file.name);
   return file;
 }
 

@@ -247,7 +247,7 @@ class Fitting {
       const MovableParameter& one = likelihood_.movable()[i];
       FittedParameter& told = fit.parameters.emplace_back();
       const double value = std::max(*one.place, one.least);
-      told = {one.name, value, value, value, held_because_[i]};
+      told = {one.name, value, value, value, held_because_[i], assumed_[i]};
       *one.place = value;
       if (told.is_fitted() && (low_[i] || high_[i])) {
         told.low = low_[i] ? one.from_scale(*low_[i]) : 0.0;

@@ -28,6 +28,7 @@ struct FittedParameter {
   double low{0.0};  ///< of its 95 % interval
   double high{0.0};
   std::string held_because{};  ///< "": it was fitted
+  double assumed{0.0};         ///< where the fit began
 
   [[nodiscard]] bool is_fitted() const { return held_because.empty(); }
 };

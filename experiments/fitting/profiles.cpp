@@ -39,24 +39,41 @@ std::optional<double> Profiles::end(std::size_t parameter, double sign) {
   const Place begun{begun_[at], others_of(parameter, begun_)};
   Place inner{best_.at[at], others_of(parameter, best_.at)};
   for (int valley = 0; valley < kMostValleys; ++valley) {
-    const std::optional<double> x = end_from(parameter, sign, inner);
-    if (!x) {
-      return {};
+    const std::optional<Place> found = end_from(parameter, sign, inner);
+    if (!found || falls_on_the_way(parameter, begun, *found)) {
+      return found ? std::optional(found->x) : std::nullopt;
     }
-    Place there = followed(parameter, begun, *x);
+    Place there = followed(parameter, begun, found->x);
     if (better_) {
       return {};
     }
     if (there.root > kTarget - kCloseRoot) {
-      return x;
+      return found->x;
     }
     inner = std::move(there);  // what was followed had led into another valley
   }
   return {};
 }
 
+/// Whether no ridge lies on the straight way from one place's others to the other's, at its x: both
+/// are in one valley. Looked at in eight places, of a fraction of a search's cost.
+bool Profiles::falls_on_the_way(std::size_t parameter, const Place& from, const Place& to) const {
+  constexpr int kPlaces = 8;
+  const VectorXd way = to.others - from.others;
+  double before = cost_(whole(parameter, to.x, from.others));
+  for (int place = 1; place <= kPlaces; ++place) {
+    const double share = static_cast<double>(place) / kPlaces;
+    const double here = cost_(whole(parameter, to.x, from.others + share * way));
+    if (!(here <= before)) {
+      return false;
+    }
+    before = here;
+  }
+  return true;
+}
+
 /// The same, the others followed from `inner` on, wherever that leads.
-std::optional<double> Profiles::end_from(std::size_t parameter, double sign, Place inner) {
+std::optional<Profiles::Place> Profiles::end_from(std::size_t parameter, double sign, Place inner) {
   const auto at = static_cast<Index>(parameter);
   const double end = sign * parameters_[parameter].reach;
   std::optional<Place> outer;
@@ -78,7 +95,7 @@ std::optional<double> Profiles::end_from(std::size_t parameter, double sign, Pla
       return {};
     }
     if (std::abs(there.root - kTarget) < kCloseRoot) {
-      return x;
+      return there;
     }
     // A side that is kept twice counts half as much, or its other end would hardly move (Illinois;
     // Dowell and Jarratt 1971).
@@ -98,7 +115,7 @@ std::optional<double> Profiles::end_from(std::size_t parameter, double sign, Pla
       inner = std::move(there);
     }
     if (outer && std::abs(outer->x - inner.x) < kCloseX) {
-      return outer->x;
+      return outer;
     }
   }
   return {};

@@ -2,10 +2,9 @@
 // are less probable by 1.92 in the logarithm. That is its 95 % interval (Venzon and Moolgavkar
 // 1988).
 //
-//   fall   0 ──────── inner ──────── 1.92 ──────── outer       from the best place, in one
-//   direction
-//                       └─ the others, followed from the nearest inner place: a profile has no
-//                       cliffs
+//   fall   0 ─────── inner ─────── 1.92 ─────── outer        from the best place, one way
+//                      └─ the others, followed from the nearest inner place; the end, held against
+//                         what is found there from where the whole search began, over a ridge
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -62,7 +61,9 @@ class Profiles {
   [[nodiscard]] Eigen::MatrixXd others_inverse(std::size_t parameter) const;
   [[nodiscard]] Eigen::VectorXd moved_along(std::size_t parameter, const Place& from,
                                             double x) const;
-  std::optional<double> end_from(std::size_t parameter, double sign, Place inner);
+  std::optional<Place> end_from(std::size_t parameter, double sign, Place inner);
+  [[nodiscard]] bool falls_on_the_way(std::size_t parameter, const Place& from,
+                                      const Place& to) const;
   Place followed(std::size_t parameter, const Place& from, double x);
 
   SmoothFunction cost_;

@@ -287,7 +287,7 @@ struct Names<StateField> {
 };
 template <>
 struct Names<StopReason> {
-  static constexpr std::array kAll{"separated", "finest", "budget", "greatest level", "capped"};
+  static constexpr auto kAll = kStopReasons;
 };
 template <>
 struct Names<FramePhase> {

@@ -8,6 +8,9 @@
 
 namespace impetus::inline observers {
 
+/// Frames per second of a laboratory without a window.
+inline constexpr double kHeadlessHz = 60.0;
+
 /// A clock that moves only when it is told to.
 class VirtualClock final : public Clock {
  public:

@@ -82,20 +82,21 @@ py::object protocol_world(const Protocol& protocol, const py::object& levels, st
   return world_of(ProtocolScenes(protocol, kUnroundedHold).stage(trial, assumed_screen()), seed);
 }
 
-py::object scene_world(JsonDocument scene, std::uint64_t seed) {
+/// With the files that it names held in it; its own rules are still to be looked at.
+JsonDocument scene_of(const py::object& value, const std::string& path) {
+  return with_files(document_of(value, path), path);
+}
+
+/// Checked and staged with the same bodies.
+py::object scene_world(const JsonDocument& scene, std::uint64_t seed) {
   ShapeLibrary shapes;
+  require_scene(scene, shapes);
   return world_of(staged_from(scene,
                               [&] {
                                 return build_scene(scene.value, assumed_screen(), kUnroundedHold,
                                                    shapes, "preview", seed);
                               }),
                   seed);
-}
-
-JsonDocument scene_of(const py::object& value, const std::string& path) {
-  JsonDocument scene = with_files(document_of(value, path), path);
-  require_scene(scene);
-  return scene;
 }
 
 }  // namespace
@@ -138,12 +139,17 @@ void add_files(py::module_& module) {
   module.def("load_scene",
              [](const std::string& path) { return as_python(load_scene(path).value); });
   module.def("make_scene", [](const py::object& value, const std::string& path) {
-    return as_python(scene_of(value, path).value);
+    const JsonDocument scene = scene_of(value, path);
+    require_scene(scene);
+    return as_python(scene.value);
   });
   module.def("scene_world",
              [](const py::object& value, const std::string& path, std::uint64_t seed) {
                return scene_world(scene_of(value, path), seed);
              });
+  module.def("load_scene_world", [](const std::string& path, std::uint64_t seed) {
+    return scene_world(read_scene(path), seed);
+  });
 }
 
 }  // namespace impetus::inline python

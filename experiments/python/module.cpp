@@ -36,6 +36,9 @@ PYBIND11_MODULE(_impetus, module) {
   module.def(
       "build_name", [] { return std::string(impetus::build_name()); },
       "What a recording would name as its build.");
+  impetus::add_metrics(module);
+  impetus::add_steps(module);
+  impetus::add_trees(module);
   impetus::add_worlds(module);
   impetus::add_files(module);
   impetus::add_studies(module);

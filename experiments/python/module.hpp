@@ -15,11 +15,13 @@
 #include <string>
 
 #include "experiments/protocol/protocol_file.hpp"
-#include "experiments/record/record.hpp"
 #include "experiments/record/staged_scene.hpp"
 
 namespace impetus::inline python {
 
+void add_metrics(pybind11::module_& module);
+void add_steps(pybind11::module_& module);
+void add_trees(pybind11::module_& module);
 void add_worlds(pybind11::module_& module);
 void add_files(pybind11::module_& module);
 void add_studies(pybind11::module_& module);
@@ -35,13 +37,12 @@ std::string bits_of(std::uint64_t bits);
 /// A world in Python's hands, at the start of the scene.
 pybind11::object world_of(StagedScene scene, std::uint64_t seed);
 
-/// What a collision came to, for who judges what was shown.
-pybind11::dict as_python(const CollisionRecord& collision, const std::vector<std::string>& bodies,
-                         WallNaming walls);
-
 /// What a metric written in Python measures pairs by: a function of a pair. Throws ValueError where
 /// `urgent` is neither "large" nor "small".
 std::shared_ptr<const PriorityMetric> metric_of_function(pybind11::function measure,
                                                          const std::string& urgent);
+
+/// From the next step on.
+void put_metric(World& world, std::shared_ptr<const PriorityMetric> metric);
 
 }  // namespace impetus::inline python

@@ -11,6 +11,7 @@
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/python/module.hpp"
+#include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/session/session.hpp"
 
@@ -18,8 +19,6 @@ namespace impetus::inline python {
 namespace {
 
 namespace py = pybind11;
-
-constexpr double kHeadlessHz = 60.0;
 
 /// The scenes of a protocol, in which a metric of Python's orders collisions.
 class PilotScenes final : public Scenes {
@@ -39,9 +38,7 @@ class PilotScenes final : public Scenes {
  private:
   [[nodiscard]] StagedScene with_metric(StagedScene scene) const {
     if (metric_) {
-      Schedule schedule = scene.world.settings().schedule;
-      schedule.metric = metric_;
-      scene.world.set_schedule(std::move(schedule));
+      put_metric(scene.world, metric_);
     }
     return scene;
   }
@@ -79,17 +76,31 @@ class PilotRecord final : public Recorder {
   std::map<std::int64_t, Condition> levels_;
 };
 
+py::list collisions_of(const AttemptRecord& record) {
+  py::list all;
+  for (const CollisionRecord& each : record.collisions) {
+    const BodyPair& bodies = each.report.bodies;
+    py::dict one;
+    one["step"] = each.step;
+    one["time_s"] = each.time_s;
+    one["body_a"] = body_or_wall_name(bodies.a, record.body_names, record.wall_naming);
+    one["body_b"] = body_or_wall_name(bodies.b, record.body_names, record.wall_naming);
+    one["level"] = each.report.level;
+    one["eccentricity_deg"] = each.eccentricity_deg;
+    one["impulse_Ns"] = each.report.impulse_Ns;
+    one["priority"] = each.priority;
+    all.append(std::move(one));
+  }
+  return all;
+}
+
 py::dict shown_of(const AttemptRecord& record, const StagedScene& scene) {
   py::dict shown;
   shown["condition"] = as_python(to_json(scene.condition));
   shown["intended_hold_s"] = record.intended_hold_s;
   shown["realised_hold_s"] = record.realised_hold_s;
   shown["duration_s"] = scene.duration_s;
-  py::list collisions;
-  for (const CollisionRecord& each : record.collisions) {
-    collisions.append(as_python(each, record.body_names, record.wall_naming));
-  }
-  shown["collisions"] = std::move(collisions);
+  shown["collisions"] = collisions_of(record);
   return shown;
 }
 
@@ -180,11 +191,7 @@ py::dict row_of(const PlannedTrial& trial, const Condition& condition,
         response.answer;
   }
   row["answers"] = std::move(answers);
-  py::list collisions;
-  for (const CollisionRecord& each : record.collisions) {
-    collisions.append(as_python(each, record.body_names, record.wall_naming));
-  }
-  row["collisions"] = std::move(collisions);
+  row["collisions"] = collisions_of(record);
   row["hash"] = bits_of(record.steps.empty() ? 0 : record.steps.back().state.hash);
   return row;
 }
@@ -220,23 +227,6 @@ py::list pilot(const Protocol& protocol, const std::string& participant, std::ui
 }
 
 }  // namespace
-
-py::dict as_python(const CollisionRecord& collision, const std::vector<std::string>& bodies,
-                   WallNaming walls) {
-  const auto name = [&](std::int32_t body) {
-    return is_wall(body) ? wall_name(body, walls) : bodies[static_cast<std::size_t>(body)];
-  };
-  py::dict one;
-  one["step"] = collision.step;
-  one["time_s"] = collision.time_s;
-  one["body_a"] = name(collision.report.bodies.a);
-  one["body_b"] = name(collision.report.bodies.b);
-  one["level"] = collision.report.level;
-  one["eccentricity_deg"] = collision.eccentricity_deg;
-  one["impulse_Ns"] = collision.report.impulse_Ns;
-  one["priority"] = collision.priority;
-  return one;
-}
 
 void add_pilots(py::module_& module) {
   module.def("pilot", [](const Protocol& protocol, const std::string& participant,

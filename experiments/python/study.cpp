@@ -11,9 +11,9 @@
 #include "experiments/exports/export_table.hpp"
 #include "experiments/exports/row_query.hpp"
 #include "experiments/python/module.hpp"
-#include "experiments/run/what_if.hpp"
 #include "experiments/store/study_reader.hpp"
 #include "experiments/study/replay_library.hpp"
+#include "experiments/study/what_if_sums.hpp"
 #include "experiments/tables/csv_line.hpp"
 #include "experiments/tables/plain_text.hpp"
 
@@ -38,31 +38,29 @@ py::object value_of(const RowQuery& query, int column, bool bits) {
   }
 }
 
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const ExportTable& table : export_tables()) {
+    names.push_back(table.file);
+  }
+  return names;
+}
+
 /// One table of the study: what it has a row of, and its columns with all that is known of them.
 py::dict table_of(StudyFile& study, const std::string& name) {
   const std::vector<ExportTable>& tables = export_tables();
   const auto table = std::find_if(tables.begin(), tables.end(),
                                   [&](const ExportTable& each) { return each.file == name; });
   if (table == tables.end()) {
-    std::vector<std::string> names;
-    for (const ExportTable& each : tables) {
-      names.push_back(each.file);
-    }
-    throw InputError(study.name() + ": expected one of its tables (" + listed(names) + "), got " +
-                     name);
+    throw InputError(study.name() + ": expected one of its tables (" + listed(table_names()) +
+                     "), got " + name);
   }
-  const FactorLabels factors =
-      table->base == "trial" ? factor_labels(study.database()) : FactorLabels();
-  std::vector<std::string> parameters;
-  for (const auto& [factor, label] : factors) {
-    parameters.push_back(factor);
-  }
-  RowQuery query(study.database(), export_query(*table, parameters), parameters);
-  const std::vector<CodebookColumn> columns = describe_columns(query, factors);
+  OpenTable open = open_table(study.database(), *table, factor_labels(study.database()));
+  const std::vector<CodebookColumn>& columns = open.columns;
   std::vector<py::list> values(columns.size());
-  while (query.step()) {
+  while (open.rows.step()) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      values[i].append(value_of(query, static_cast<int>(i), columns[i].type == "bits"));
+      values[i].append(value_of(open.rows, static_cast<int>(i), columns[i].type == "bits"));
     }
   }
   py::dict all;
@@ -143,78 +141,40 @@ class ReplayOfPython {
 class StudyOfPython {
  public:
   explicit StudyOfPython(const std::string& path)
-      : study_(StudyFile::open_for_reading(path)), attempts_(load_attempts(study_)) {}
+      : study_(StudyFile::open_for_reading(path)),
+        attempts_(load_attempts(study_)),
+        library_(study_) {}
+  StudyOfPython(const StudyOfPython&) = delete;
+  StudyOfPython& operator=(const StudyOfPython&) = delete;
 
-  [[nodiscard]] const std::string name() const { return study_.name(); }
+  [[nodiscard]] std::string name() const { return study_.name(); }
   py::dict table(const std::string& name) { return table_of(study_, name); }
 
   std::unique_ptr<ReplayOfPython> replay(std::int64_t trial, std::optional<std::int64_t> attempt,
                                          std::int64_t interval) {
-    ReplayLibrary library(study_);
-    const StoredAttempt& stored = attempt_of(trial, attempt, interval, library);
-    return std::make_unique<ReplayOfPython>(library.stage(stored, interval),
-                                            library.steps(stored, interval), why_divergent(stored));
+    const StoredAttempt& stored = attempt_of(trial, attempt, interval, library_);
+    return std::make_unique<ReplayOfPython>(
+        library_.stage(stored, interval), library_.steps(stored, interval), why_divergent(stored));
   }
 
-  py::dict what_if(std::int64_t trial, const std::vector<std::string>& with,
-                   std::optional<std::int64_t> attempt, std::int64_t interval) {
+  py::object what_if(std::int64_t trial, const std::vector<std::string>& with,
+                     std::optional<std::int64_t> attempt, std::int64_t interval) {
     std::vector<SettingChange> changes;
     for (const std::string& given : with) {
       changes.push_back(setting_change(given));
     }
     ReplayLibrary library(study_, std::move(changes));
     const StoredAttempt& stored = attempt_of(trial, attempt, interval, library);
-    StagedScene then = library.stage(stored, interval);
-    const double step_hz = then.step_hz;
-    const WallNaming walls = wall_naming(then.world.settings().enclosure);
-    std::vector<std::string> names;
-    for (const DrawnBody& look : then.looks) {
-      names.push_back(look.name);
-    }
-    const WhatIf outcome =
-        impetus::what_if(std::move(then), library.stage_changed(stored, interval),
-                         library.steps(stored, interval), stored.trial.seed);
-    if (outcome.divergence) {
+    const ComparedStimulus both = compared(library, stored, interval);
+    if (const std::optional<Divergence>& divergence = both.outcome.divergence) {
       throw InputError(study_.name() + ": expected a trial that replays as it was recorded, but " +
                        std::to_string(trial) + " diverges at step " +
-                       std::to_string(outcome.divergence->step) + why_divergent(stored));
+                       std::to_string(divergence->step) + why_divergent(stored));
     }
-    py::dict told;
-    told["step_hz"] = step_hz;
-    told["steps"] = outcome.steps;
-    told["parts_at_step"] = outcome.parts_at;
-    told["seen_apart_at_step"] = outcome.seen_apart_at;
-    told["then"] = told_course(outcome.then, names, walls);
-    told["now"] = told_course(outcome.now, names, walls);
-    return told;
+    return as_python(json_of(both));
   }
 
  private:
-  static py::dict told_course(const WhatIfCourse& course, const std::vector<std::string>& names,
-                              WallNaming walls) {
-    const auto name = [&](std::int32_t body) {
-      return is_wall(body) ? wall_name(body, walls) : names[static_cast<std::size_t>(body)];
-    };
-    py::list collisions;
-    for (const SeenCollision& each : course.collisions) {
-      py::dict one;
-      one["step"] = each.step;
-      one["body_a"] = name(each.bodies.a);
-      one["body_b"] = name(each.bodies.b);
-      one["level"] = each.level;
-      one["gap_arcmin"] = each.gap_arcmin;
-      one["visible_gap_arcmin"] = each.visible_arcmin;
-      one["gap_at_gaze_arcmin"] = each.at_gaze_arcmin;
-      collisions.append(std::move(one));
-    }
-    py::dict told;
-    told["collisions"] = std::move(collisions);
-    told["work_spent"] = course.work_spent;
-    told["steps_over_budget"] = course.steps_over_budget;
-    told["pops"] = course.pops;
-    return told;
-  }
-
   /// The attempt of this number, or the trial's last that was completed, else its last.
   const StoredAttempt& attempt_of(std::int64_t trial, std::optional<std::int64_t> number,
                                   std::int64_t interval, ReplayLibrary& library) {
@@ -240,15 +200,8 @@ class StudyOfPython {
 
   StudyFile study_;
   std::vector<StoredAttempt> attempts_;
+  ReplayLibrary library_;  ///< as it was recorded: protocols are read and bodies built once
 };
-
-std::vector<std::string> table_names() {
-  std::vector<std::string> names;
-  for (const ExportTable& table : export_tables()) {
-    names.push_back(table.file);
-  }
-  return names;
-}
 
 }  // namespace
 

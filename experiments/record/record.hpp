@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -48,6 +49,13 @@ inline WorkGrants grants_of(const StepRecord& step) {
   WorkGrants grants = step.cut_work;
   grants.of(WorkPhase::kRefinement) = step.work_granted;
   return grants;
+}
+
+/// Why a refinement is where it is, as it is kept, by StopReason.
+inline constexpr std::array<const char*, 5> kStopReasons{"separated", "finest", "budget",
+                                                         "greatest level", "capped"};
+[[nodiscard]] constexpr const char* name_of(StopReason reason) {
+  return kStopReasons[static_cast<std::size_t>(reason)];
 }
 
 /// One pair in contact, at the step in which that began.

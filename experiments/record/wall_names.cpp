@@ -24,6 +24,11 @@ std::string wall_name(std::int32_t wall, WallNaming naming) {
   return kWallPrefix + std::string(sides.at(static_cast<std::size_t>(kEnclosure - wall)));
 }
 
+std::string body_or_wall_name(std::int32_t body, const std::vector<std::string>& bodies,
+                              WallNaming walls) {
+  return is_wall(body) ? wall_name(body, walls) : bodies[static_cast<std::size_t>(body)];
+}
+
 std::optional<std::int32_t> wall_named(const std::string& name) {
   for (int wall = 0; wall < kWallCount; ++wall) {
     for (const WallNaming naming : {WallNaming::kAxes, WallNaming::kView}) {

@@ -14,21 +14,6 @@
 namespace impetus::inline store {
 namespace {
 
-const char* name_of(StopReason reason) {
-  switch (reason) {
-    case StopReason::kSeparated:
-      return "separated";
-    case StopReason::kFinest:
-      return "finest";
-    case StopReason::kGreatestLevel:
-      return "greatest level";
-    case StopReason::kCapped:
-      return "capped";
-    default:
-      return "budget";
-  }
-}
-
 std::optional<double> in_ms(const std::optional<double>& seconds) {
   return seconds ? std::optional(*seconds * 1e3) : std::nullopt;
 }
@@ -73,45 +58,43 @@ void insert_collisions(SQLite::Database& database, std::int64_t id, const Attemp
     const std::optional<ImposedSpin>& spin = collision.imposed_spin;
     const std::int64_t frame = collision.first_frame_shown;
     const auto name = [&](std::int32_t body) {
-      return attempt.body_names[static_cast<std::size_t>(body)];
+      return body_or_wall_name(body, attempt.body_names, attempt.wall_naming);
     };
-    rows.insert(
-        {{"attempt_id", id},
-         {"step", collision.step},
-         {"body_a", name(report.bodies.a)},
-         {"body_b", is_wall(report.bodies.b) ? wall_name(report.bodies.b, attempt.wall_naming)
-                                             : name(report.bodies.b)},
-         {"level", report.level},
-         {"stopped", name_of(report.stop)},
-         {"point_x_m", touch.point.x()},
-         {"point_y_m", touch.point.y()},
-         {"point_z_m", touch.point.z()},
-         {"normal_x", touch.normal.x()},
-         {"normal_y", touch.normal.y()},
-         {"normal_z", touch.normal.z()},
-         {"depth_m", touch.depth_m},
-         {"approach_m_s", report.approach_m_s},
-         {"impulse_Ns", report.impulse_Ns},
-         {"imposed_hold_ms", report.imposed_hold_s * 1e3},
-         {"imposed_no_spin", collision.no_spin},
-         {"eccentricity_deg", collision.eccentricity_deg},
-         {"first_frame", frame == -1 ? std::nullopt : std::optional(frame)},
-         {"list", report.list},
-         {"time_s", collision.time_s},
-         {"contacts", report.contact_count},
-         {"interval", collision.interval},
-         {"gaze_eccentricity_deg", collision.gaze_eccentricity_deg},
-         {"region_eccentricity_deg", collision.region_eccentricity_deg},
-         {"distance_m", collision.distance_m},
-         {"speed_deg_s", collision.speed_deg_s},
-         {"collision_speed_deg_s", collision.collision_speed_deg_s},
-         {"priority", collision.priority},
-         {"imposed_spin_a_x_rad_s", spin_along(spin, &ImposedSpin::a, 0)},
-         {"imposed_spin_a_y_rad_s", spin_along(spin, &ImposedSpin::a, 1)},
-         {"imposed_spin_a_z_rad_s", spin_along(spin, &ImposedSpin::a, 2)},
-         {"imposed_spin_b_x_rad_s", spin_along(spin, &ImposedSpin::b, 0)},
-         {"imposed_spin_b_y_rad_s", spin_along(spin, &ImposedSpin::b, 1)},
-         {"imposed_spin_b_z_rad_s", spin_along(spin, &ImposedSpin::b, 2)}});
+    rows.insert({{"attempt_id", id},
+                 {"step", collision.step},
+                 {"body_a", name(report.bodies.a)},
+                 {"body_b", name(report.bodies.b)},
+                 {"level", report.level},
+                 {"stopped", name_of(report.stop)},
+                 {"point_x_m", touch.point.x()},
+                 {"point_y_m", touch.point.y()},
+                 {"point_z_m", touch.point.z()},
+                 {"normal_x", touch.normal.x()},
+                 {"normal_y", touch.normal.y()},
+                 {"normal_z", touch.normal.z()},
+                 {"depth_m", touch.depth_m},
+                 {"approach_m_s", report.approach_m_s},
+                 {"impulse_Ns", report.impulse_Ns},
+                 {"imposed_hold_ms", report.imposed_hold_s * 1e3},
+                 {"imposed_no_spin", collision.no_spin},
+                 {"eccentricity_deg", collision.eccentricity_deg},
+                 {"first_frame", frame == -1 ? std::nullopt : std::optional(frame)},
+                 {"list", report.list},
+                 {"time_s", collision.time_s},
+                 {"contacts", report.contact_count},
+                 {"interval", collision.interval},
+                 {"gaze_eccentricity_deg", collision.gaze_eccentricity_deg},
+                 {"region_eccentricity_deg", collision.region_eccentricity_deg},
+                 {"distance_m", collision.distance_m},
+                 {"speed_deg_s", collision.speed_deg_s},
+                 {"collision_speed_deg_s", collision.collision_speed_deg_s},
+                 {"priority", collision.priority},
+                 {"imposed_spin_a_x_rad_s", spin_along(spin, &ImposedSpin::a, 0)},
+                 {"imposed_spin_a_y_rad_s", spin_along(spin, &ImposedSpin::a, 1)},
+                 {"imposed_spin_a_z_rad_s", spin_along(spin, &ImposedSpin::a, 2)},
+                 {"imposed_spin_b_x_rad_s", spin_along(spin, &ImposedSpin::b, 0)},
+                 {"imposed_spin_b_y_rad_s", spin_along(spin, &ImposedSpin::b, 1)},
+                 {"imposed_spin_b_z_rad_s", spin_along(spin, &ImposedSpin::b, 2)}});
   }
 }
 

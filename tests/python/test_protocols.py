@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Protocols written in Python: the same checks, the same sentences, recorded sessions and pilots."""
 
+import json
 import pathlib
 import subprocess
 import tempfile
@@ -16,7 +17,9 @@ def refusal_of_program(path: pathlib.Path) -> str:
 
 class Protocols(unittest.TestCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
         self.causality = impetus.load_protocol("protocols/causality.json")
 
     def test_a_protocol_tells_of_itself(self):
@@ -48,8 +51,6 @@ class Protocols(unittest.TestCase):
             stimulus = self.folder / "stimuli" / "two-spheres.json"
             stimulus.parent.mkdir(exist_ok=True)
             stimulus.write_text(pathlib.Path("stimuli/two-spheres.json").read_text())
-            import json
-
             file.write_text(json.dumps(document, indent=2) + "\n")
             with self.assertRaises(impetus.InputError, msg=name) as raised:
                 impetus.protocol(document, path=file)

@@ -100,8 +100,8 @@ class Studies(unittest.TestCase):
         self.assertEqual(same["then"], same["now"])
         finer = self.study.what_if(trial, {"/engine/level": 2})
         self.assertIsNotNone(finer["parts_at_step"])
-        self.assertLess(finer["now"]["collisions"][0]["gap_arcmin"],
-                        finer["then"]["collisions"][0]["gap_arcmin"])
+        first = finer["collisions"][0]
+        self.assertLess(first["now"]["gap_arcmin"], first["then"]["gap_arcmin"])
 
     def test_settings_that_there_are_not_are_refused(self):
         with self.assertRaisesRegex(impetus.InputError, "expected"):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The engine in Python is the program's: the same bits, no copies, metrics of one's own."""
 
+import pathlib
+import tempfile
 import unittest
 
 import impetus
@@ -11,9 +13,6 @@ CROWD = "stimuli/creatures-in-a-cube.json"
 
 class Worlds(unittest.TestCase):
     def test_a_condition_steps_to_the_hashes_that_the_program_recorded(self):
-        import pathlib
-        import tempfile
-
         protocol = impetus.load_protocol("protocols/causality.json")
         with tempfile.TemporaryDirectory() as folder:
             study = impetus.run(protocol, pathlib.Path(folder) / "s.sqlite", observer="causality",

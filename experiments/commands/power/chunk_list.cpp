@@ -7,6 +7,7 @@
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/sentences.hpp"
 #include "experiments/power/chunk_mark.hpp"
 #include "experiments/settings/input_error.hpp"
 
@@ -83,6 +84,13 @@ void add_chunk_options(CLI::App& command, ChunkOptions& options, const std::stri
                 "Print the command of each chunk and how far it is, and compute nothing")
       ->needs(chunks)
       ->excludes(chunk);
+}
+
+void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies) {
+  require(chunks <= studies, "--chunks: expected at most " + std::to_string(studies) +
+                                 ", a study in each, got " + std::to_string(chunks));
+  require(options.chunk <= chunks, "--chunk: expected from 1 to " + std::to_string(chunks) +
+                                       ", got " + std::to_string(options.chunk));
 }
 
 int list_chunks(const ListedSweep& listed) {

@@ -22,6 +22,10 @@ struct ChunkOptions {
 /// `in_pieces` says what --chunks does alone.
 void add_chunk_options(CLI::App& command, ChunkOptions& options, const std::string& in_pieces);
 
+/// Throws InputError unless each of `chunks` has a study at least, of `studies`, and the one that
+/// was asked for is among them.
+void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies);
+
 /// A sweep in chunks, as `--list` tells of it.
 struct ListedSweep {
   std::filesystem::path out;

@@ -86,15 +86,6 @@ json tested_factors(const Protocol& protocol, const PowerOptions& options) {
   return options.factors;
 }
 
-std::string words_of(const ScreenGeometry& screen) {
-  const json words{{"width_m", screen.width_m},
-                   {"height_m", screen.height_m},
-                   {"width_px", screen.width_px},
-                   {"height_px", screen.height_px},
-                   {"distance_m", screen.viewing_distance_m}};
-  return words.dump();
-}
-
 /// The participant of the studies without an effect; none when it is not known how to make one.
 std::optional<ObserverFile> null_observer_of(const RunPart& part, const PowerOptions& options,
                                              const std::string& response) {
@@ -121,7 +112,7 @@ PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
   question.protocol_hash = part.protocol.hash;
   question.observer = part.lab.observer->document.value.dump();
   question.null_observer = without ? without->document.value.dump() : "";
-  question.screen = words_of(assumed_screen());
+  question.screen = screen_json(assumed_screen());
   question.response = response;
   question.model = options.model;
   question.factors = tested_factors(part.protocol, options).dump();
@@ -130,27 +121,29 @@ PowerQuestion question_of(const RunPart& part, const PowerOptions& options,
   return question;
 }
 
-RunOptions run_options_of(const PowerOptions& options) {
+}  // namespace
+
+std::string screen_json(const ScreenGeometry& screen) {
+  const json words{{"width_m", screen.width_m},
+                   {"height_m", screen.height_m},
+                   {"width_px", screen.width_px},
+                   {"height_px", screen.height_px},
+                   {"distance_m", screen.viewing_distance_m}};
+  return words.dump();
+}
+
+RunOptions simulated_run(const std::string& protocol, const std::string& observer,
+                         bool allow_rounding) {
+  if (read_json(protocol).value.contains("participants")) {
+    throw InputError(protocol + ": expected a protocol with participants, got one without");
+  }
   RunOptions run;
-  run.protocol = options.protocol;
-  run.observers = {options.observer};
+  run.protocol = protocol;
+  run.observers = {observer};
   run.participant = "S01";
-  run.allow_rounding = options.allow_rounding;
-  run.screen_file = options.screen_file;
+  run.allow_rounding = allow_rounding;
   return run;
 }
-
-/// So that each chunk has a study at least.
-void require_chunks(const PowerOptions& options, const PowerRequest& request) {
-  const std::string chunks = std::to_string(options.chunks);
-  const std::int64_t most = request.studies + request.null_studies;
-  require(options.chunks <= most, "--chunks: expected at most " + std::to_string(most) +
-                                      ", a study in each, got " + chunks);
-  require(options.chunk <= options.chunks,
-          "--chunk: expected from 1 to " + chunks + ", got " + std::to_string(options.chunk));
-}
-
-}  // namespace
 
 void add_options(CLI::App& command, PowerOptions& options) {
   command.add_option("protocol", options.protocol, "Protocol file, such as protocols/gap.json")
@@ -210,18 +203,15 @@ void add_options(CLI::App& command, PowerOptions& options) {
 
 PowerTask task_of(const PowerOptions& options) {
   PowerTask task;
-  task.run = run_options_of(options);
-  const JsonDocument document = read_json(options.protocol);
-  if (document.value.contains("participants")) {
-    throw InputError(options.protocol + ": expected a protocol with participants, got one without");
-  }
+  task.run = simulated_run(options.protocol, options.observer, options.allow_rounding);
+  task.run.screen_file = options.screen_file;
   task.planted = part_from(options.protocol, options.observer, task.run);
   const std::string response = response_of(task.planted.protocol, options.response);
   task.without = null_observer_of(task.planted, options, response);
   task.question = question_of(task.planted, options, response, task.without);
   task.request = request_of(options, task.without.has_value());
   if (options.chunks > 0) {
-    require_chunks(options, task.request);
+    require_chunks(options, options.chunks, task.request.studies + task.request.null_studies);
     task.request.chunk = {std::max<std::int64_t>(options.chunk, 1), options.chunks};
   }
   return task;

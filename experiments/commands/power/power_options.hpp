@@ -37,6 +37,13 @@ struct PowerOptions : ChunkOptions {
   std::string out{"power"};
 };
 
+/// A screen as questions name it: JSON.
+std::string screen_json(const ScreenGeometry& screen);
+
+/// How whole studies are simulated. Throws InputError where nobody takes part in the protocol.
+RunOptions simulated_run(const std::string& protocol, const std::string& observer,
+                         bool allow_rounding);
+
 void add_options(CLI::App& command, PowerOptions& options);
 
 /// The options as the protocol and the observers understand them.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/power/power_simulation.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
-#include <thread>
 
 #include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/r_program.hpp"
@@ -23,11 +21,6 @@ void say_what_is_not_simulated(const std::string& response) {
                                       : "clicks");
 }
 
-std::int64_t jobs_of(const PowerOptions& options) {
-  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-  return std::max<std::int64_t>(1, options.jobs > 0 ? options.jobs : cores);
-}
-
 PowerWork work_of(const PowerSimulation& simulation) {
   PowerWork work;
   const PowerTask& task = simulation.task;
@@ -39,7 +32,7 @@ PowerWork work_of(const PowerSimulation& simulation) {
   work.without.lab.observer = task.without ? task.without : work.planted.lab.observer;
   work.request = task.request;
   work.seed = task.question.seed;
-  work.jobs = jobs_of(simulation.options);
+  work.jobs = jobs_of(simulation.options.jobs);
   work.scratch = simulation.scratch;
   work.ledger = simulation.ledger;
   work.told = simulation.told;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/power/power_studies.hpp"
-#include "experiments/provenance/build_name.hpp"
 
 #include <SQLiteCpp/Database.h>
 
@@ -20,6 +19,7 @@
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/participant_run.hpp"
 #include "experiments/commands/running/simulated_group.hpp"
+#include "experiments/provenance/build_name.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -100,18 +100,12 @@ class PowerStudies {
     fs::remove_all(folder);
   }
 
-  /// All participants one after the other, as whoever is yoked to another needs; nothing is
-  /// synchronised with the disk, for what is lost is simulated again.
   void simulate(const PowerCell& cell, const fs::path& file) {
     StudyFile study = StudyFile::open_for_writing(file, build_name());
-    study.database().exec("PRAGMA synchronous = OFF");
     RunOptions own = work_.run;
     own.seed = seed_of_study(work_.seed, cell.number);
-    const RunPart& part = cell.effect ? work_.planted : work_.without;
-    for (std::int64_t number = 1; number <= cell.sizes.back() && !has_failed(); ++number) {
-      own.participant = simulated_name(number, number);
-      ParticipantRun(part, own, study, nullptr).run({});
-    }
+    simulate_people(cell.effect ? work_.planted : work_.without, own, cell.sizes.back(), study,
+                    [this] { return has_failed(); });
   }
 
   void test(const fs::path& folder) {
@@ -182,6 +176,21 @@ class PowerStudies {
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::int64_t jobs_of(std::int64_t wanted) {
+  const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
+  return std::max<std::int64_t>(1, wanted > 0 ? wanted : cores);
+}
+
+void simulate_people(const RunPart& part, const RunOptions& run, std::int64_t participants,
+                     StudyFile& study, const std::function<bool()>& stops) {
+  study.database().exec("PRAGMA synchronous = OFF");
+  RunOptions own = run;
+  for (std::int64_t number = 1; number <= participants && !stops(); ++number) {
+    own.participant = simulated_name(number, number);
+    ParticipantRun(part, own, study, nullptr).run({});
+  }
 }
 
 std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number) {

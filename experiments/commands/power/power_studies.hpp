@@ -14,6 +14,7 @@
 
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_ledger.hpp"
+#include "experiments/store/study_file.hpp"
 
 namespace impetus::inline commands {
 
@@ -35,6 +36,15 @@ double seconds_since(std::chrono::steady_clock::time_point begin);
 
 /// The seed of a study: `impetus run --participants N --seed SEED` simulates it again.
 std::uint64_t seed_of_study(std::int64_t seed, std::int64_t number);
+
+/// `wanted` studies at a time, or as many as there are cores (0).
+std::int64_t jobs_of(std::int64_t wanted);
+
+/// The sessions of participants 1 to `participants`, one after the other, as whoever is yoked to
+/// another needs, until `stops`. Nothing is synchronised with the disk: what is lost is simulated
+/// again.
+void simulate_people(const RunPart& part, const RunOptions& run, std::int64_t participants,
+                     StudyFile& study, const std::function<bool()>& stops);
 
 /// Simulates and tests what is missing, until nothing is, whoever did it; says how long it will
 /// take, and how far it is, on standard error. Throws the first error once the other threads have

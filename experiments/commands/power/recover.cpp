@@ -23,6 +23,7 @@
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"
+#include "experiments/commands/power/power_options.hpp"
 #include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/power/recovered_study.hpp"
 #include "experiments/commands/power/scratch_folder.hpp"
@@ -74,25 +75,15 @@ void require_recovery_folder(const fs::path& folder) {
 
 RecoveryWork work_of(const RecoverOptions& options) {
   RecoveryWork work;
-  work.run.protocol = options.protocol;
-  work.run.observers = {options.observer};
-  work.run.participant = "S01";
-  work.run.allow_rounding = options.allow_rounding;
-  if (read_json(options.protocol).value.contains("participants")) {
-    throw InputError(options.protocol + ": expected a protocol with participants, got one without");
-  }
+  work.run = simulated_run(options.protocol, options.observer, options.allow_rounding);
   work.part = part_from(options.protocol, options.observer, work.run);
   const ObserverFile& observer = *work.part.lab.observer;
   require_fittable(observer);
-  const ScreenGeometry screen = assumed_screen();
   work.question = {work.part.protocol.name,
                    work.part.protocol.hash,
                    fs::path(observer.document.name).stem().string(),
                    observer.document.value.dump(),
-                   nlohmann::json{{"width_m", screen.width_m},
-                                  {"height_m", screen.height_m},
-                                  {"distance_m", screen.viewing_distance_m}}
-                       .dump(),
+                   screen_json(assumed_screen()),
                    options.participants,
                    options.studies,
                    options.seed};
@@ -103,8 +94,12 @@ RecoveryWork work_of(const RecoverOptions& options) {
 class ChunkStudies {
  public:
   ChunkStudies(const RecoveryWork& work, const std::vector<std::int64_t>& numbers,
-               const fs::path& scratch, const std::function<void(double)>& told)
-      : work_(work), numbers_(numbers), scratch_(scratch), told_(told), studies_(numbers.size()) {}
+               const fs::path& scratch, std::function<void(double)> told)
+      : work_(work),
+        numbers_(numbers),
+        scratch_(scratch),
+        told_(std::move(told)),
+        studies_(numbers.size()) {}
 
   std::vector<RecoveredStudy> run(std::int64_t jobs) {
     std::vector<std::thread> threads;
@@ -139,7 +134,7 @@ class ChunkStudies {
   const RecoveryWork& work_;
   const std::vector<std::int64_t>& numbers_;
   const fs::path& scratch_;
-  const std::function<void(double)>& told_;
+  std::function<void(double)> told_;
   std::vector<RecoveredStudy> studies_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> fails_{false};
@@ -156,16 +151,12 @@ void do_chunk(const RecoverOptions& options, const RecoveryWork& work, const Chu
     require_writable(chunk_file(options.out, chunk.number));
     const auto begin = std::chrono::steady_clock::now();
     const ScratchFolder scratch(own_disk(), "impetus-recovering-");
-    const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-    const std::int64_t jobs = std::max<std::int64_t>(1, options.jobs > 0 ? options.jobs : cores);
     const std::vector<std::int64_t> numbers = studies_of(work.question, chunk);
-    const auto told_both = [&](double share) {
+    ChunkStudies studies(work, numbers, scratch.path(), [&](double share) {
       mark.tell(share);
       told(share);
-    };
-    const std::function<void(double)> tell = told_both;
-    RecoveryChunk done{work.question, chunk, build_name(), 0.0,
-                       ChunkStudies(work, numbers, scratch.path(), tell).run(jobs)};
+    });
+    RecoveryChunk done{work.question, chunk, build_name(), 0.0, studies.run(jobs_of(options.jobs))};
     done.took_s = seconds_since(begin);
     write_chunk(options.out, done);
   } catch (const std::exception& error) {
@@ -174,32 +165,39 @@ void do_chunk(const RecoverOptions& options, const RecoveryWork& work, const Chu
   }
 }
 
-/// Those that are not there; of one alone, that one. Precondition: those that are there can be
-/// used.
 std::vector<std::int64_t> missing_chunks(const RecoverOptions& options) {
   std::vector<std::int64_t> missing;
   for (std::int64_t number = 1; number <= options.all_chunks(); ++number) {
-    if ((options.chunk == 0 || options.chunk == number) &&
-        !fs::exists(chunk_file(options.out, number))) {
+    if (!fs::exists(chunk_file(options.out, number))) {
       missing.push_back(number);
     }
   }
   return missing;
 }
 
-void compute_missing(const RecoverOptions& options, RecoveryWork& work) {
-  const std::vector<std::int64_t> missing = missing_chunks(options);
-  if (missing.empty()) {
-    return;
-  }
+void compute(const RecoverOptions& options, RecoveryWork& work,
+             const std::vector<std::int64_t>& chunks) {
   solve_what_is_asked(work.part);
   build_shapes(work.part);
   ProgressLine line("simulating and fitting studies");
-  for (std::size_t i = 0; i < missing.size(); ++i) {
-    do_chunk(options, work, {missing[i], options.all_chunks()}, [&](double share) {
-      line.tell((static_cast<double>(i) + share) / static_cast<double>(missing.size()));
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    do_chunk(options, work, {chunks[i], options.all_chunks()}, [&](double share) {
+      line.tell((static_cast<double>(i) + share) / static_cast<double>(chunks.size()));
     });
   }
+}
+
+/// The chunk that was asked for, unless it is there and can be used.
+int compute_one(const RecoverOptions& options, RecoveryWork& work) {
+  const fs::path file = chunk_file(options.out, options.chunk);
+  if (fs::exists(file)) {
+    read_chunk(options.out, work.question, {options.chunk, options.all_chunks()});
+    std::printf("%s: is there already\n", file.c_str());
+    return kDone;
+  }
+  compute(options, work, {options.chunk});
+  std::printf("%s: done\n", file.c_str());
+  return kDone;
 }
 
 int write_page(const RecoverOptions& options, const RecoveryQuestion& question) {
@@ -216,12 +214,7 @@ int write_page(const RecoverOptions& options, const RecoveryQuestion& question) 
 
 int recover(const RecoverOptions& options) {
   const BuildingLine told;
-  const std::string chunks = std::to_string(options.all_chunks());
-  require(options.all_chunks() <= options.studies, "--chunks: expected at most " +
-                                                       std::to_string(options.studies) +
-                                                       ", a study in each, got " + chunks);
-  require(options.chunk <= options.all_chunks(),
-          "--chunk: expected from 1 to " + chunks + ", got " + std::to_string(options.chunk));
+  require_chunks(options, options.all_chunks(), options.studies);
   require_recovery_folder(options.out);
   RecoveryWork work = work_of(options);
   if (options.list) {
@@ -232,10 +225,11 @@ int recover(const RecoverOptions& options) {
   }
   make_out_folder(chunk_folder(options.out));
   require_build(options.out, work.question, options.all_chunks(), build_name());
-  compute_missing(options, work);
   if (options.chunk > 0) {
-    std::printf("%s: done\n", chunk_file(options.out, options.chunk).c_str());
-    return kDone;
+    return compute_one(options, work);
+  }
+  if (const std::vector<std::int64_t> missing = missing_chunks(options); !missing.empty()) {
+    compute(options, work, missing);
   }
   return write_page(options, work.question);
 }

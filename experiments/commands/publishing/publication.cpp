@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/publishing/publication.hpp"
 
+#include <cstdio>
+
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/files/protocol_files.hpp"
@@ -48,6 +50,9 @@ Publication publication_of(const PublishOptions& options) {
   const BuildingLine told;
   Protocol protocol = load_protocol(options.protocol);
   require_publishable(protocol);
+  if (protocol.script.markers) {
+    std::fprintf(stderr, "note: a page sends no markers\n");
+  }
   const ProtocolTexts texts = texts_of(protocol);
   ProgressLine line("solving what the plan needs");
   PublishedStudy study{

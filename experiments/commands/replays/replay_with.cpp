@@ -13,10 +13,10 @@
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
-#include "experiments/commands/replays/what_if_sums.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/study/replay_library.hpp"
+#include "experiments/study/what_if_sums.hpp"
 #include "experiments/tables/csv_line.hpp"
 
 namespace impetus::inline commands {
@@ -148,97 +148,6 @@ std::string what_if_words(const std::vector<ComparedStimulus>& compared) {
          (totals.differs ? "" : "nothing differs\n");
 }
 
-json number_or_null(double value) { return !std::isnan(value) ? json(value) : json(); }
-
-/// What is told of a course, by the names that both kinds of file have, in the order of a table.
-std::vector<std::pair<std::string, json>> named_sums(const CourseSums& sums) {
-  return {{"collisions", sums.collisions},
-          {"mean_level", number_or_null(sums.mean(sums.levels))},
-          {"mean_visible_gap_arcmin", number_or_null(sums.mean(sums.visible_arcmin))},
-          {"mean_gap_at_gaze_arcmin", number_or_null(sums.mean(sums.at_gaze_arcmin))},
-          {"work_spent", sums.work_spent},
-          {"steps_over_budget", sums.steps_over_budget},
-          {"pops", sums.pops},
-          {"stopped_short", sums.stopped_short},
-          {"imposed_holds", sums.imposed_holds},
-          {"imposed_spins", sums.imposed_spins}};
-}
-
-json json_of(const CourseSums& sums) {
-  json result = {{"collisions_by_level", json::object()}};
-  for (const auto& [level, count] : sums.by_level) {
-    result["collisions_by_level"][std::to_string(level)] = count;
-  }
-  for (const auto& [name, value] : named_sums(sums)) {
-    result[name] = value;
-  }
-  return result;
-}
-
-json json_of(const MatchCounts& matches) {
-  return json::object(
-      {{"both", matches.both}, {"only_then", matches.only_then}, {"only_now", matches.only_now}});
-}
-
-const char* word_of(StopReason stop) {
-  return stop == StopReason::kBudgetSpent     ? "budget"
-         : stop == StopReason::kGreatestLevel ? "greatest level"
-         : stop == StopReason::kCapped        ? "capped"
-                                              : "finest";
-}
-
-json json_of(const SeenCollision& collision) {
-  return json::object({{"step", collision.step},
-                       {"level", collision.level},
-                       {"stopped", word_of(collision.stop)},
-                       {"gap_arcmin", collision.gap_arcmin},
-                       {"visible_gap_arcmin", collision.visible_arcmin},
-                       {"gap_at_gaze_arcmin", collision.at_gaze_arcmin}});
-}
-
-json collision_or_null(const WhatIfCourse& course, const std::optional<std::size_t>& place) {
-  return place ? json_of(course.collisions[*place]) : json();
-}
-
-json collisions_of(const ComparedStimulus& each) {
-  const WhatIfCourse& then = each.outcome.then;
-  const WhatIfCourse& now = each.outcome.now;
-  const auto name = [&each](std::int32_t body) {
-    return is_wall(body) ? wall_name(body, each.walls)
-                         : each.bodies[static_cast<std::size_t>(body)];
-  };
-  json collisions = json::array();
-  for (const CollisionMatch& match : each.outcome.matches) {
-    const SeenCollision& either =
-        match.then ? then.collisions[*match.then] : now.collisions[match.now.value()];
-    collisions.push_back(json::object({{"body_a", name(either.bodies.a)},
-                                       {"body_b", name(either.bodies.b)},
-                                       {"then", collision_or_null(then, match.then)},
-                                       {"now", collision_or_null(now, match.now)}}));
-  }
-  return collisions;
-}
-
-json step_or_null(const std::optional<std::int64_t>& step) { return step ? json(*step) : json(); }
-
-json json_of(const ComparedStimulus& each) {
-  return json::object({{"participant", each.attempt->participant},
-                       {"trial", each.attempt->trial_id},
-                       {"slot", each.attempt->trial.slot},
-                       {"attempt", each.attempt->number},
-                       {"interval", each.interval},
-                       {"condition", json::parse(each.attempt->trial.condition)},
-                       {"gaze_recorded", each.has_gaze},
-                       {"step_hz", each.step_hz},
-                       {"steps", each.outcome.steps},
-                       {"parts_at_step", step_or_null(each.outcome.parts_at)},
-                       {"seen_apart_at_step", step_or_null(each.outcome.seen_apart_at)},
-                       {"then", json_of(sums_of(each.outcome.then))},
-                       {"now", json_of(sums_of(each.outcome.now))},
-                       {"matched", json_of(counts_of(each.outcome))},
-                       {"collisions", collisions_of(each)}});
-}
-
 Cells csv_cells(const ComparedStimulus& each) {
   const WhatIf& outcome = each.outcome;
   const MatchCounts matches = counts_of(outcome);
@@ -299,29 +208,6 @@ json what_if_json(const std::vector<ComparedStimulus>& compared) {
                        {"parted", totals.parted},
                        {"seen_apart", totals.seen_apart},
                        {"differs", totals.differs}});
-}
-
-bool follows_gaze(const std::vector<StepRecord>& steps) {
-  return std::any_of(steps.begin(), steps.end(),
-                     [](const StepRecord& step) { return step.gaze.fixation.has_value(); });
-}
-
-ComparedStimulus compared(ReplayLibrary& library, const StoredAttempt& attempt,
-                          std::int64_t interval) {
-  const std::vector<StepRecord> steps = library.steps(attempt, interval);
-  StagedScene then = library.stage(attempt, interval);
-  StagedScene now = library.stage_changed(attempt, interval);
-  ComparedStimulus result;
-  result.attempt = &attempt;
-  result.interval = interval;
-  result.step_hz = then.step_hz;
-  result.walls = wall_naming(then.world.settings().enclosure);
-  result.has_gaze = follows_gaze(steps);
-  for (const DrawnBody& look : then.looks) {
-    result.bodies.push_back(look.name);
-  }
-  result.outcome = what_if(std::move(then), std::move(now), steps, attempt.trial.seed);
-  return result;
 }
 
 /// All that replay as they were; the others are named.

@@ -17,8 +17,6 @@
 namespace impetus::inline commands {
 namespace {
 
-constexpr double kHeadlessHz = 60.0;
-
 #ifdef IMPETUS_WINDOW
 std::filesystem::path screen_file_of(const LaboratoryOptions& options) {
   return options.screen_file.empty() ? default_screen_file() : options.screen_file;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/running/participant_run.hpp"
-#include "experiments/markers/marker_writer.hpp"
-#include "experiments/provenance/build_name.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +9,9 @@
 
 #include "experiments/commands/running/enrolling.hpp"
 #include "experiments/commands/running/session_warnings.hpp"
+#include "experiments/markers/marker_writer.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
+#include "experiments/provenance/build_name.hpp"
 #include "experiments/provenance/machine_name.hpp"
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/record/ports.hpp"
@@ -22,9 +22,6 @@
 
 namespace impetus::inline commands {
 namespace {
-
-constexpr const char* kMarkersNote = "markers";
-constexpr const char* kMarkersLostNote = "markers lost";
 
 /// In a series nobody is asked the same about themselves twice.
 void skip_told_demographics(StudyFile& study, const RunPart& part, const std::string& participant,

@@ -33,7 +33,7 @@ def run(
     observer: str | os.PathLike[str] | None = None,
     participants: int | None = None,
     seed: int | None = None,
-    **refused: object,
+    metric: object = None,
 ) -> Study:
     """Runs simulated participants headless, as `impetus run` does, and returns the study.
 
@@ -41,14 +41,16 @@ def run(
     recorded can be replayed years later, so nothing written in Python may decide it: a metric or an
     observer that is a function is refused, and `impetus.pilot` takes it.
     """
-    for name, value in (*refused.items(), ("observer", observer)):
-        if callable(value) or name == "metric":
+    for name, value in (("metric", metric), ("observer", observer)):
+        if callable(value):
             raise _impetus.InputError(
                 f"{name}: expected no function in a recorded session, for nobody could replay it; "
                 "impetus.pilot() takes one and records nothing"
             )
-    if refused:
-        raise TypeError(f"run() has no argument {', '.join(refused)}")
+    if metric is not None:
+        raise _impetus.InputError(
+            "metric: expected none, for a scene names its own (/engine/schedule/scheduler)"
+        )
     with tempfile.TemporaryDirectory(prefix="impetus-") as folder:
         if isinstance(protocol, _impetus.Protocol):
             file: str | os.PathLike[str] = save(

@@ -50,7 +50,7 @@ def world(
     """The world of a scene at its start: a dictionary, or a file of one."""
     if isinstance(scene, Mapping):
         return _impetus.scene_world(dict(scene), os.fspath(path), seed)
-    return _impetus.scene_world(load_scene(scene), os.fspath(scene), seed)
+    return _impetus.load_scene_world(os.fspath(scene), seed)
 
 
 def save(protocol: _impetus.Protocol, path: str | os.PathLike[str]) -> pathlib.Path:

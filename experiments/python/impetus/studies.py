@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -73,7 +74,7 @@ class Study:
         interval: int = 1,
     ) -> dict[str, Any]:
         """What would have happened in a recorded trial under other settings of the engine, as
-        `impetus replay --with` has it: {"scheduler": "distance"}, or a JSON Pointer below /engine."""
+        `impetus replay --with ... --json` has it: {"scheduler": "distance"}, or a JSON Pointer below /engine."""
         given = [f"{key}={_text(value)}" for key, value in settings.items()]
         return self._file.what_if(trial, given, attempt, interval)
 
@@ -82,8 +83,6 @@ class Study:
 
 
 def _text(value: Any) -> str:
-    import json
-
     return value if isinstance(value, str) else json.dumps(value)
 
 

@@ -29,6 +29,8 @@ TEST(Recover, InPiecesIsTheSameAsAtOnce) {
   };
   const ProgramResult second = run_program(folder, with({"--chunk", "2"}));
   EXPECT_EQ(second.output, "pieces/chunks/chunk-0002.json: done\n") << second.errors;
+  const ProgramResult again = run_program(folder, with({"--chunk", "2"}));
+  EXPECT_EQ(again.output, "pieces/chunks/chunk-0002.json: is there already\n") << again.errors;
   const ProgramResult list = run_program(folder, with({"--list"}));
   EXPECT_NE(list.output.find("--chunk 1  # waiting\n"), std::string::npos) << list.output;
   EXPECT_NE(list.output.find("--chunk 2  # done\n"), std::string::npos) << list.output;
@@ -38,6 +40,17 @@ TEST(Recover, InPiecesIsTheSameAsAtOnce) {
   EXPECT_EQ(text_of(folder / "pieces/recovery.csv"), text_of(folder / "whole/recovery.csv"));
   EXPECT_EQ(text_of(folder / "pieces/recovery.md"), text_of(folder / "whole/recovery.md"));
   EXPECT_NE(text_of(folder / "whole/recovery.md").find("| effect |"), std::string::npos);
+}
+
+/// One that is whole vouches for no other.
+TEST(Recover, AChunkThatIsBrokenIsNotTakenForDone) {
+  const TemporaryFolder folder;
+  const Words first = recovery("out", {"--studies", "2", "--chunks", "2", "--chunk", "1"});
+  ASSERT_EQ(run_program(folder, first).status, 0);
+  folder.write("out/chunks/chunk-0002.json", "{");
+  expect_refused(folder, recovery("out", {"--studies", "2", "--chunks", "2", "--chunk", "2"}),
+                 "out/chunks/chunk-0002.json: expected a whole chunk, got one that was cut short; "
+                 "remove it and compute it again");
 }
 
 TEST(Recover, RefusesWhatCannotBe) {

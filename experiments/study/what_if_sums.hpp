@@ -1,17 +1,20 @@
-// What two courses of recorded stimuli come to, counted.
+// Recorded stimuli simulated both ways, and what their two courses come to, counted.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/record/wall_names.hpp"
 #include "experiments/run/what_if.hpp"
 #include "experiments/store/study_reader.hpp"
+#include "experiments/study/replay_library.hpp"
 
-namespace impetus::inline commands {
+namespace impetus::inline study {
 
 /// One stimulus of one attempt, simulated both ways.
 struct ComparedStimulus {
@@ -70,4 +73,18 @@ WhatIfTotals totals_of(const std::vector<ComparedStimulus>& compared);
 /// When a step was; not a number when there is none.
 double seconds_of(const std::optional<std::int64_t>& step, double step_hz);
 
-}  // namespace impetus::inline commands
+/// Simulates one stimulus of the attempt, which must outlive what is returned, both ways: as it was
+/// recorded, and with the library's changed settings.
+ComparedStimulus compared(ReplayLibrary& library, const StoredAttempt& attempt,
+                          std::int64_t interval);
+
+/// What is told of a course, by the names that all files have, in the order of a table.
+std::vector<std::pair<std::string, nlohmann::json>> named_sums(const CourseSums& sums);
+
+nlohmann::json json_of(const CourseSums& sums);
+nlohmann::json json_of(const MatchCounts& matches);
+
+/// With its sums and every collision.
+nlohmann::json json_of(const ComparedStimulus& each);
+
+}  // namespace impetus::inline study
