@@ -103,13 +103,17 @@ py::object scene_world(const JsonDocument& scene, std::uint64_t seed) {
 
 void add_files(py::module_& module) {
   py::class_<Protocol, std::shared_ptr<Protocol>>(module, "Protocol", "A protocol with its scene.")
-      .def_property_readonly("name", [](const Protocol& p) { return p.name; })
-      .def_property_readonly("title", [](const Protocol& p) { return p.title; })
+      .def_property_readonly(
+          "name", [](const Protocol& p) { return p.name; },
+          "By which orders of trials and analyses go.")
+      .def_property_readonly(
+          "title", [](const Protocol& p) { return p.title; }, "For people.")
       .def_property_readonly(
           "hash", [](const Protocol& p) { return p.hash; },
           "Of both documents; white space does not count.")
-      .def_property_readonly("document",
-                             [](const Protocol& p) { return as_python(p.document.value); })
+      .def_property_readonly(
+          "document", [](const Protocol& p) { return as_python(p.document.value); },
+          "As its file has it.")
       .def_property_readonly(
           "scene", [](const Protocol& p) { return as_python(p.scene.value); },
           "With the meshes and figures that it names held in it.")

@@ -66,21 +66,30 @@ void add_metrics(py::module_& module) {
       .def_property_readonly(
           "b", [](const PairOfPython& p) { return p.bounds.pair.b; },
           "Index of the second; below 0: the walls.")
-      .def_property_readonly("centre_a", [](const PairOfPython& p) { return p.bounds.a.centre; })
-      .def_property_readonly("centre_b", [](const PairOfPython& p) { return p.bounds.b.centre; })
-      .def_property_readonly("radius_a", [](const PairOfPython& p) { return p.bounds.a.radius_m; })
-      .def_property_readonly("radius_b", [](const PairOfPython& p) { return p.bounds.b.radius_m; })
-      .def_property_readonly("velocity_a",
-                             [](const PairOfPython& p) { return p.bounds.velocity_a; })
-      .def_property_readonly("velocity_b",
-                             [](const PairOfPython& p) { return p.bounds.velocity_b; })
+      .def_property_readonly(
+          "centre_a", [](const PairOfPython& p) { return p.bounds.a.centre; },
+          "Of the sphere about the first body.")
+      .def_property_readonly(
+          "centre_b", [](const PairOfPython& p) { return p.bounds.b.centre; },
+          "Of that about the second.")
+      .def_property_readonly(
+          "radius_a", [](const PairOfPython& p) { return p.bounds.a.radius_m; },
+          "Of the sphere about the first body (m).")
+      .def_property_readonly(
+          "radius_b", [](const PairOfPython& p) { return p.bounds.b.radius_m; },
+          "Of that about the second (m).")
+      .def_property_readonly(
+          "velocity_a", [](const PairOfPython& p) { return p.bounds.velocity_a; }, "m/s.")
+      .def_property_readonly(
+          "velocity_b", [](const PairOfPython& p) { return p.bounds.velocity_b; }, "m/s.")
       .def_property_readonly(
           "fit_error_m", [](const PairOfPython& p) { return p.bounds.fit_error_m; },
           "How far both trees together reach beyond the surfaces, at most.")
       .def_property_readonly(
           "place", [](const PairOfPython& p) { return collision_place(p.bounds); },
           "Where the bounds meet.")
-      .def_property_readonly("eye", [](const PairOfPython& p) { return p.viewer.eye; })
+      .def_property_readonly(
+          "eye", [](const PairOfPython& p) { return p.viewer.eye; }, "Where the viewer's eye is.")
       .def_property_readonly(
           "fixation_m",
           [](const PairOfPython& p) -> py::object {

@@ -148,13 +148,15 @@ void add_worlds(py::module_& module) {
       .def_property_readonly(
           "number", [](const WorldOfPython& w) { return w.run().number(); },
           "How many steps were taken.")
-      .def_property_readonly("step_hz",
-                             [](const WorldOfPython& w) { return w.run().scene().step_hz; })
-      .def_property_readonly("time_s",
-                             [](const WorldOfPython& w) {
-                               return static_cast<double>(w.run().number()) /
-                                      w.run().scene().step_hz;
-                             })
+      .def_property_readonly(
+          "step_hz", [](const WorldOfPython& w) { return w.run().scene().step_hz; },
+          "Steps per second.")
+      .def_property_readonly(
+          "time_s",
+          [](const WorldOfPython& w) {
+            return static_cast<double>(w.run().number()) / w.run().scene().step_hz;
+          },
+          "Of the stimulus, after the last step.")
       .def_property_readonly(
           "ends_s", [](const WorldOfPython& w) { return w.run().ends_s(); },
           "When the stimulus ends, as far as is known now.")
@@ -192,13 +194,15 @@ void add_worlds(py::module_& module) {
       .def_property_readonly(
           "spins", [](const WorldOfPython& w) { return w.of_all(angular_velocity); },
           "rad/s, n × 3; computed.")
-      .def_property_readonly("kinetic_energy_J", &WorldOfPython::kinetic_energy_J)
+      .def_property_readonly("kinetic_energy_J", &WorldOfPython::kinetic_energy_J,
+                             "Of all bodies, of motion and turning.")
       .def(
           "tree",
           [](const WorldOfPython& w, const std::string& body) {
             return TreeOfPython{w.run().world().models()[w.body(body)].tree};
           },
-          py::arg("body"))
+          py::arg("body"),
+          "The volume tree of the body of this name; raises KeyError where there is none.")
       .def("__repr__", [](const WorldOfPython& w) {
         return "<world of " + std::to_string(w.names().size()) + " bodies after step " +
                std::to_string(w.run().number()) + ">";
