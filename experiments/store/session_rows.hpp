@@ -73,6 +73,9 @@ std::optional<double> seconds_since_recorded(SQLite::Database& database, std::in
 inline constexpr const char* kScreenChangedNote = "screen changed";
 inline constexpr const char* kPixelsNotSquareNote = "pixels not square";
 
+/// At a session's start and end: how the eye tracker's clock stands to this machine's.
+inline constexpr const char* kGazeTrackerNote = "gaze tracker";
+
 /// The screen of the enrolment's last session; none: there was no session.
 std::optional<ScreenGeometry> last_screen(SQLite::Database& database, std::int64_t enrolment_id);
 
