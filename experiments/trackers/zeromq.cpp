@@ -123,6 +123,7 @@ std::optional<std::vector<std::string>> ZeroMqSocket::receive() {
 
 void await_message(const std::vector<const ZeroMqSocket*>& sockets, int wait_ms) {
   std::vector<PollItem> items;
+  items.reserve(sockets.size());
   for (const ZeroMqSocket* socket : sockets) {
     items.push_back({socket->handle(), 0, kPollIn, 0});
   }

@@ -1,5 +1,6 @@
 // `impetus run`: one participant's session of a protocol or a series, or many simulated ones.
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "experiments/commands/commands.hpp"
@@ -175,6 +177,17 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
   return parts;
 }
 
+/// Whether it sends anything within a second, be it that nobody sits before it.
+bool is_sending(Tracker& tracker) {
+  for (int tries = 0; tries < 50; ++tries) {
+    if (!tracker.take_readings().empty()) {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
 /// Connects all parts to the tracker that was asked for. Throws InputError.
 void share_tracker(std::vector<RunPart>& parts, const RunOptions& options) {
   if (!is_tracker_url(options.gaze)) {
@@ -182,6 +195,12 @@ void share_tracker(std::vector<RunPart>& parts, const RunOptions& options) {
   }
   const std::shared_ptr<Tracker> tracker = open_tracker(options.gaze);
   std::fprintf(stderr, "note: %s\n", tracker->clock_words().c_str());
+  if (!is_sending(*tracker)) {
+    std::fprintf(stderr,
+                 "warning: nothing has come from %s in 1 s; if it is a surface's gaze, is the "
+                 "surface defined, named so, and in sight?\n",
+                 options.gaze.c_str());
+  }
   if (!options.window_size.empty()) {
     std::fprintf(stderr,
                  "warning: --window: the tracker's places are taken as shares of the window, which "
