@@ -35,8 +35,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core")
-# Chinese, Japanese and Korean letters; films, but for folders of pictures.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk | fonts-wqy-microhei, ffmpeg")
+# Chinese, Japanese and Korean letters; films, but for folders of pictures; eye trackers of Pupil Labs.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk | fonts-wqy-microhei, ffmpeg, libzmq5")
 # Studies run without R; reports and figures need it.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "r-base-core, r-cran-rsqlite, r-cran-ordinal, r-cran-lme4, \
 r-cran-afex, r-cran-emmeans, r-cran-ggplot2, r-cran-glmmtmb, r-cran-commonmark, r-cran-jsonlite")

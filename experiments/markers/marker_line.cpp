@@ -2,9 +2,6 @@
 #include "experiments/markers/marker_line.hpp"
 
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <termios.h>
@@ -17,6 +14,7 @@
 #include <functional>
 #include <utility>
 
+#include "experiments/connections/tcp.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline markers {
@@ -28,38 +26,6 @@ constexpr Milliseconds kLongestWrite{100};
 constexpr Milliseconds kLongestOpening{2000};
 constexpr Milliseconds kLongestReopening{50};  ///< markers wait meanwhile
 constexpr std::chrono::seconds kTriedAgainAfter{1};
-
-/// A file descriptor that closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(int file = -1) : file_(file) {}
-  ~OpenFile() { close(); }
-  OpenFile(OpenFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-  OpenFile& operator=(OpenFile&& other) noexcept {
-    close();
-    file_ = std::exchange(other.file_, -1);
-    return *this;
-  }
-
-  [[nodiscard]] int get() const { return file_; }
-  [[nodiscard]] bool is_open() const { return file_ >= 0; }
-  void close() {
-    if (file_ >= 0) {
-      ::close(file_);
-      file_ = -1;
-    }
-  }
-
- private:
-  int file_;
-};
-
-/// Whether it can be written to within that time.
-bool awaits_writing(int file, Milliseconds longest) {
-  pollfd waiting{file, POLLOUT, 0};
-  return poll(&waiting, 1, static_cast<int>(longest.count())) == 1 &&
-         (waiting.revents & POLLOUT) != 0 && (waiting.revents & (POLLERR | POLLHUP)) == 0;
-}
 
 /// As write(2), but a socket whose other end is gone is an error and not a signal.
 ssize_t write_some(int file, const char* bytes, std::size_t size) {
@@ -79,7 +45,7 @@ bool write_whole(int file, const std::string& bytes) {
     const auto left =
         std::chrono::duration_cast<Milliseconds>(until - std::chrono::steady_clock::now());
     const bool may_wait = count < 0 && (errno == EAGAIN || errno == EINTR);
-    if (!may_wait || left.count() <= 0 || !awaits_writing(file, left)) {
+    if (!may_wait || left.count() <= 0 || !await_file(file, POLLOUT, left)) {
       return false;
     }
   }
@@ -199,46 +165,15 @@ std::unique_ptr<MarkerLine> serial_line(const std::string& address, const std::s
 
 // ---------------------------------------------------------------- a socket
 
-/// 0, or what went wrong.
-int connected(int file, const addrinfo& place, Milliseconds longest) {
-  if (connect(file, place.ai_addr, place.ai_addrlen) == 0) {
-    return 0;
-  }
-  if (errno != EINPROGRESS) {
-    return errno;
-  }
-  pollfd waiting{file, POLLOUT, 0};
-  if (poll(&waiting, 1, static_cast<int>(longest.count())) != 1) {
-    return ETIMEDOUT;
-  }
-  int error = 0;
-  socklen_t size = sizeof error;
-  getsockopt(file, SOL_SOCKET, SO_ERROR, &error, &size);
-  return error;
-}
-
 constexpr const char* kProgram = "a program that listens";
 
 OpenFile open_socket(const std::string& address, const std::string& host, const std::string& port,
                      Milliseconds longest) {
-  addrinfo wanted{};
-  wanted.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (const int error = getaddrinfo(host.c_str(), port.c_str(), &wanted, &found); error != 0) {
-    refuse_line(address, kProgram, gai_strerror(error));
+  try {
+    return connect_tcp(host, port, longest);
+  } catch (const NotConnected& refused) {
+    refuse_line(address, kProgram, refused.what());
   }
-  const std::unique_ptr<addrinfo, void (*)(addrinfo*)> places(found, freeaddrinfo);
-  int error = EADDRNOTAVAIL;
-  for (const addrinfo* place = found; place != nullptr; place = place->ai_next) {
-    OpenFile file(socket(place->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-    error = file.is_open() ? connected(file.get(), *place, longest) : errno;
-    if (error == 0) {
-      const int at_once = 1;  // a marker is never held back for the next (Nagle)
-      setsockopt(file.get(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
-      return file;
-    }
-  }
-  refuse_line(address, kProgram, std::strerror(error));
 }
 
 std::unique_ptr<MarkerLine> socket_line(const std::string& address, const std::string& rest) {

@@ -4,18 +4,15 @@
 //   frames   |       |       |        the newest valid sample decides until the next frame
 //
 // Raw samples are recorded as they come; the session corrects a copy by its calibration, which is
-// the same for every source (session/gaze_calibration.hpp). An eye tracker is one more file that
-// implements Gaze:
+// the same for every source (session/gaze_calibration.hpp). An eye tracker is one more file
+// in experiments/trackers; what any source must do:
 //
-//   source()        a name of its own, such as "Tobii Pro Spectrum": it stands beside every sample
+//   source()        a name of its own, such as "Pupil": it stands beside every sample
 //   take_samples()  never waits: a thread of the tracker's fills a queue, this empties it. Stamps
 //                   are of the clock that stamps flips (std::chrono::steady_clock), converted from
-//                   the device's; places are metres right of and above the screen's centre, so the
-//                   tracker's pixels times metres per pixel. What has no place says why, and is
-//                   never left out: losses are counted.
+//                   the device's; places are metres right of and above the screen's centre. What
+//                   has no place says why, and is never left out: losses are counted.
 //   begins(), shown()  nothing; a recording that is played again goes by them
-//
-// commands/running/laboratory.cpp then hands it to the session in place of the mouse.
 // SPDX-License-Identifier: MIT
 #pragma once
 

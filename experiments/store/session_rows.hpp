@@ -77,6 +77,9 @@ inline constexpr const char* kMarkersLostNote = "markers lost";  ///< how many o
 inline constexpr const char* kScreenChangedNote = "screen changed";
 inline constexpr const char* kPixelsNotSquareNote = "pixels not square";
 
+/// At a session's start and end: how the eye tracker's clock stands to this machine's.
+inline constexpr const char* kGazeTrackerNote = "gaze tracker";
+
 /// The screen of the enrolment's last session; none: there was no session.
 std::optional<ScreenGeometry> last_screen(SQLite::Database& database, std::int64_t enrolment_id);
 

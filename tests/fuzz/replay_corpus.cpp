@@ -62,6 +62,13 @@ TEST(FuzzCorpus, NoLinesOfAPageEndTheProgram) {
   feed_found(fuzz_lines, "lines");
 }
 
+TEST(FuzzCorpus, NothingThatATrackerSendsEndsTheProgram) {
+  feed(fuzz_tracker, tracker_seeds(), 2000);
+  feed_found(fuzz_tracker, "tracker");
+  // A list in a list in a list, a million deep.
+  fuzz_tracker(std::string(1, static_cast<char>(kPupilMessage)) + std::string(1 << 20, '\x91'));
+}
+
 TEST(FuzzCorpus, NoTreeFileEndsTheProgram) {
   feed(fuzz_tree_file, tree_seeds(), 300);
   feed_found(fuzz_tree_file, "tree_file");

@@ -85,6 +85,22 @@ inline std::vector<std::string> lines_seeds() {
   return {text};
 }
 
+/// As fuzz_tracker() takes them.
+inline std::vector<std::string> tracker_seeds() {
+  const std::vector<std::uint8_t> message = nlohmann::json::to_msgpack(
+      {{"name", "screen"},
+       {"gaze_on_surfaces",
+        {{{"timestamp", 12.5}, {"norm_pos", {0.25, 0.75}}, {"confidence", 0.99}, {"on_surf", true}},
+         {{"timestamp", 12.505}, {"norm_pos", {1.5, 0.5}}, {"confidence", 1}, {"on_surf", false}},
+         {{"timestamp", 12.51}, {"norm_pos", nullptr}, {"confidence", 0.1}}}}});
+  return {std::string(1, static_cast<char>(kPupilMessage)) +
+              std::string(message.begin(), message.end()),
+          "\x11<ACK ID=\"ENABLE_SEND_DATA\" STATE=\"1\" />\r\n"
+          "<REC TIME=\"12.345\" FPOGX=\"0.1\" FPOGY=\"0.2\" FPOGV=\"1\" BPOGX=\"0.3\" "
+          "BPOGY=\"0.4\" BPOGV=\"1\" />\r\n<CAL ID=\"CALIB_START_PT\" PT=\"1\" />\r\n"
+          "<REC TIME=\"12.350\" FPOGX=\"1e9\" FPOGY=\"nan\" FPOGV=\"1\" />\r\n"};
+}
+
 /// As fuzz_study() takes them: changes of values that a replay reads, and a whole file.
 inline std::vector<std::string> study_seeds() {
   std::vector<std::string> seeds;

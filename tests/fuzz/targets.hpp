@@ -23,6 +23,11 @@ void fuzz_scene(std::string_view bytes);
 inline constexpr const char* kFuzzedSession = "P01_2026";
 void fuzz_lines(std::string_view bytes);
 
+/// What a tracker sends: after kPupilMessage a message of Pupil's; else lines of a Gazepoint, in
+/// pieces of as many bytes as the first letter says, and one.
+inline constexpr unsigned char kPupilMessage = 0;
+void fuzz_tracker(std::string_view bytes);
+
 /// A study: read and replayed for a few steps. The first letter chooses one of small studies, into
 /// which the rest, statements of SQL that change rows, is put first; or the rest is the file
 /// itself.

@@ -27,6 +27,7 @@ int main(int count, char** words) {
   write(folder / "protocol", impetus::protocol_seeds());
   write(folder / "scene", impetus::scene_seeds());
   write(folder / "study", impetus::study_seeds());
+  write(folder / "tracker", impetus::tracker_seeds());
   write(folder / "tree_file", impetus::tree_seeds());
   return 0;
 }

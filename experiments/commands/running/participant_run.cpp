@@ -85,6 +85,14 @@ void save_markers_note(const MarkerCounts& counts, StudyWriter& writer) {
   writer.save(NoteRecord{kMarkersLostNote, words});
 }
 
+/// How far its stamps can be trusted.
+void save_tracker_note(const Tracker* tracker, StudyWriter& writer) {
+  if (tracker != nullptr) {
+    writer.save(NoteRecord{kGazeTrackerNote, tracker->clock_words() + "; it fell silent " +
+                                                 std::to_string(tracker->silences()) + " times"});
+  }
+}
+
 /// The participant may still sit there, so that it can be mended before more is recorded.
 void tell_at_once(const std::string& sentence) {
   std::fprintf(stderr, "warning: %s\n", sentence.c_str());
@@ -168,6 +176,8 @@ ParticipantRun::ParticipantRun(const RunPart& part, const RunOptions& options, S
   if (part.gaze) {
     eye_ = std::make_unique<RecordedEye>(part.gaze, main_slots(plan_),
                                          laboratory_->display().geometry(), laboratory_->clock());
+  } else if (part.tracker) {
+    eye_ = std::make_unique<TrackedEye>(part.tracker, laboratory_->display().geometry());
   }
   sync_ = laboratory_->sync_test();
   enrolment_ = resumed ? std::move(*resumed) : enrol_anew(study, part, options_, plan_);
@@ -183,6 +193,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   StudyWriter writer(study_, enrolment_, facts);
   writer.tell(saved);
   save_screen_notes(facts.screen, screen_change_, writer);
+  save_tracker_note(part_.tracker.get(), writer);
   if (!sync_.passed && !options_.override_sync_test) {
     writer.save(NoteRecord{kSyncTestFailedNote, sync_.verdict});
     writer.end("failed");
@@ -203,6 +214,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   }
   const SessionResult result =
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
+  save_tracker_note(part_.tracker.get(), writer);  // two clocks drift apart
   tell_warnings(result, writer);
   if (markers) {
     save_markers_note(markers->counts(), writer);

@@ -49,7 +49,7 @@ class ParticipantRun {
   StudyFile& study_;
   std::shared_ptr<Laboratory> laboratory_;
   std::unique_ptr<MarkerLine> markers_;  ///< none: nothing is marked
-  std::unique_ptr<RecordedEye> eye_;     ///< none: the participant's own gaze
+  std::unique_ptr<Gaze> eye_;            ///< a recording's or a tracker's; none: the laboratory's
   Plan plan_;
   GazePaths gaze_paths_;  ///< that regions of the plan follow
   SyncTest sync_;

@@ -1,5 +1,6 @@
 // `impetus run`: one participant's session of a protocol or a series, or many simulated ones.
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "experiments/commands/commands.hpp"
@@ -30,6 +32,7 @@
 #include "experiments/store/study_file.hpp"
 #include "experiments/store/study_writer.hpp"
 #include "experiments/study/stored_plan.hpp"
+#include "experiments/trackers/tracker_kinds.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -118,6 +121,14 @@ void require_sensible(const RunOptions& options) {
                      "without a space at its ends, got " +
                      shown(options.participant));
   }
+  if (is_tracker_url(options.gaze)) {
+    parse_tracker(options.gaze);
+    if (simulated) {
+      throw InputError("--gaze " + options.gaze +
+                       ": expected a file of recorded gaze with --observer, for a simulated "
+                       "participant sits before no tracker");
+    }
+  }
   if (!simulated && looks_like_name(options.participant)) {
     std::fprintf(stderr,
                  "warning: %s looks like a person's name; a code that says nothing of the person, "
@@ -164,6 +175,40 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
     }
   }
   return parts;
+}
+
+/// Whether it sends anything within a second, be it that nobody sits before it.
+bool is_sending(Tracker& tracker) {
+  for (int tries = 0; tries < 50; ++tries) {
+    if (!tracker.take_readings().empty()) {
+      return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+/// Connects all parts to the tracker that was asked for. Throws InputError.
+void share_tracker(std::vector<RunPart>& parts, const RunOptions& options) {
+  if (!is_tracker_url(options.gaze)) {
+    return;
+  }
+  const std::shared_ptr<Tracker> tracker = open_tracker(options.gaze);
+  std::fprintf(stderr, "note: %s\n", tracker->clock_words().c_str());
+  if (!is_sending(*tracker)) {
+    std::fprintf(stderr,
+                 "warning: nothing has come from %s in 1 s; if it is a surface's gaze, is the "
+                 "surface defined, named so, and in sight?\n",
+                 options.gaze.c_str());
+  }
+  if (!options.window_size.empty()) {
+    std::fprintf(stderr,
+                 "warning: --window: the tracker's places are taken as shares of the window, which "
+                 "must be what it was calibrated on\n");
+  }
+  for (RunPart& part : parts) {
+    part.tracker = tracker;
+  }
 }
 
 /// One participant goes through the parts that are not finished, before one window. Returns the
@@ -223,6 +268,7 @@ int run(const RunOptions& options) {
   for (RunPart& part : parts) {
     solve_what_is_asked(part);
   }
+  share_tracker(parts, options);
   StudyFile study = StudyFile::open_for_writing(options.database, build_name());
   for (const RunPart& part : parts) {
     build_shapes(part);
@@ -277,9 +323,12 @@ void add_run(CLI::App& app, Command& chosen) {
                     "Resume on another screen than the session before; a note is kept");
   command
       ->add_option("--gaze", options->gaze,
-                   "A file of recorded gaze that is followed in place of the participant's: CSV "
+                   "An eye tracker: pupil://HOST[:PORT][?surface=NAME] or gazepoint://HOST[:PORT]; "
+                   "or a file of recorded gaze that is followed in place of the participant's: CSV "
                    "or TSV with times and places, one trial for all or one for each")
-      ->check(CLI::ExistingFile);
+      ->check([](const std::string& given) {
+        return is_tracker_url(given) ? std::string() : CLI::ExistingFile(given);
+      });
   command->add_option("--screen", options->screen_file,
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");

@@ -17,6 +17,7 @@
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_scenes.hpp"
 #include "experiments/protocol/screen_file.hpp"
+#include "experiments/trackers/tracker_kinds.hpp"
 #ifdef IMPETUS_WINDOW
 #include "experiments/window/window.hpp"
 #endif
@@ -68,13 +69,15 @@ void require_fonts(const RunPart& part) {
 #endif
 }
 
-/// Of one trial for all, or of each.
-std::shared_ptr<const GazeRecording> recorded_gaze(const Protocol& protocol, const Plan& plan,
-                                                   const std::string& file) {
+void require_gaze(const Protocol& protocol) {
   if (!protocol.script.gaze) {
     refuse(protocol.document, "",
            "expected the key \"gaze\", which --gaze asks for: this protocol does not follow it");
   }
+}
+
+/// Of one trial for all, or of each.
+std::shared_ptr<const GazeRecording> recorded_gaze(const Plan& plan, const std::string& file) {
   auto recording = std::make_shared<const GazeRecording>(load_gaze_recording(file));
   const std::size_t recorded = recording->trials.size();
   const std::size_t main_trials = main_slots(plan).size();
@@ -118,7 +121,10 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
       plan_for(part.protocol, group ? simulated_name(1, options.participants) : options.participant,
                options.seed.value_or(1));
   if (!options.gaze.empty()) {
-    part.gaze = recorded_gaze(part.protocol, plan, options.gaze);
+    require_gaze(part.protocol);
+  }
+  if (!options.gaze.empty() && !is_tracker_url(options.gaze)) {
+    part.gaze = recorded_gaze(plan, options.gaze);
   }
   check_frames(part.protocol, refresh_hz_of(part.lab), options.allow_rounding);
   return part;

@@ -14,6 +14,7 @@
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/scenes/shape_library.hpp"
+#include "experiments/trackers/tracker.hpp"
 
 namespace impetus::inline commands {
 
@@ -32,7 +33,7 @@ struct RunOptions {
   bool changed_screen{false};  ///< a resumed session may have another screen than the one before
   std::string screen_file;
   std::string window_size;
-  std::string gaze;        ///< a file of recorded gaze; "": who takes part looks
+  std::string gaze;        ///< a file of recorded gaze, or a tracker's URL; "": the mouse
   std::string photodiode;  ///< the corner of a patch for one; "": none
   std::string markers;     ///< the address of another recorder; "": none
 
@@ -45,6 +46,7 @@ struct RunPart {
   LaboratoryOptions lab;                        ///< without participant and seed
   std::vector<SolvedFor> solved{};              ///< for the plan of whoever comes
   std::shared_ptr<const GazeRecording> gaze{};  ///< in place of the participant's; none: his own
+  std::shared_ptr<Tracker> tracker{};           ///< of the participant's; none: the mouse
   std::string series{};                         ///< "": it is alone
   std::int64_t series_place{1};                 ///< from 1
 };
