@@ -6,11 +6,20 @@
 #
 # SPDX-License-Identifier: MIT
 
-kUsage <- "Rscript power-fits.R power.sqlite studies.tsv, or --check means|mixed"
+kUsage <- "Rscript power-fits.R power.sqlite studies.tsv, or --check means|mixed versions.txt"
+
+# Refuses unless all packages are there, and writes R's version and those of the packages that test.
+check_packages <- function(model, file) {
+  need_packages(power_packages(model))
+  versions <- vapply(testing_packages(model), function(package) {
+    paste(package, utils::packageVersion(package))
+  }, "")
+  writeLines(paste(c(paste("R", getRversion()), versions), collapse = ", "), file)
+}
 
 main <- function(words) {
+  if (length(words) == 3 && words[1] == "--check") return(check_packages(words[2], words[3]))
   if (length(words) != 2) refuse("usage: ", kUsage)
-  if (words[1] == "--check") return(need_packages(power_packages(words[2])))
   write_power_tests(words[1], words[2])
 }
 

@@ -68,7 +68,7 @@ const std::vector<Room> kRooms = {
     {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
     {"experiments/provenance", {"experiments/store"}, {}},
     {"experiments/exports",
-     {"experiments/store", "experiments/tables"},
+     {"experiments/store", "experiments/tables", "experiments/connections"},
      {"JSON", "SQLite", "zlib"}},
     {"experiments/fitting", {"experiments/observers"}, {"Eigen"}},
     {"experiments/power", {"experiments/settings", "experiments/tables"}, {"JSON", "SQLite"}},

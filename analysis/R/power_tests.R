@@ -9,8 +9,10 @@
 # one simulation serves all sizes.
 # SPDX-License-Identifier: MIT
 
+testing_packages <- function(model) if (model == "mixed") c("ordinal", "lme4", "glmmTMB")
+
 power_packages <- function(model) {
-  c("RSQLite", "ggplot2", "commonmark", if (model == "mixed") c("ordinal", "lme4", "glmmTMB"))
+  c("RSQLite", "ggplot2", "commonmark", testing_packages(model))
 }
 
 # A ledger that other processes write to as well.

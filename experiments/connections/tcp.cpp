@@ -6,7 +6,6 @@
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -33,13 +32,6 @@ int connected(int file, const addrinfo& place, std::chrono::milliseconds longest
 }
 
 }  // namespace
-
-void OpenFile::close() {
-  if (file_ >= 0) {
-    ::close(file_);
-    file_ = -1;
-  }
-}
 
 OpenFile connect_tcp(const std::string& host, const std::string& port,
                      std::chrono::milliseconds longest) {

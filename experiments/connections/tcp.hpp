@@ -1,33 +1,14 @@
-// Files that close themselves, and connections over TCP that never block.
+// Connections over TCP that never block.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <chrono>
 #include <stdexcept>
 #include <string>
-#include <utility>
+
+#include "experiments/connections/open_file.hpp"
 
 namespace impetus::inline connections {
-
-/// A file descriptor that closes itself.
-class OpenFile {
- public:
-  explicit OpenFile(int file = -1) : file_(file) {}
-  ~OpenFile() { close(); }
-  OpenFile(OpenFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-  OpenFile& operator=(OpenFile&& other) noexcept {
-    close();
-    file_ = std::exchange(other.file_, -1);
-    return *this;
-  }
-
-  [[nodiscard]] int get() const { return file_; }
-  [[nodiscard]] bool is_open() const { return file_ >= 0; }
-  void close();
-
- private:
-  int file_;
-};
 
 /// Nobody answers; what() says why, in the system's words.
 class NotConnected : public std::runtime_error {

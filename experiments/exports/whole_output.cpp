@@ -80,23 +80,20 @@ void write_output_file(const std::filesystem::path& path, std::string_view text)
   file.close();
 }
 
-WholeFile::WholeFile(const fs::path& target) : target_(target) {
-  std::string pattern = target.string() + ".partial-XXXXXX";
-  const int file = mkstemp(pattern.data());
-  if (file < 0) {
+WholeFile::WholeFile(const fs::path& target)
+    : target_(target), partial_(target, PartialName::Kind::kFile) {
+  if (!partial_.is_made()) {
     throw InputError("--out: expected a file that can be written, could not make " +
                      target.string());
   }
-  close(file);
-  partial_ = pattern;
 }
 
-WholeFile::~WholeFile() { unlink(partial_.c_str()); }
+WholeFile::~WholeFile() { unlink(partial_.path().c_str()); }
 
 void WholeFile::put_in_place() {
   std::error_code error;
-  fs::permissions(partial_, fs::perms(0644), error);
-  fs::rename(partial_, target_, error);
+  fs::permissions(partial_.path(), fs::perms(0644), error);
+  fs::rename(partial_.path(), target_, error);
   if (error) {
     throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
   }
@@ -110,30 +107,31 @@ WholeFolder::WholeFolder(const fs::path& target, const FolderCheck& check)
   require_free(target_, check);
   std::error_code error;
   fs::create_directories(target_.parent_path(), error);
-  std::string pattern = target_.string() + ".partial-XXXXXX";
-  if (error || mkdtemp(pattern.data()) == nullptr) {
+  if (!error) {
+    partial_.emplace(target_, PartialName::Kind::kFolder);
+  }
+  if (error || !partial_->is_made()) {
     throw InputError("--out: expected a folder to write to, could not make " + target_.string());
   }
-  partial_ = pattern;
-  fs::permissions(partial_, fs::perms(0755), error);
+  fs::permissions(path(), fs::perms(0755), error);
 }
 
 WholeFolder::~WholeFolder() {
   std::error_code ignored;
-  if (!partial_.empty()) {
-    fs::remove_all(partial_, ignored);
+  if (partial_) {
+    fs::remove_all(path(), ignored);
   }
 }
 
 void WholeFolder::put_in_place() {
   std::error_code error;
-  const fs::path old = partial_.string() + ".old";
+  const fs::path old = path().string() + ".old";
   const bool replaces = fs::exists(target_) && !fs::is_empty(target_);
   if (replaces) {
     fs::rename(target_, old, error);
   }
   if (!error) {
-    fs::rename(partial_, target_, error);
+    fs::rename(path(), target_, error);
   }
   if (error) {
     std::error_code ignored;
@@ -142,7 +140,7 @@ void WholeFolder::put_in_place() {
     }
     throw StoreError(target_.string() + ": cannot be written (" + error.message() + ")");
   }
-  partial_.clear();
+  partial_.reset();
   if (replaces) {
     fs::remove_all(old, error);
   }

@@ -1,15 +1,17 @@
 // What an export writes: files whose failure does not pass unseen; a folder or a file that appears
 // whole or not at all.
 //
-//   files ─> a folder beside it, "NAME.partial-XXXXXX" ─> renamed to NAME
+//   files ─> a folder beside it, "NAME.partial-XXXXXX" ─> renamed to NAME (partial_name.hpp)
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string_view>
 
+#include "experiments/exports/partial_name.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline exports {
@@ -45,7 +47,7 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
 
   /// Where to write.
-  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_.path(); }
 
   /// Once, when all is written, in place of what is there. Throws StoreError when it cannot be
   /// done; then nothing has changed.
@@ -53,7 +55,7 @@ class WholeFile {
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path partial_;
+  PartialName partial_;
 };
 
 /// Asked about a target that is a folder of files: throws InputError when that is to stay.
@@ -72,14 +74,14 @@ class WholeFolder {
   WholeFolder& operator=(const WholeFolder&) = delete;
 
   /// Where to write.
-  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_->path(); }
 
   /// Once, when all is written. Throws StoreError when it cannot be done; then nothing has changed.
   void put_in_place();
 
  private:
   std::filesystem::path target_;
-  std::filesystem::path partial_;
+  std::optional<PartialName> partial_;  ///< none: it is in place
 };
 
 /// Refuses a target that exists; with `replace` it may be another study. Throws InputError.

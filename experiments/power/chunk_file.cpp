@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <utility>
-#include <vector>
 
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/models/mesh_bytes.hpp"
@@ -41,6 +40,15 @@ fs::path chunk_file(const fs::path& out, std::int64_t number, const std::string&
   char name[32];
   std::snprintf(name, sizeof name, "chunk-%04lld", static_cast<long long>(number));
   return chunk_folder(out) / (name + ending);
+}
+
+std::vector<std::int64_t> numbers_of(const ChunkNumber& chunk, std::int64_t all) {
+  std::vector<std::int64_t> numbers;
+  const std::int64_t end = chunk.number * all / chunk.of;
+  for (std::int64_t place = (chunk.number - 1) * all / chunk.of; place < end; ++place) {
+    numbers.push_back(place + 1);
+  }
+  return numbers;
 }
 
 void write_chunk_value(const fs::path& file, const SweepKind& kind, json value) {

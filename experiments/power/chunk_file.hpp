@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace impetus::inline power {
 
@@ -29,6 +30,9 @@ struct ChunkNumber {
   std::int64_t number{1};  ///< from 1
   std::int64_t of{1};
 };
+
+/// Of the numbers from 1 to `all`, those of a chunk: all chunks together have each once, rising.
+std::vector<std::int64_t> numbers_of(const ChunkNumber& chunk, std::int64_t all);
 
 /// What is swept, as files name it, in which form, and in words.
 struct SweepKind {

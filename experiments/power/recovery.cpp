@@ -99,7 +99,7 @@ RecoveryChunk parsed(const fs::path& file, const json& value, const RecoveryQues
 }
 
 bool is_complete(const RecoveryChunk& chunk) {
-  const std::vector<std::int64_t> numbers = studies_of(chunk.question, chunk.chunk);
+  const std::vector<std::int64_t> numbers = numbers_of(chunk.chunk, chunk.question.studies);
   return std::equal(
       numbers.begin(), numbers.end(), chunk.studies.begin(), chunk.studies.end(),
       [](std::int64_t number, const RecoveredStudy& study) { return study.number == number; });
@@ -115,16 +115,6 @@ double median(std::vector<double> values) {
 }
 
 }  // namespace
-
-std::vector<std::int64_t> studies_of(const RecoveryQuestion& question, const ChunkNumber& chunk) {
-  std::vector<std::int64_t> numbers;
-  const std::int64_t begin = (chunk.number - 1) * question.studies / chunk.of;
-  const std::int64_t end = chunk.number * question.studies / chunk.of;
-  for (std::int64_t place = begin; place < end; ++place) {
-    numbers.push_back(place + 1);
-  }
-  return numbers;
-}
 
 void write_chunk(const fs::path& out, const RecoveryChunk& chunk) {
   json studies = json::array();

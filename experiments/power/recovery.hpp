@@ -63,9 +63,6 @@ struct RecoveryChunk {
   std::vector<RecoveredStudy> studies;
 };
 
-/// The numbers of a chunk's studies: all chunks together have each once, rising.
-std::vector<std::int64_t> studies_of(const RecoveryQuestion& question, const ChunkNumber& chunk);
-
 /// Throws std::runtime_error, in one sentence, when it cannot be written; then there is no file.
 void write_chunk(const std::filesystem::path& out, const RecoveryChunk& chunk);
 

@@ -159,7 +159,8 @@ std::vector<PartedTrials> partings(const StartOf& start, const PartingRequest& r
   }
   const auto count = static_cast<double>(all.size()) * static_cast<double>(request.starts);
   std::int64_t done = 0;
-  for (std::int64_t number = 1; number <= request.starts; ++number) {
+  for (std::int64_t start_place = 0; start_place < request.starts; ++start_place) {
+    const std::int64_t number = request.first_start + start_place;
     std::optional<StagedScene> scene;
     std::vector<Poses> reference;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -53,6 +53,7 @@ struct PartedTrials {
 struct PartingRequest {
   std::vector<PartingSetting> settings;  ///< of one kind one after the other
   std::int64_t starts{5};
+  std::int64_t first_start{1};  ///< its number
   PartingThresholds thresholds;
   std::uint64_t seed{1};   ///< of what is random in an order
   double longest_s{30.0};  ///< of a trial: longer ones are cut, their bodies censored there

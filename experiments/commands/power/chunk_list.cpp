@@ -86,9 +86,10 @@ void add_chunk_options(CLI::App& command, ChunkOptions& options, const std::stri
       ->excludes(chunk);
 }
 
-void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies) {
-  require(chunks <= studies, "--chunks: expected at most " + std::to_string(studies) +
-                                 ", a study in each, got " + std::to_string(chunks));
+void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies,
+                    const std::string& one) {
+  require(chunks <= studies, "--chunks: expected at most " + std::to_string(studies) + ", a " +
+                                 one + " in each, got " + std::to_string(chunks));
   require(options.chunk <= chunks, "--chunk: expected from 1 to " + std::to_string(chunks) +
                                        ", got " + std::to_string(options.chunk));
 }

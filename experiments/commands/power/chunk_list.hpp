@@ -23,8 +23,9 @@ struct ChunkOptions {
 void add_chunk_options(CLI::App& command, ChunkOptions& options, const std::string& in_pieces);
 
 /// Throws InputError unless each of `chunks` has a study at least, of `studies`, and the one that
-/// was asked for is among them.
-void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies);
+/// was asked for is among them. `one` says what it is that there are so many of.
+void require_chunks(const ChunkOptions& options, std::int64_t chunks, std::int64_t studies,
+                    const std::string& one = "study");
 
 /// A sweep in chunks, as `--list` tells of it.
 struct ListedSweep {

@@ -66,10 +66,16 @@ int write_page(const PowerOptions& options) {
   return kDone;
 }
 
+/// False: a package of R is missing, and R has said which.
 bool simulate_all(const PowerOptions& options, const PowerTask& task) {
   fs::create_directories(options.out);
   const ScratchFolder scratch(options.out, kScratchBegin);
-  return simulate_studies({options, task, scratch.path(), fs::path(options.out) / kLedgerName, {}});
+  const std::optional<PowerTools> tools = power_tools(scratch.path(), task.question.model);
+  if (tools) {
+    simulate_studies(
+        {options, task, *tools, scratch.path(), fs::path(options.out) / kLedgerName, {}});
+  }
+  return tools.has_value();
 }
 
 int power(const PowerOptions& options) {
@@ -85,7 +91,7 @@ int power(const PowerOptions& options) {
   if (options.chunks > 0) {
     gather_chunks(options, task, fs::path(options.out) / kLedgerName);
   } else if (!simulate_all(options, task)) {
-    return kCouldNotRun;  // R has said why
+    return kCouldNotRun;
   }
   return write_page(options);
 }

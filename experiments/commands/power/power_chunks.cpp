@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -20,7 +21,6 @@
 #include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"
 #include "experiments/power/power_ledger.hpp"
-#include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -34,10 +34,13 @@ PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, Ch
   const ScratchFolder scratch(own_disk(), std::string("impetus-") + kScratchBegin);
   const fs::path ledger = scratch.path() / "chunk.sqlite";
   const auto told = [&mark](double share) { mark.tell(share); };
-  if (!simulate_studies({options, task, scratch.path(), ledger, told})) {
+  const std::optional<PowerTools> tools = power_tools(scratch.path(), task.question.model);
+  if (!tools) {
     throw std::runtime_error("a package of R is missing; R has said which");
   }
-  PowerChunk chunk{task.question, task.request, build_name(), 0.0, {}};
+  require_build(options.out, task.question, task.request, tools->build);
+  simulate_studies({options, task, *tools, scratch.path(), ledger, told});
+  PowerChunk chunk{task.question, task.request, tools->build, 0.0, {}};
   chunk.studies = PowerLedger(ledger, task.question).studies();
   chunk.took_s = seconds_since(begin);
   return chunk;
@@ -57,7 +60,6 @@ int do_chunk(const PowerOptions& options, const PowerTask& task) {
   const fs::path out = options.out;
   const fs::path file = chunk_file(out, options.chunk);
   make_out_folder(chunk_folder(out));
-  require_build(out, task.question, task.request, build_name());
   if (fs::exists(file)) {
     read_chunk(out, task.question, task.request);
     std::printf("%s: is there already\n", file.c_str());

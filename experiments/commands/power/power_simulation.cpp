@@ -2,12 +2,14 @@
 #include "experiments/commands/power/power_simulation.hpp"
 
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/exports/r_scripts.hpp"
 #include "experiments/power/power_ledger.hpp"
+#include "experiments/provenance/build_name.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -33,6 +35,7 @@ PowerWork work_of(const PowerSimulation& simulation) {
   work.request = task.request;
   work.seed = task.question.seed;
   work.jobs = jobs_of(simulation.options.jobs);
+  work.tools = simulation.tools;
   work.scratch = simulation.scratch;
   work.ledger = simulation.ledger;
   work.told = simulation.told;
@@ -41,21 +44,26 @@ PowerWork work_of(const PowerSimulation& simulation) {
 
 }  // namespace
 
-bool simulate_studies(const PowerSimulation& simulation) {
-  const PowerTask& task = simulation.task;
-  const std::filesystem::path script =
-      write_r_scripts(simulation.scratch, {"power-fits.R"}) / "power-fits.R";
-  if (run_needed_r_script({script.string(), "--check", task.question.model}) != 0) {
-    return false;
+std::optional<PowerTools> power_tools(const std::filesystem::path& folder,
+                                      const std::string& model) {
+  const std::filesystem::path script = write_r_scripts(folder, {"power-fits.R"}) / "power-fits.R";
+  const std::filesystem::path versions = folder / "versions.txt";
+  if (run_needed_r_script({script.string(), "--check", model, versions.string()}) != 0) {
+    return std::nullopt;
   }
+  std::string words;
+  std::getline(std::ifstream(versions), words);
+  return PowerTools{script, std::string(build_name()) + " with " + words};
+}
+
+void simulate_studies(const PowerSimulation& simulation) {
+  const PowerTask& task = simulation.task;
   PowerLedger ledger(simulation.ledger, task.question);
   if (!task.without && !simulation.options.no_null) {
     say_what_is_not_simulated(task.question.response);
   }
   PowerWork work = work_of(simulation);
-  work.script = script;
   do_power_studies(work, ledger);
-  return true;
 }
 
 }  // namespace impetus::inline commands

@@ -93,7 +93,7 @@ class PowerStudies {
         list << (size == cell.sizes.front() ? "" : ",") << size;
       }
       list << '\t' << seed_of_study(work_.seed, cell.number) << '\t' << seconds_since(begin) << '\t'
-           << build_name() << '\n';
+           << work_.tools.build << '\n';
     }
     list.close();
     test(folder);
@@ -113,7 +113,7 @@ class PowerStudies {
       return;
     }
     const int status = run_needed_r_script(
-        {work_.script.string(), work_.ledger.string(), (folder / "studies.tsv").string()});
+        {work_.tools.script.string(), work_.ledger.string(), (folder / "studies.tsv").string()});
     if (status != 0) {
       throw std::runtime_error("the tests of simulated studies ended with status " +
                                std::to_string(status) + "; what was tested before is kept");

@@ -11,12 +11,19 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 
 #include "experiments/commands/running/run_part.hpp"
 #include "experiments/power/power_ledger.hpp"
 #include "experiments/store/study_file.hpp"
 
 namespace impetus::inline commands {
+
+/// What tests studies.
+struct PowerTools {
+  std::filesystem::path script;  ///< power-fits.R
+  std::string build;             ///< of this program, with the versions of R and its packages
+};
 
 /// All that simulating the studies of a power analysis needs.
 struct PowerWork {
@@ -26,7 +33,7 @@ struct PowerWork {
   PowerRequest request;
   std::int64_t seed{1};
   std::int64_t jobs{1};
-  std::filesystem::path script;   ///< power-fits.R
+  PowerTools tools;
   std::filesystem::path scratch;  ///< a folder for what is thrown away
   std::filesystem::path ledger;
   std::function<void(double)> told;  ///< the share that is done; may be empty

@@ -151,7 +151,7 @@ void do_chunk(const RecoverOptions& options, const RecoveryWork& work, const Chu
     require_writable(chunk_file(options.out, chunk.number));
     const auto begin = std::chrono::steady_clock::now();
     const ScratchFolder scratch(own_disk(), "impetus-recovering-");
-    const std::vector<std::int64_t> numbers = studies_of(work.question, chunk);
+    const std::vector<std::int64_t> numbers = numbers_of(chunk, work.question.studies);
     ChunkStudies studies(work, numbers, scratch.path(), [&](double share) {
       mark.tell(share);
       told(share);

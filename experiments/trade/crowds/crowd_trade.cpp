@@ -139,7 +139,9 @@ class Crowd {
 
   CrowdTrade measure() {
     CrowdTrade trade;
-    for (const std::int64_t budget : budgets()) {
+    const bool is_asked = !request_.budgets.empty();
+    for (const std::int64_t budget :
+         is_asked ? request_.budgets : usual_budgets(scene_, request_)) {
       for (const TriedOrder& order : request_.orders) {
         trade.orders.push_back({order, budget, {}});
       }
@@ -162,33 +164,6 @@ class Crowd {
     if (progress_) {
       progress_(static_cast<double>(step) / static_cast<double>(steps_));
     }
-  }
-
-  /// As asked for, or by what the finest levels took in the median of the sampled steps.
-  [[nodiscard]] std::vector<std::int64_t> budgets() const {
-    if (!request_.budgets.empty()) {
-      return request_.budgets;
-    }
-    std::vector<std::int64_t> work;
-    Trajectory pilot(scene_, request_.sampled_every_s, request_.seed);
-    for (std::int64_t step = 1; step <= steps_; ++step) {
-      pilot.look();
-      const bool is_sampled = pilot.is_sampled();
-      const StepReport& report = pilot.step();
-      if (is_sampled) {
-        work.push_back(report.work_spent - report.work_floor);
-      }
-    }
-    std::vector<std::int64_t> budgets;
-    if (!work.empty()) {
-      const auto middle = work.begin() + static_cast<std::ptrdiff_t>(work.size() / 2);
-      std::nth_element(work.begin(), middle, work.end());
-      for (std::int64_t part = kFinestPart; part > 0; part /= 2) {
-        budgets.push_back(std::max<std::int64_t>(1, *middle / part));
-      }
-      budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
-    }
-    return budgets;
   }
 
   /// Gives the step all orders, each from where the trajectory is.
@@ -246,8 +221,6 @@ class Crowd {
     return done;
   }
 
-  static constexpr std::int64_t kFinestPart = 64;  ///< the least budget, of the finest levels'
-
   StagedScene scene_;  ///< counting tests alone
   const CrowdRequest& request_;
   const Clock& clock_;
@@ -256,6 +229,33 @@ class Crowd {
 };
 
 }  // namespace
+
+std::vector<std::int64_t> usual_budgets(const StagedScene& scene, const CrowdRequest& request) {
+  constexpr std::int64_t kFinestPart = 64;
+  StagedScene counted = scene;
+  counted.world.set_costs(costs_of_tests(scene.world.settings().costs));
+  std::vector<std::int64_t> work;
+  Trajectory pilot(counted, request.sampled_every_s, request.seed);
+  for (std::int64_t step = 1; step <= count_steps(counted, request.longest_s); ++step) {
+    pilot.look();
+    const bool is_sampled = pilot.is_sampled();
+    const StepReport& report = pilot.step();
+    if (is_sampled) {
+      work.push_back(report.work_spent - report.work_floor);
+    }
+  }
+  if (work.empty()) {
+    return {};
+  }
+  const auto middle = work.begin() + static_cast<std::ptrdiff_t>(work.size() / 2);
+  std::nth_element(work.begin(), middle, work.end());
+  std::vector<std::int64_t> budgets;
+  for (std::int64_t part = kFinestPart; part > 0; part /= 2) {
+    budgets.push_back(std::max<std::int64_t>(1, *middle / part));
+  }
+  budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
+  return budgets;
+}
 
 CrowdTrade crowd_trade(const StagedScene& scene, const CrowdRequest& request, const Clock& clock,
                        const Progress& progress) {

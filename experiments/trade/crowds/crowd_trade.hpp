@@ -26,8 +26,7 @@ namespace impetus::inline trade {
 /// Which orders to try, within which budgets, how often.
 struct CrowdRequest {
   std::vector<TriedOrder> orders;
-  /// Units of work on tests beyond the roots', a step; none: shares of what the finest levels of
-  /// the median step take, from a 64th to all of it, each twice the one before.
+  /// Units of work on tests beyond the roots', a step; none: usual_budgets().
   std::vector<std::int64_t> budgets;
   double sampled_every_s{0.25};  ///< of the scene's time
   std::uint64_t seed{1};         ///< of where the viewer looks, and of all that is random
@@ -70,6 +69,10 @@ struct CrowdTrade {
   std::vector<SampledStep> steps;
   std::vector<OrderedCrowd> orders;  ///< by budget, the orders as asked for within each
 };
+
+/// Shares of what the finest levels of the median step take, from a 64th to all of it, each twice
+/// the one before; none where nothing was sampled.
+std::vector<std::int64_t> usual_budgets(const StagedScene& scene, const CrowdRequest& request);
 
 /// Tries the orders on the scene. All but OrderedStep::ns follows from the scene and the request.
 /// Precondition: budgets and the time between samples are positive.

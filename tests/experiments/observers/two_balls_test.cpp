@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "engine/numerics/elementary_functions.hpp"
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/files/protocol_files.hpp"
 #include "experiments/observers/imagining/counterfactual_observer.hpp"

@@ -32,7 +32,7 @@ class RecoveryTest : public testing::Test {
  protected:
   void put(const ChunkNumber& chunk, const std::string& build = "build A") const {
     RecoveryChunk done{question(), chunk, build, 2.5, {}};
-    for (const std::int64_t number : studies_of(done.question, chunk)) {
+    for (const std::int64_t number : numbers_of(chunk, done.question.studies)) {
       done.studies.push_back(study(number));
     }
     std::filesystem::create_directories(chunk_folder(folder_.path()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/commands/scheduled_trade.hpp"
+#include "experiments/commands/trading/scheduled_trade.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "engine/scheduling/named_kinds.hpp"
+#include "experiments/commands/power/power_options.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/trading/parting_chunks.hpp"
+#include "experiments/models/mesh_bytes.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/settings/input_error.hpp"
 #include "experiments/trade/crowds/crowd_rows.hpp"
@@ -18,7 +21,7 @@
 namespace impetus::inline commands {
 namespace {
 
-constexpr std::size_t kFewestOfACrowd = 3;
+using nlohmann::json;
 
 std::vector<TriedOrder> orders_of(const ScheduledTradeOptions& options, const StagedScene& scene) {
   return tried_orders(scene,
@@ -64,22 +67,33 @@ std::vector<PartingSetting> settings_of(const ScheduledTrade& trade,
   return settings;
 }
 
-std::vector<TradeRow> crowd_part(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
-                                 const StagedScene& scene, std::vector<std::int64_t>& budgets) {
-  ProgressLine line("orders of work");
+bool is_crowd(const StagedScene& scene) {
+  constexpr std::size_t kFewest = 3;
+  return scene.world.models().size() >= kFewest;
+}
+
+/// Of the crowd; its budgets are those asked for, or what the scene needs.
+CrowdRequest crowd_request(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
+                           const StagedScene& scene) {
   CrowdRequest request;
   request.orders = orders_of(options, scene);
-  request.budgets = budgets;
+  request.budgets = options.budgets;
   request.seed = trade.seed;
-  const CrowdTrade crowd =
-      crowd_trade(scene, request, SteadyClock(), [&line](double share) { line.tell(share); });
-  budgets.clear();
-  for (const OrderedCrowd& ordered : crowd.orders) {
-    if (budgets.empty() || budgets.back() != ordered.budget) {
-      budgets.push_back(ordered.budget);
-    }
+  std::sort(request.budgets.begin(), request.budgets.end());
+  const auto last = std::unique(request.budgets.begin(), request.budgets.end());
+  request.budgets.erase(last, request.budgets.end());
+  if (request.budgets.empty() && is_crowd(scene)) {
+    request.budgets = usual_budgets(scene, request);
   }
-  return crowd_rows(crowd, scene_title(trade.scene));
+  return request;
+}
+
+std::vector<TradeRow> crowd_part(const ScheduledTrade& trade, const CrowdRequest& request,
+                                 const StagedScene& scene) {
+  ProgressLine line("orders of work");
+  return crowd_rows(
+      crowd_trade(scene, request, SteadyClock(), [&line](double share) { line.tell(share); }),
+      scene_title(trade.scene));
 }
 
 /// Phases cut one by one, by the scene's own order, by eccentricity and by chance.
@@ -94,20 +108,48 @@ std::vector<TradeRow> cut_part(const ScheduledTrade& trade, const ScheduledTrade
                   request.orders, scene_title(trade.scene));
 }
 
-std::vector<TradeRow> parting_part(const ScheduledTrade& trade,
-                                   const ScheduledTradeOptions& options, const TrialStarts& starts,
-                                   const std::vector<std::int64_t>& budgets) {
-  ProgressLine line("whole trials");
-  PartingRequest request;
-  request.settings = settings_of(trade, options, budgets);
-  request.starts = options.starts;
-  request.thresholds = {options.parted_deg, options.parted_turn_deg};
-  request.seed = trade.seed;
-  const StartOf start = [&](const std::string& kind, std::int64_t number) {
+json setting_json(const PartingSetting& setting) {
+  return {setting.kind, setting.level, setting.order.scheduler, setting.order.traversal,
+          setting.budget ? json(*setting.budget) : json()};
+}
+
+PartingWork parting_work(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
+                         const std::vector<std::int64_t>& budgets) {
+  PartingWork work;
+  work.request.settings = settings_of(trade, options, budgets);
+  work.request.starts = options.starts;
+  work.request.thresholds = {options.parted_deg, options.parted_turn_deg};
+  work.request.seed = trade.seed;
+  json settings = json::array();
+  for (const PartingSetting& setting : work.request.settings) {
+    settings.push_back(setting_json(setting));
+  }
+  work.question = {{"scene", content_hash(trade.scene.value.dump())},
+                   {"screen", screen_json(trade.screen)},
+                   {"choice of trees, levels, orders or budgets", settings},
+                   {"number of starts", options.starts},
+                   {"--parted-deg", options.parted_deg},
+                   {"--parted-turn-deg", options.parted_turn_deg},
+                   {"seed", trade.seed}};
+  return work;
+}
+
+StartOf start_of(const TrialStarts& starts) {
+  return [&starts](const std::string& kind, std::int64_t number) {
     return starts.staged(kind, number);
   };
-  return parting_rows(partings(start, request, [&line](double share) { line.tell(share); }),
-                      scene_title(trade.scene));
+}
+
+/// Tried here, or read from chunks.
+std::vector<TradeRow> parting_part(const ScheduledTrade& trade, const PartingWork& work,
+                                   const TrialStarts& starts) {
+  if (trade.chunks > 0) {
+    return parting_rows(gathered_partings(trade.out, trade.chunks, work), scene_title(trade.scene));
+  }
+  ProgressLine line("whole trials");
+  return parting_rows(
+      partings(start_of(starts), work.request, [&line](double share) { line.tell(share); }),
+      scene_title(trade.scene));
 }
 
 }  // namespace
@@ -159,19 +201,27 @@ std::vector<TradeRow> scheduled_trade_rows(const ScheduledTrade& trade,
                                            ShapeLibrary& shapes) {
   const TrialStarts starts(trade.scene.value, trade.screen, shapes, trade.seed);
   const StagedScene scene = starts.staged("", 1);
-  std::vector<std::int64_t> budgets = options.budgets;
-  std::sort(budgets.begin(), budgets.end());
+  const CrowdRequest crowd = crowd_request(trade, options, scene);
   std::vector<TradeRow> rows;
-  if (scene.world.models().size() >= kFewestOfACrowd) {
-    rows = crowd_part(trade, options, scene, budgets);
-    const std::vector<TradeRow> cut = cut_part(trade, options, scene);
-    rows.insert(rows.end(), cut.begin(), cut.end());
-  }
   if (options.starts > 0) {
-    std::vector<TradeRow> more = parting_part(trade, options, starts, budgets);
-    std::move(more.begin(), more.end(), std::back_inserter(rows));
+    rows = parting_part(trade, parting_work(trade, options, crowd.budgets), starts);
+  }
+  if (is_crowd(scene)) {
+    std::vector<TradeRow> all = crowd_part(trade, crowd, scene);
+    const std::vector<TradeRow> cut = cut_part(trade, options, scene);
+    all.insert(all.end(), cut.begin(), cut.end());
+    rows.insert(rows.begin(), all.begin(), all.end());
   }
   return rows;
+}
+
+int do_trade_chunks(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
+                    const ChunkOptions& chunks, ShapeLibrary& shapes) {
+  const TrialStarts starts(trade.scene.value, trade.screen, shapes, trade.seed);
+  const CrowdRequest crowd = crowd_request(trade, options, starts.staged("", 1));
+  const PartingWork work = parting_work(trade, options, crowd.budgets);
+  return chunks.list ? list_partings(trade.out, chunks, work)
+                     : do_parting_chunk(trade.out, chunks, work, start_of(starts));
 }
 
 }  // namespace impetus::inline commands

@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/record/staged_scene.hpp"
 #include "experiments/scenes/shape_library.hpp"
 #include "experiments/settings/json_document.hpp"
@@ -36,10 +38,16 @@ struct ScheduledTrade {
   ScreenGeometry screen;
   std::vector<int> levels;  ///< none: all but the finest
   std::uint64_t seed{1};
+  std::int64_t chunks{0};     ///< from which whole trials are read; 0: they are tried here
+  std::filesystem::path out;  ///< where these are
 };
 
 /// Throws InputError when an option is out of range, before anything is measured.
 void check(const ScheduledTradeOptions& options, const StagedScene& scene);
+
+/// Lists the chunks of the whole trials, or computes the one that was asked for.
+int do_trade_chunks(const ScheduledTrade& trade, const ScheduledTradeOptions& options,
+                    const ChunkOptions& chunks, ShapeLibrary& shapes);
 
 /// The rows of both parts, with progress on standard error. Two bodies are no crowd: they have no
 /// rows of that part.

@@ -18,12 +18,13 @@
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/new_file.hpp"
+#include "experiments/commands/power/given_words.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/running/chosen_screen.hpp"
-#include "experiments/commands/scheduled_trade.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
+#include "experiments/commands/trading/scheduled_trade.hpp"
 #include "experiments/files/scene_files.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/protocol/checked_scene.hpp"
@@ -63,7 +64,7 @@ std::string draw_trade_figure(const std::filesystem::path& folder) {
 using nlohmann::json;
 
 /// What `impetus trade` was asked for.
-struct TradeOptions {
+struct TradeOptions : ChunkOptions {
   std::string scene;
   std::string out{"trade"};
   std::string screen_file;
@@ -317,6 +318,11 @@ int trade(const JsonDocument& scene, const TradeOptions& options) {
               build_scene(scene.value, screen, kUnroundedHold, shapes),
               {}};
   check(options.scheduled, trade.staged);
+  const ScheduledTrade scheduled{scene,        screen,         options.levels,
+                                 options.seed, options.chunks, folder};
+  if (options.list || options.chunk > 0) {
+    return do_trade_chunks(scheduled, options.scheduled, options, shapes);
+  }
   require_new_files(folder, kTradeFiles, options.force);
   make_out_folder(folder);
   {
@@ -325,9 +331,7 @@ int trade(const JsonDocument& scene, const TradeOptions& options) {
   }
   std::vector<TradeRow> rows = scene_rows(trade.demand, scene_title(scene));
   const ImpactMeasures impacts = add_impacts(trade, shapes, rows);
-  append(scheduled_trade_rows({scene, screen, options.levels, options.seed}, options.scheduled,
-                              shapes),
-         rows);
+  append(scheduled_trade_rows(scheduled, options.scheduled, shapes), rows);
   const std::vector<TradeOption> found = possible_options(trade, trade_options(impacts));
   SceneRuns runs(trade, shapes, rows);
   run_every_level(found, runs);
@@ -349,6 +353,7 @@ int trade(const JsonDocument& scene, const TradeOptions& options) {
 int load_and_trade(const TradeOptions& options) {
   const BuildingLine told;
   check(options);
+  require_chunks(options, options.chunks, options.scheduled.starts, "start");
   const JsonDocument scene = load_scene(options.scene);
   return staged_from(scene, [&] { return trade(scene, options); });
 }
@@ -381,7 +386,11 @@ void add_trade(CLI::App& app, Command& chosen) {
   command->add_option("--screen", options->screen_file,
                       "Screen file instead of the user's settings");
   command->add_flag("--force", options->force, "Overwrite an existing result");
-  command->callback([options, &chosen] {
+  add_chunk_options(*command, *options,
+                    "The whole trials in so many pieces, each a command of its own on any machine "
+                    "that sees the folder; alone, reads all of them and measures the rest here");
+  command->callback([options, command, &chosen] {
+    options->repeated = given_words(*command, {"--chunk", "--list", "--force"});
     chosen = [options] {
       options->scheduled.kinds = options->kinds;
       if (options->kinds.empty()) {
