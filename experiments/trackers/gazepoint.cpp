@@ -24,7 +24,7 @@ namespace impetus::inline trackers {
 namespace {
 
 constexpr std::chrono::milliseconds kConnect{2000};
-constexpr int kFirstRecords = 50;
+constexpr std::size_t kFirstRecords = 50;
 constexpr std::int64_t kFirstRecords_ns = 2'000'000'000;
 
 /// The number of ` NAME="..."`; none: it is not there, or no number.
@@ -73,12 +73,11 @@ class GazepointLink final : public TrackerLink {
         throw InputError(begin + "an Open Gaze server there, which takes SET");
       }
     }
-    // The fastest of many deliveries is what the clock is known by.
+    // The fastest of many deliveries is what the clock is known by; they are given out with it.
     const std::int64_t until_ns = SteadyClock().now_ns() + kFirstRecords_ns;
-    std::vector<Reading> first;
-    while (first.size() < kFirstRecords && SteadyClock().now_ns() < until_ns) {
+    while (records_.size() < kFirstRecords && SteadyClock().now_ns() < until_ns) {
       try {
-        receive(20, first);
+        take_records(20);
       } catch (const TrackerGone&) {
         break;
       }
@@ -89,20 +88,16 @@ class GazepointLink final : public TrackerLink {
   }
 
   void receive(int wait_ms, std::vector<Reading>& readings) override {
-    const std::string came = receive_some(connection_.get(), wait_ms);
-    const std::int64_t arrived_ns = SteadyClock().now_ns();
-    std::vector<GazepointRecord> records;
-    for (const std::string& line : take_lines(pending_, came)) {
-      if (const auto record = gazepoint_record(line)) {
-        offset_.add(record->remote_ns, arrived_ns);
-        records.push_back(*record);
-      }
+    take_records(wait_ms);
+    if (records_.empty()) {
+      return;
     }
-    const ClockEstimate clock = records.empty() ? ClockEstimate{} : offset_.estimate();
-    for (GazepointRecord& record : records) {
+    const ClockEstimate clock = offset_.estimate();
+    for (GazepointRecord& record : records_) {
       record.reading.taken_ns = record.remote_ns + clock.offset_ns;
       readings.push_back(record.reading);
     }
+    records_.clear();
   }
 
   [[nodiscard]] ClockEstimate clock() const override { return offset_.estimate(); }
@@ -122,8 +117,21 @@ class GazepointLink final : public TrackerLink {
     }
   }
 
+  /// Waits, and keeps what came.
+  void take_records(int wait_ms) {
+    const std::string came = receive_some(connection_.get(), wait_ms);
+    const std::int64_t arrived_ns = SteadyClock().now_ns();
+    for (const std::string& line : take_lines(pending_, came)) {
+      if (const auto record = gazepoint_record(line)) {
+        offset_.add(record->remote_ns, arrived_ns);
+        records_.push_back(*record);
+      }
+    }
+  }
+
   OpenFile connection_;
-  std::string pending_;
+  std::string pending_;                   ///< of a line that has not ended
+  std::vector<GazepointRecord> records_;  ///< not given out yet
   OneWayOffset offset_;
 };
 
