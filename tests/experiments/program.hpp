@@ -43,7 +43,6 @@ inline pid_t start_program(const TemporaryFolder& folder, const std::vector<std:
     }
     setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
     setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
-    unsetenv("IMPETUS_TREE_CACHE");
     const int flags = O_WRONLY | O_CREAT | O_TRUNC;
     const bool ready = chdir(folder.path().c_str()) == 0 &&
                        dup2(open(output.c_str(), flags, 0644), STDOUT_FILENO) >= 0 &&
