@@ -5,7 +5,7 @@
 # Sentences of the methods section of a protocol. `parts`: of parts_of_protocol, without refused ones.
 methods_sentences <- function(path, protocol, parts) {
   sessions <- rows_of_view(path, "session_provenance", protocol)
-  c(people_words(path, protocol, sessions), apparatus_words(sessions),
+  c(people_words(path, protocol, sessions), apparatus_words(sessions), device_words(path, sessions),
     unlist(lapply(parts, part_methods)), analysis_words(parts))
 }
 

@@ -5,7 +5,9 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/provenance/build_name.hpp"
@@ -18,6 +20,7 @@
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/window_size.hpp"
+#include "experiments/markers/marker_writer.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/provenance/machine_name.hpp"
 #include "experiments/record/ports.hpp"
@@ -25,6 +28,7 @@
 #include "experiments/timing/timing_page.hpp"
 #include "experiments/timing/timing_run.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
+#include "experiments/trackers/tracker_kinds.hpp"
 #include "experiments/window/input_self_test.hpp"
 #include "experiments/window/shown_patch.hpp"
 #include "experiments/window/window.hpp"
@@ -34,18 +38,37 @@ namespace impetus::inline commands {
 namespace {
 
 #ifdef IMPETUS_WINDOW
+/// What stands beside the screen.
+struct LabDevices {
+  std::shared_ptr<Tracker> tracker;  ///< none: the mouse
+  std::string marker_address;        ///< "": nobody is told
+  std::unique_ptr<MarkerLine> line;
+};
+
 /// The lab's window as a timing report needs it.
 class WindowLab final : public TimingLab {
  public:
   /// Opens the window, with the pointer in its middle. Throws what Window throws.
-  WindowLab(const WindowOptions& options, const ScreenGeometry& screen) : window_(options, clock_) {
+  WindowLab(const WindowOptions& options, const ScreenGeometry& screen, LabDevices devices)
+      : window_(options, clock_), devices_(std::move(devices)) {
     window_.set_geometry(screen);
     centre_pointer(window_);
+    if (devices_.tracker) {
+      eye_.emplace(devices_.tracker, window_.geometry());
+    }
+    if (devices_.line) {
+      markers_.emplace(std::move(devices_.line), MarkerCodes{1, 2, 3, 4, 5, 6}, clock_);
+    }
   }
 
   Display& display() override { return window_; }
   Input& input() override { return window_; }
-  Gaze& gaze() override { return window_.mouse_gaze(); }
+  Gaze& gaze() override { return eye_ ? static_cast<Gaze&>(*eye_) : window_.mouse_gaze(); }
+  [[nodiscard]] std::string gaze_clock() const override {
+    return devices_.tracker ? devices_.tracker->clock_words() : "";
+  }
+  Markers* markers() override { return markers_ ? &*markers_ : nullptr; }
+  [[nodiscard]] std::string marker_address() const override { return devices_.marker_address; }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return window_.sync_test(); }
   InputTrace try_input(const std::function<bool()>& show) override {
@@ -60,6 +83,9 @@ class WindowLab final : public TimingLab {
  private:
   SteadyClock clock_;
   Window window_;
+  LabDevices devices_;
+  std::optional<TrackedEye> eye_;
+  std::optional<MarkerWriter> markers_;
 };
 #endif
 
@@ -70,11 +96,26 @@ struct TimingOptions {
   std::string window_size;
   std::string screen_file;
   std::string patch{"bottom left"};
+  std::string gaze;     ///< an eye tracker's URL; "": the mouse
+  std::string markers;  ///< "": nobody is told
   bool json{false};
   bool force{false};
 };
 
 #ifdef IMPETUS_WINDOW
+
+/// Throws InputError where nobody answers.
+LabDevices opened_devices(const TimingOptions& options) {
+  LabDevices devices;
+  if (!options.gaze.empty()) {
+    devices.tracker = open_tracker(options.gaze);
+  }
+  devices.marker_address = options.markers;
+  if (!options.markers.empty()) {
+    devices.line = open_marker_line(options.markers);
+  }
+  return devices;
+}
 
 /// What takes long, before the window opens.
 void build_bodies(const TimingScenes& scenes, const ScreenGeometry& screen, ShapeLibrary& shapes) {
@@ -110,8 +151,9 @@ TimingFacts facts_before(WindowLab& lab, double seconds) {
 
 /// Throws InputError when it was stopped.
 TimingReport measured(const TimingOptions& options, const ScreenCorner corner,
-                      const ScreenGeometry& screen, const TimingScenes& scenes) {
-  WindowLab lab(window_options(options.window_size), screen);
+                      const ScreenGeometry& screen, const TimingScenes& scenes,
+                      LabDevices devices) {
+  WindowLab lab(window_options(options.window_size), screen, std::move(devices));
   TimingFacts facts = facts_before(lab, options.seconds);
   const TellPart tell = [](const SessionProgress& progress) {
     std::fprintf(stderr, "%s\n", progress.label.c_str());
@@ -136,10 +178,11 @@ int report_timing(const TimingOptions& options) {
   const std::filesystem::path folder = options.out;
   require_new_files(folder, {"timing.html", "timing.json"}, options.force);
   const ScreenGeometry screen = chosen_screen(options.screen_file, window);
+  LabDevices devices = opened_devices(options);
   ShapeLibrary shapes;
   const TimingScenes scenes(options.seconds, shapes);
   build_bodies(scenes, screen, shapes);
-  const TimingReport report = measured(options, corner, screen, scenes);
+  const TimingReport report = measured(options, corner, screen, scenes, std::move(devices));
   const std::vector<TimingVerdict> verdicts = timing_verdicts(report);
   const std::string text = timing_json(report).dump(2) + "\n";
   make_out_folder(folder);
@@ -178,6 +221,12 @@ void add_timing(CLI::App& app, Command& chosen) {
                       "The lab's screen file (default: what `impetus screen` saved)");
   command->add_option("--patch", options->patch, "The corner of the coded patch")
       ->capture_default_str();
+  command->add_option("--gaze", options->gaze,
+                      "An eye tracker to measure in place of the mouse: pupil://HOST[:PORT] or "
+                      "gazepoint://HOST[:PORT]");
+  command->add_option("--markers", options->markers,
+                      "Where to send markers, and measure how soon: serial:///dev/PORT or "
+                      "tcp://HOST:PORT");
   command->add_flag("--json", options->json, "Print the report as JSON, too");
   command->add_flag("--force", options->force, "Overwrite an earlier report");
   command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });

@@ -79,7 +79,21 @@ Json gaze_json(const GazeRun& gaze) {
           {"share_above_40_ms", share_above(gaze.latencies_ms, kPromptGaze_ms)},
           {"share_above_80_ms", share_above(gaze.latencies_ms, kLateGaze_ms)},
           {"lost_share", gaze.lost_share},
-          {"raw_latency_ms", gaze.latencies_ms}};
+          {"clock", gaze.clock.empty() ? Json() : Json(gaze.clock)},
+          {"sample_interval_ms", as_json(distribution_of(gaze.intervals_ms))},
+          {"raw_latency_ms", gaze.latencies_ms},
+          {"raw_sample_interval_ms", gaze.intervals_ms}};
+}
+
+Json markers_json(const MarkerRun& markers) {
+  if (markers.address.empty()) {
+    return nullptr;
+  }
+  return {{"address", markers.address},
+          {"sent", markers.delays_ms.size()},
+          {"lost", markers.lost},
+          {"delay_ms", as_json(distribution_of(markers.delays_ms))},
+          {"raw_delay_ms", markers.delays_ms}};
 }
 
 Json content_json(const ContentRun& content) {
@@ -125,6 +139,7 @@ nlohmann::ordered_json timing_json(const TimingReport& report) {
           {"flips", std::move(runs)},
           {"inputs", std::move(inputs)},
           {"gaze_to_flip", gaze_json(report.gaze)},
+          {"flip_to_marker", markers_json(report.markers)},
           {"content", content_json(report.content)},
           {"methods", methods_paragraph(report)},
           {"not_known", what_is_not_known(report)}};

@@ -121,6 +121,15 @@ struct GazeRun {
   std::string source;
   std::vector<double> latencies_ms;  ///< raw, one per step that was shown and knew the gaze
   double lost_share{0.0};            ///< of the run, time without a valid sample
+  std::string clock{};  ///< how an eye tracker's stands to this machine's; "": the same
+  std::vector<double> intervals_ms;  ///< raw, between samples as they are stamped
+};
+
+/// Events marked for another recorder, during the run with gaze.
+struct MarkerRun {
+  std::string address;  ///< "": nobody was told
+  std::int64_t lost{0};
+  std::vector<double> delays_ms;  ///< raw: from the flip to when the system had taken the marker
 };
 
 /// A run of frames with a coded patch, and what was read back of them.
@@ -150,6 +159,7 @@ struct TimingReport {
   std::vector<FlipSeries> runs;  ///< the first is of a blank picture
   std::vector<InputDelay> inputs;
   GazeRun gaze;
+  MarkerRun markers;
   ContentRun content;
 };
 

@@ -75,6 +75,31 @@ FlipSeries flip_series(int bodies, const std::vector<Flip>& flips, double nomina
   return run;
 }
 
+GazeRun gaze_run(const AttemptRecord& record, const std::string& clock) {
+  GazeRun run{record.gaze_source,
+              gaze_latencies_ms(record.steps, record.frames, record.gaze),
+              record.gaze_lost_share.value_or(0.0),
+              clock,
+              {}};
+  for (std::size_t i = 1; i < record.gaze.size(); ++i) {
+    run.intervals_ms.push_back(
+        static_cast<double>(record.gaze[i].taken_ns - record.gaze[i - 1].taken_ns) / 1e6);
+  }
+  return run;
+}
+
+MarkerRun marker_run(const std::vector<MarkerRecord>& markers, const std::string& address) {
+  MarkerRun run{address, 0, {}};
+  for (const MarkerRecord& marker : markers) {
+    if (marker.written_ns) {
+      run.delays_ms.push_back(static_cast<double>(*marker.written_ns - marker.event_ns) / 1e6);
+    } else {
+      ++run.lost;
+    }
+  }
+  return run;
+}
+
 Script timed_script() {
   Script script;
   script.timing = {{500.0, 500.0}, 0.0};
@@ -128,8 +153,8 @@ class TimingRun {
   /// One trial of the session's own; its record, unless it was interrupted.
   std::optional<AttemptRecord> shown(int bodies, Display& display) {
     NoRecorder nobody;
-    const Ports ports{display,      lab_.input(),  scenes_,      nobody,
-                      &lab_.gaze(), &lab_.clock(), &lab_.clock()};
+    Ports ports{display, lab_.input(), scenes_, nobody, &lab_.gaze(), &lab_.clock(), &lab_.clock()};
+    ports.markers = lab_.markers();
     AttemptResult result = run_attempt(timing_trial(bodies), 1, timed_script(), progress_, ports);
     if (result.interruption != Interruption::kNone) {
       return std::nullopt;
@@ -144,9 +169,8 @@ class TimingRun {
       report_.runs.push_back(flip_series(bodies, flips_of(record->frames), nominal_hz()));
     }
     if (record && bodies == kGazeBodies) {
-      report_.gaze = {record->gaze_source,
-                      gaze_latencies_ms(record->steps, record->frames, record->gaze),
-                      record->gaze_lost_share.value_or(0.0)};
+      report_.gaze = gaze_run(*record, lab_.gaze_clock());
+      report_.markers = marker_run(record->markers, lab_.marker_address());
     }
     return record.has_value();
   }

@@ -1,7 +1,7 @@
 // Measures what a timing report tells, part by part, by the path that a session's trials take.
 //
 //   sync test ─> blank flips ─> 1, 15, 250 bodies as trials ─> input sent to itself ─> coded patch
-//                                    └ gaze sample to flip (15)
+//                                    └ gaze sample to flip, flip to marker (15)
 //
 // Knows the lab by interfaces, so that it runs without a window, too.
 // SPDX-License-Identifier: MIT
@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "experiments/record/photodiode_patch.hpp"
 #include "experiments/record/ports.hpp"
@@ -50,6 +51,11 @@ class TimingLab {
   virtual Display& display() = 0;
   virtual Input& input() = 0;
   virtual Gaze& gaze() = 0;
+  /// How the clock of what tells the gaze stands to this machine's, in words; "": it is the same.
+  [[nodiscard]] virtual std::string gaze_clock() const { return ""; }
+  /// Who is told of events, with every one's code; none: nobody.
+  virtual Markers* markers() { return nullptr; }
+  [[nodiscard]] virtual std::string marker_address() const { return ""; }
   /// Of flips, gaze samples and input.
   [[nodiscard]] virtual const Clock& clock() const = 0;
   virtual SyncTest sync_test() = 0;

@@ -18,6 +18,8 @@ constexpr Limits kSpread_ms{0.5, 2.0};        // good platforms: .18 to .34 (Bri
 constexpr Limits kDrift_ppm{500.0, 10000.0};  // half a millisecond in a second; the sync test's 1 %
 constexpr Limits kLateShare{0.0, 0.01};
 constexpr Limits kInput_ms{2.0, 10.0};  // p95
+constexpr Limits kMarker_ms{1.0, 5.0};  // p99; an EEG is sampled every 1 to 4 ms
+constexpr Limits kGazeLost{0.05, 0.2};  // shares of the time
 constexpr Limits kGaze_ms{60.0, 80.0};  // p95; no change was noticed up to 60 (Loschky 2007)
 
 TimingGrade graded(double value, const Limits& limits) {
@@ -108,6 +110,36 @@ TimingVerdict gaze_verdict(const TimingReport& report) {
           graded(latency.p95, kGaze_ms), rule};
 }
 
+/// What the samples' stamps tell; nothing of a mouse, which is asked once a frame.
+TimingVerdict sample_verdict(const GazeRun& gaze) {
+  const Distribution interval = distribution_of(gaze.intervals_ms);
+  return {"Samples of " + gaze.source,
+          decimal(interval.median > 0.0 ? 1e3 / interval.median : 0.0, 1) +
+              " a second, intervals with a standard deviation of " + decimal(interval.sd, 2) +
+              " ms, longest " + decimal(interval.largest, 1) + " ms; without a place " +
+              decimal(100.0 * gaze.lost_share, 1) + " % of the time; " + gaze.clock,
+          graded(gaze.lost_share, kGazeLost),
+          "without a place: " + limits_in_words(kGazeLost, 100.0, " %")};
+}
+
+TimingVerdict marker_verdict(const MarkerRun& markers) {
+  const std::string subject = "Flip to marker (" + markers.address + ")";
+  const std::string rule = "99th percentile: " + limits_in_words(kMarker_ms, 1.0, " ms");
+  if (markers.delays_ms.empty()) {
+    return {subject,
+            markers.lost == 0 ? "nothing happened that is marked"
+                              : "none of " + std::to_string(markers.lost) + " was taken",
+            markers.lost == 0 ? TimingGrade::kNotKnown : TimingGrade::kNotForTiming, rule};
+  }
+  const Distribution delay = distribution_of(markers.delays_ms);
+  const TimingGrade grade = graded(delay.p99, kMarker_ms);
+  return {subject,
+          "median " + decimal(delay.median, 2) + " ms, 99th percentile " + decimal(delay.p99, 2) +
+              " ms of " + std::to_string(delay.count) +
+              (markers.lost == 0 ? "" : "; " + std::to_string(markers.lost) + " were not taken"),
+          markers.lost == 0 ? grade : std::max(grade, TimingGrade::kWithCare), rule};
+}
+
 TimingVerdict content_verdict(const TimingReport& report) {
   const ContentCheck& check = report.content.check;
   TimingVerdict verdict{"Frames as planned, by the coded patch", "",
@@ -191,7 +223,17 @@ std::string gaze_sentence(const TimingReport& report) {
   return "From a sample of the gaze (" + report.gaze.source +
          ") to the return of the flip that first showed what it decided went " +
          decimal(latency.median, 1) + " ms (median; 95th percentile " + decimal(latency.p95, 1) +
-         "). ";
+         "). " + (report.gaze.clock.empty() ? "" : "Of its stamps: " + report.gaze.clock + ". ");
+}
+
+std::string marker_sentence(const MarkerRun& markers) {
+  if (markers.delays_ms.empty()) {
+    return "";
+  }
+  const Distribution delay = distribution_of(markers.delays_ms);
+  return "Markers for another recorder were handed to the system " + decimal(delay.median, 2) +
+         " ms after the return of the flip that they mark (median; 99th percentile " +
+         decimal(delay.p99, 2) + "). ";
 }
 
 std::string content_sentence(const TimingReport& report) {
@@ -228,6 +270,12 @@ std::vector<TimingVerdict> timing_verdicts(const TimingReport& report) {
     verdicts.push_back(input_verdict(input));
   }
   verdicts.push_back(gaze_verdict(report));
+  if (!report.gaze.clock.empty()) {
+    verdicts.push_back(sample_verdict(report.gaze));
+  }
+  if (!report.markers.address.empty()) {
+    verdicts.push_back(marker_verdict(report.markers));
+  }
   verdicts.push_back(content_verdict(report));
   return verdicts;
 }
@@ -261,7 +309,7 @@ std::string described(const InputDelay& input) {
 
 std::string methods_paragraph(const TimingReport& report) {
   return display_sentences(report) + flip_sentences(report) + input_sentences(report) +
-         gaze_sentence(report) + content_sentence(report) +
+         gaze_sentence(report) + marker_sentence(report.markers) + content_sentence(report) +
          "No figure includes the lag of the screen, the keyboard, the mouse or an eye tracker.";
 }
 
@@ -289,6 +337,17 @@ std::vector<std::string> what_is_not_known(const TimingReport& report) {
   sentences.emplace_back(
       "What the patch cannot show: the read-back tells which frame the window system held, not "
       "which one the screen lit.");
+  if (!report.markers.address.empty()) {
+    sentences.emplace_back(
+        "When the other recorder got a marker: the system takes it, a port of 115200 baud needs "
+        "another .09 ms for it, and an adapter for USB up to 16. Record the photodiode's patch and "
+        "the markers side by side.");
+  }
+  if (!report.gaze.clock.empty()) {
+    sentences.emplace_back(
+        "How old a picture of the eye is when its tracker stamps it: only the tracker's maker "
+        "knows.");
+  }
   if (report.gaze.source == "mouse") {
     sentences.emplace_back(
         "The latency of an eye tracker: the mouse stood in for it, sampled when a frame was "

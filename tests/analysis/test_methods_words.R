@@ -17,3 +17,28 @@ test_that("what ran in a web page is named with its browsers", {
   expect_match(page_words(sessions), "3 sittings ran in a web page (Chrome 156, Firefox 153)", fixed = TRUE)
   expect_null(page_words(sessions[2, , drop = FALSE]))
 })
+
+test_that("an eye tracker is named with what is known of its clock", {
+  notes <- data.frame(session = c(1, 1, 2), text = c(
+    "Pupil's clock plus -1234.500000 s is this machine's, known to 0.050 ms; it fell silent 0 times",
+    "Pupil's clock plus -1234.500100 s is this machine's, known to 0.110 ms; it fell silent 2 times",
+    "Pupil's clock plus 3.000000 s is this machine's, known to 0.080 ms; it fell silent 1 times"))
+  expect_equal(tracker_words(notes), paste("Gaze was followed by Pupil in 2 sittings. Its stamps were brought to",
+    "this machine's clock to within 0.11 ms. It fell silent 3 times, which lost gaze and no trial."))
+  one_way <- data.frame(session = 1, text = paste("Gazepoint's clock plus 3.0 s is this machine's, as the fastest",
+    "delivery says; 95 % come later by at most 0.310 ms; it fell silent 0 times"))
+  expect_equal(tracker_words(one_way), paste("Gaze was followed by Gazepoint in 1 sitting. Its clock is known by",
+    "its fastest delivery alone, whose own delay is not; 95 % came later by at most 0.31 ms."))
+  expect_null(tracker_words(notes[0, ]))
+  expect_null(tracker_words(NULL))
+})
+
+test_that("markers are counted with how soon they were sent, and those that were not", {
+  markers <- data.frame(sent_after_ms = c(rep(0.05, 198), 0.4, NA))
+  expect_equal(marker_words(markers), sprintf(paste("Events were marked for another recorder by 200 codes, handed to",
+    "the system 0.05 ms (median; 99 %% within %.2g ms) after the flip or the arrival that each marks; 1 was not",
+    "sent in time."), quantile(markers$sent_after_ms, 0.99, na.rm = TRUE)))
+  expect_equal(marker_words(data.frame(sent_after_ms = NA_real_)),
+    "Events were marked for another recorder by 1 code; 1 was not sent in time.")
+  expect_null(marker_words(markers[0, , drop = FALSE]))
+})

@@ -30,6 +30,23 @@ class AnyScene final : public Scenes {
   ProtocolScenes scenes_{protocol_, 0.0};
 };
 
+/// Takes each marker a fifth of a millisecond after its flip, but for one that it loses.
+class PromptMarkers final : public Markers {
+ public:
+  void mark(MarkedEvent event, std::int64_t event_ns, std::int64_t interval) override {
+    const bool is_lost = ++count == lost_at;
+    records_.push_back(
+        {event, 7, event_ns, is_lost ? std::nullopt : std::optional(event_ns + 200'000), interval});
+  }
+  std::vector<MarkerRecord> take() override { return std::exchange(records_, {}); }
+
+  std::int64_t count{0};
+  std::int64_t lost_at{-1};
+
+ private:
+  std::vector<MarkerRecord> records_;
+};
+
 /// Every input arrives after 2 ms; the patch shows what the last picture said, unless told
 /// otherwise.
 class VirtualLab final : public TimingLab {
@@ -44,6 +61,9 @@ class VirtualLab final : public TimingLab {
   Display& display() override { return display_; }
   Input& input() override { return input_; }
   Gaze& gaze() override { return gaze_; }
+  [[nodiscard]] std::string gaze_clock() const override { return tracker_clock; }
+  Markers* markers() override { return marker_line.empty() ? nullptr : &prompt; }
+  [[nodiscard]] std::string marker_address() const override { return marker_line; }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return {1, 120, 1e9 / 60.0, 0.0, true, "all is well"}; }
   InputTrace try_input(const std::function<bool()>& show) override {
@@ -64,6 +84,9 @@ class VirtualLab final : public TimingLab {
     return display_.pictures[held].patch_code;
   }
 
+  std::string tracker_clock;
+  std::string marker_line;
+  PromptMarkers prompt;
   std::int64_t stopped_at_frame{-1};
   std::int64_t repeated_at_patch{-1};  ///< this reading finds the picture before
   std::int64_t patches_read{0};
@@ -125,6 +148,37 @@ TEST(TimingRun, MeasuresEveryPartByTheSessionsOwnPath) {
   EXPECT_EQ(report->content.corner, "top right");
   EXPECT_TRUE(report->content.check.all_as_planned());
   EXPECT_GT(report->content.check.frames, 30);
+}
+
+TEST(TimingRun, TellsOfTrackersAndMarkersWhereThereAreAny) {
+  VirtualLab alone;
+  const auto without = report_of(alone);
+  ASSERT_TRUE(without);
+  EXPECT_TRUE(timing_json(*without)["flip_to_marker"].is_null());
+  EXPECT_EQ(timing_page(*without).find("Markers for another recorder"), std::string::npos);
+
+  VirtualLab lab;
+  lab.tracker_clock = "the clocks agree to 0.1 ms";
+  lab.marker_line = "tcp://eeg:5005";
+  const auto report = report_of(lab);
+  ASSERT_TRUE(report);
+  ASSERT_FALSE(report->gaze.intervals_ms.empty());
+  ASSERT_GE(report->markers.delays_ms.size(), 3U);  // cross, onset and end at least
+  EXPECT_EQ(distribution_of(report->markers.delays_ms).largest, 0.2);
+  EXPECT_EQ(grade_of(*report, "Flip to marker (tcp://eeg:5005)"), TimingGrade::kGood);
+  const std::string page = timing_page(*report);
+  EXPECT_NE(page.find("the clocks agree to 0.1 ms"), std::string::npos);
+  EXPECT_NE(page.find("handed to the system 0.20 ms after"), std::string::npos);
+  EXPECT_EQ(timing_json(*report)["flip_to_marker"]["lost"], 0);
+
+  VirtualLab lossy;
+  lossy.marker_line = "tcp://eeg:5005";
+  // The first of the second of four runs alike, two of which are of the shown trial with markers.
+  lossy.prompt.lost_at = lab.prompt.count / 4 + 1;
+  const auto with_loss = report_of(lossy);
+  ASSERT_TRUE(with_loss);
+  EXPECT_EQ(with_loss->markers.lost, 1);
+  EXPECT_EQ(grade_of(*with_loss, "Flip to marker"), TimingGrade::kWithCare);
 }
 
 TEST(TimingRun, AFrameThatTheScreenRepeatedIsFound) {
