@@ -1,4 +1,4 @@
-# What the methods section says of eye trackers and of markers for another recorder.
+# What the methods section says of eye trackers, of markers for another recorder and of sounds.
 # SPDX-License-Identifier: MIT
 
 # Rows of a query on the sittings of a protocol; none where the study is older than the table.
@@ -14,7 +14,10 @@ device_words <- function(path, sessions) {
       "SELECT session_id AS session, text FROM note WHERE kind = 'gaze tracker'", sessions)),
     marker_words(rows_of_sittings(path, "marker", "SELECT session_id AS session,
       (written_ns - event_ns) / 1e6 AS sent_after_ms
-      FROM marker JOIN attempt ON attempt.id = attempt_id", sessions)))
+      FROM marker JOIN attempt ON attempt.id = attempt_id", sessions)),
+    sound_words(rows_of_sittings(path, "sound", "SELECT session_id AS session, lag_ms,
+      (realised_ns - shown_ns) / 1e6 AS realised_lag_ms
+      FROM sound JOIN attempt ON attempt.id = attempt_id", sessions)))
 }
 
 # `notes`: session, text, as a sitting keeps it at its start and end: "Pupil's clock plus 1.5 s is this
@@ -45,4 +48,18 @@ marker_words <- function(markers) {
     if (length(sent) > 0) sprintf(paste(", handed to the system %.2g ms (median; 99 %% within %.2g ms)",
       "after the flip or the arrival that each marks"), stats::median(sent), stats::quantile(sent, 0.99)),
     if (lost > 0) sprintf("; %s not sent in time", if (lost == 1) "1 was" else paste(lost, "were")), ".")
+}
+
+# `sounds`: lag_ms, realised_lag_ms, NA where an onset is not known, as of simulated participants.
+sound_words <- function(sounds) {
+  if (NROW(sounds) == 0) return(NULL)
+  off <- (sounds$realised_lag_ms - sounds$lag_ms)[!is.na(sounds$realised_lag_ms)]
+  unknown <- nrow(sounds) - length(off)
+  paste0(sprintf("%s at lags of %s ms from the flip that showed the contact",
+      if (nrow(sounds) == 1) "1 sound was played" else paste(count_of(nrow(sounds), "sound"), "were played"),
+      paste(sort(unique(sounds$lag_ms)), collapse = ", ")),
+    if (length(off) > 0) sprintf(paste("; onsets left the device's buffer %.2g ms from that in the median (half of",
+      "them between %.2g and %.2g ms), before what driver and loudspeaker add"), stats::median(off),
+      stats::quantile(off, 0.25), stats::quantile(off, 0.75)),
+    if (unknown > 0) sprintf("; of %d nobody knows when they were heard", unknown), ".")
 }

@@ -76,6 +76,8 @@ const std::map<std::string, std::string>& computed_meanings() {
       {"collisions", "how many; empty: not completed"},
       {"excluded", "1: left out of the analysis, by the last decision"},
       {"exclusion_reasons", "why it is left out; empty: it is not"},
+      {"realised_lag_ms",
+       "from the flip that showed the contact to the sound's onset; empty: one is not known"},
       {"sent_after_ms",
        "from the event to when the system had taken the marker; empty: not in time"},
       {"stimulus_time_s", "from the flip of the stimulus's first frame; empty: no frame recorded"}};

@@ -160,6 +160,19 @@ LEFT JOIN participant ON participant.id = enrolment.participant_id
 LEFT JOIN protocol ON protocol.id = enrolment.protocol_id
 ORDER BY marker.attempt_id, marker.number;
 
+-- sounds: One row per sound at a contact
+SELECT participant.pseudonym AS participant, participant.simulated AS participant_simulated,
+  protocol.name AS protocol, trial.id AS trial_id, trial.slot AS slot, trial.phase AS trial_phase,
+  attempt.number AS attempt_number, attempt.outcome AS attempt_outcome, sound.*,
+  (sound.realised_ns - sound.shown_ns) / 1e6 AS realised_lag_ms
+FROM sound
+LEFT JOIN attempt ON attempt.id = sound.attempt_id
+LEFT JOIN trial ON trial.id = attempt.trial_id
+LEFT JOIN enrolment ON enrolment.id = trial.enrolment_id
+LEFT JOIN participant ON participant.id = enrolment.participant_id
+LEFT JOIN protocol ON protocol.id = enrolment.protocol_id
+ORDER BY sound.attempt_id, sound.number;
+
 -- gaze: One row per sample of the gaze during a stimulus, raw
 SELECT participant.pseudonym AS participant, participant.simulated AS participant_simulated,
   protocol.name AS protocol, trial.id AS trial_id, trial.slot AS slot, trial.phase AS trial_phase,

@@ -10,16 +10,17 @@ namespace impetus::inline observers {
 
 using nlohmann::json;
 using DeclaredObserver = const ObserverKind&();
-DeclaredObserver adapting_observer, awaiting_observer, causality_observer, counterfactual_observer,
-    foreseeing_observer, gap_observer, gap_thresholds_observer, gaze_observer, launching_observer,
-    psychometric_observer, rebound_observer, response_observer;
+DeclaredObserver adapting_observer, awaiting_observer, bouncing_observer, causality_observer,
+    counterfactual_observer, foreseeing_observer, gap_observer, gap_thresholds_observer,
+    gaze_observer, launching_observer, psychometric_observer, rebound_observer, response_observer;
 
 const std::vector<std::reference_wrapper<const ObserverKind>>& observer_kinds() {
   static const std::vector<std::reference_wrapper<const ObserverKind>> kinds{
-      adapting_observer(),       awaiting_observer(),   causality_observer(),
-      counterfactual_observer(), foreseeing_observer(), gap_observer(),
-      gap_thresholds_observer(), gaze_observer(),       launching_observer(),
-      psychometric_observer(),   rebound_observer(),    response_observer()};
+      adapting_observer(),  awaiting_observer(),       bouncing_observer(),
+      causality_observer(), counterfactual_observer(), foreseeing_observer(),
+      gap_observer(),       gap_thresholds_observer(), gaze_observer(),
+      launching_observer(), psychometric_observer(),   rebound_observer(),
+      response_observer()};
   return kinds;
 }
 

@@ -165,6 +165,27 @@ std::string markers(const MarkerCodes& codes) {
   return page;
 }
 
+/// Where no factor says otherwise.
+std::string sound(const json& said) {
+  const auto number = [&](const char* key, double otherwise) {
+    return number_words(said.value(key, otherwise));
+  };
+  const std::string kind = said["kind"].get<std::string>();
+  std::string page = heading("What is heard") + "Where no factor says otherwise, " +
+                     (kind == "none"   ? "nothing is heard"
+                      : kind == "tone" ? "a tone of " + number("frequency_hz", 1000.0) +
+                                             " Hz for " + number("duration_ms", 100.0) + " ms"
+                                       : "a sound as of struck " + kind);
+  page += said.contains("at_s") ? ", " + number("at_s", 0.0) + " s after onset"
+          : said.value("every_contact", false)
+              ? ", at each contact, louder or softer by its impulse"
+              : ", at the first contact";
+  return page + "; " + number("lag_ms", 0.0) +
+         " ms after the flip that shows it (below 0: before). When each onset was intended and "
+         "when "
+         "it left the sound device is recorded.\n";
+}
+
 std::string gaze(const GazeTask& task) {
   std::string page = heading("How the gaze is followed");
   if (task.calibration) {
@@ -343,6 +364,8 @@ std::string protocol_page(const Protocol& protocol) {
     page += trial(protocol);
     page += protocol.script.gaze ? gaze(*protocol.script.gaze) : "";
     page += protocol.script.markers ? markers(*protocol.script.markers) : "";
+    const json& scene = protocol.scene.value;
+    page += scene.contains("sound") ? sound(scene["sound"]) : "";
     page += resuming(protocol.script) + left_out(protocol.exclude_when) + words_shown(protocol);
   }
   return page + solved(document) + scene(protocol) + recorded(protocol) + commands(protocol);

@@ -14,6 +14,7 @@
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/gaze_correction.hpp"
 #include "experiments/record/markers.hpp"
+#include "experiments/record/sound.hpp"
 #include "experiments/record/wall_names.hpp"
 
 namespace impetus::inline record {
@@ -163,6 +164,7 @@ struct AttemptRecord {
   std::optional<double> gaze_lost_share{};  ///< of the stimulus, time without a valid sample
   std::optional<double> imposed_gaze_latency_s{};
   std::vector<MarkerRecord> markers{};
+  std::vector<SoundRecord> sounds{};
 };
 
 /// A point of a calibration, validation or drift check: where it was shown, what the gaze did.

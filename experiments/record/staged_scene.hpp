@@ -19,6 +19,7 @@
 #include "experiments/record/appearance.hpp"
 #include "experiments/record/flashing.hpp"
 #include "experiments/record/gaze.hpp"
+#include "experiments/record/sound.hpp"
 
 namespace impetus::inline record {
 
@@ -183,6 +184,7 @@ struct StagedScene {
   std::shared_ptr<const GazePath> recorded_gaze{};  ///< of a region of kind kRecorded
   /// How bodies and what is about them are painted; none: as a scene that says nothing of it.
   std::shared_ptr<const Appearance> appearance{};
+  std::optional<SoundTask> sound{};  ///< none: nothing is to be heard
   Condition condition{};  ///< that it was staged for; a simulated participant may go by it
 
   /// From onset to the scene's end, what is hidden of it included.

@@ -3,6 +3,7 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/plane/plane_rows.hpp"
+#include "experiments/scenes/showing/sound_settings.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -379,7 +380,8 @@ const Kind<Scene>& scene_kind() {
                row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
                row("launch", &S::launch, launch_kind()),
                row("distractors", &S::distractors, distractors_kind()),
-               row("imposed", &S::imposed, imposed_kind())})));
+               row("imposed", &S::imposed, imposed_kind()),
+               row("sound", &S::sound, sound_kind())})));
   return kind;
 }
 

@@ -23,6 +23,7 @@
 
 #include "engine/figures/figure.hpp"
 #include "engine/scheduling/viewer.hpp"
+#include "experiments/record/sound.hpp"
 #include "experiments/scenes/appearance_settings.hpp"
 #include "experiments/scenes/engine_settings.hpp"
 #include "experiments/scenes/figures/figure_settings.hpp"
@@ -226,6 +227,7 @@ struct Scene {
   std::optional<LaunchSettings> launch;
   std::optional<DistractorSettings> distractors;
   std::optional<ImposedSettings> imposed;
+  std::optional<SoundTask> sound;
 
   [[nodiscard]] bool has_crowd() const { return crowd || figure_crowd; }
   [[nodiscard]] bool has_figures() const { return figures || figure_crowd; }

@@ -18,6 +18,7 @@
 #include "experiments/scenes/scene_limits.hpp"
 #include "experiments/scenes/scene_meeting.hpp"
 #include "experiments/scenes/showing/scene_showing.hpp"
+#include "experiments/scenes/showing/sound_settings.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -178,6 +179,7 @@ void add_part_problems(const Scene& scene, SceneProblems& problems) {
   add_goal_problems(scene, problems);
   add_launch_problems(scene, problems);
   add_showing_problems(scene, problems);
+  add_sound_problems(scene, problems);
   if (scene.has_figures()) {
     add_figure_problems(scene, problems);
   }

@@ -54,6 +54,9 @@ Stimulus::Stimulus(const PlannedTrial& shown, std::int64_t interval, const Scrip
   if (script.gaze && ports.gaze != nullptr) {
     record_.gaze_source = ports.gaze->source();
   }
+  if (ports.sounds != nullptr && scene().sound) {
+    sounds_.emplace(live_, interval, ports.display.refresh_hz(), *ports.sounds);
+  }
 }
 
 double Stimulus::imposed_gaze_latency_s() const {
@@ -63,6 +66,9 @@ double Stimulus::imposed_gaze_latency_s() const {
 Interruption Stimulus::show() {
   if (show_fixation()) {
     show_scene();
+  }
+  if (sounds_) {
+    sounds_->end();
   }
   return interruption_;
 }
@@ -77,6 +83,7 @@ bool Stimulus::show_fixation() {
     if (!show_timed(cross, FramePhase::kFixation, 0.0)) {
       return false;
     }
+    sound(frame - frames);
     if (frame == 0) {
       mark(MarkedEvent::kFixation);
     }
@@ -105,6 +112,7 @@ bool Stimulus::show_scene() {
       return false;
     }
     mark_frame(frame, last_frame);
+    sound(frame);
     take_clicks();
     if (frame == 0) {
       record_.onset_ns = record_.frames.back().flip.flipped_ns;
@@ -162,6 +170,13 @@ void Stimulus::take_clicks() {
 void Stimulus::mark(MarkedEvent event) {
   if (ports_.markers != nullptr) {
     ports_.markers->mark(event, record_.frames.back().flip.flipped_ns, interval_);
+  }
+}
+
+/// Of the scene from 0 on; of the cross before it, below.
+void Stimulus::sound(std::int64_t frame) {
+  if (sounds_) {
+    sounds_->flipped(frame, record_.frames.back().flip.flipped_ns, live_.collisions());
   }
 }
 
@@ -242,6 +257,10 @@ void Stimulus::append_to(AttemptRecord& record) {
   append(record.frames, record_.frames);
   append(record.clicks, record_.clicks);
   append(record.gaze, record_.gaze);
+  if (sounds_) {
+    std::vector<SoundRecord> sounds = sounds_->take_records();
+    append(record.sounds, sounds);
+  }
 }
 
 }  // namespace impetus::inline session

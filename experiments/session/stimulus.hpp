@@ -10,6 +10,7 @@
 #include "experiments/gaze/gaze_follower.hpp"
 #include "experiments/questions/script.hpp"
 #include "experiments/run/live_run.hpp"
+#include "experiments/session/stimulus_sounds.hpp"
 #include "experiments/session/trial.hpp"
 
 namespace impetus::inline session {
@@ -34,7 +35,7 @@ class Stimulus {
   /// Tells the participant what was shown, and takes the clicks that this is answered with.
   void be_witnessed();
 
-  /// Appends steps, collisions, frames, clicks and gaze; frames are numbered on.
+  /// Appends steps, collisions, frames, clicks, gaze and sounds; frames are numbered on.
   void append_to(AttemptRecord& record);
 
   [[nodiscard]] const StagedScene& scene() const { return live_.scene(); }
@@ -58,6 +59,7 @@ class Stimulus {
   [[nodiscard]] std::int64_t last_frame_of(const LiveRun& live) const;
   bool show_timed(const Picture& frame, FramePhase phase, double time_s);
   [[nodiscard]] Picture with_pointer(const std::vector<Pose>& poses, double time_s) const;
+  void sound(std::int64_t frame);
   void mark(MarkedEvent event);
   void mark_frame(std::int64_t frame, std::int64_t last_frame);
   void take_simulation(std::int64_t last_frame_shown);
@@ -74,6 +76,7 @@ class Stimulus {
   std::int64_t fixation_frames_{0};
   std::size_t marked_collisions_{0};
   AttemptRecord record_;
+  std::optional<StimulusSounds> sounds_;  ///< none: nothing is to be heard
   Interruption interruption_{Interruption::kNone};
 };
 

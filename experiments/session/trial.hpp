@@ -25,6 +25,7 @@ struct Ports {
   /// Says a sentence to the experimenter while the session runs; none: nobody is there to hear it.
   std::function<void(const std::string&)> tell{};
   Markers* markers{nullptr};  ///< none: nothing is marked
+  Sounds* sounds{nullptr};    ///< none: nothing is heard, and nothing recorded of it
 };
 
 /// An attempt's record, and what interrupted it.

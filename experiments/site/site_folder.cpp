@@ -122,6 +122,9 @@ void require_publishable(const Protocol& protocol) {
     refuse(protocol.document, "/gaze/yoked_to",
            "expected none in a page, which does not know the gaze of others");
   }
+  if (protocol.scene.value.contains("sound")) {
+    refuse(protocol.scene, "/sound", "expected none in a page, which plays no sounds");
+  }
 }
 
 void require_links(const SiteOptions& options) {

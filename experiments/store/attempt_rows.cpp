@@ -171,6 +171,23 @@ void insert_markers(SQLite::Database& database, std::int64_t id,
   }
 }
 
+void insert_sounds(SQLite::Database& database, std::int64_t id,
+                   const std::vector<SoundRecord>& sounds) {
+  RowInsert rows(database, "sound");
+  std::int64_t number = 0;
+  for (const SoundRecord& sound : sounds) {
+    rows.insert({{"attempt_id", id},
+                 {"number", ++number},
+                 {"step", sound.step},
+                 {"lag_ms", sound.lag_ms},
+                 {"loudness", sound.loudness},
+                 {"shown_ns", sound.shown_ns},
+                 {"intended_ns", sound.intended_ns},
+                 {"realised_ns", sound.realised_ns},
+                 {"interval", sound.interval}});
+  }
+}
+
 void insert_ratings(SQLite::Database& database, std::int64_t id,
                     const std::vector<RatingRecord>& ratings) {
   RowInsert rows(database, "rating");
@@ -278,6 +295,7 @@ void insert_attempt(SQLite::Database& database, const AttemptOwner& owner,
   insert_gaze(database, id, attempt.gaze);
   insert_clicks(database, id, attempt.clicks);
   insert_markers(database, id, attempt.markers);
+  insert_sounds(database, id, attempt.sounds);
   insert_ratings(database, id, attempt.ratings);
   insert_responses(database, id, attempt.responses);
   insert_not_finite_notes(database, owner.session_id, attempt);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "experiments/store/embedded_migration_10_11.hpp"
+#include "experiments/store/embedded_migration_11_12.hpp"
 #include "experiments/store/embedded_migration_1_2.hpp"
 #include "experiments/store/embedded_migration_2_3.hpp"
 #include "experiments/store/embedded_migration_3_4.hpp"
@@ -112,6 +113,9 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   }
   if (version < 11) {
     database.exec(kMigrationFrom10To11Sql);
+  }
+  if (version < 12) {
+    database.exec(kMigrationFrom11To12Sql);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

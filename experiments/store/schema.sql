@@ -3,8 +3,8 @@
 --   participant --< enrolment >-- protocol        who does which protocol, with which seed
 --                      |
 --                      +--< trial                  the plan: stored before the first is shown
---                      |      +--< attempt --< step, collision, frame, gaze, click, marker, rating,
---                      |      |              response
+--                      |      +--< attempt --< step, collision, frame, gaze, click, marker, sound,
+--                      |      |              rating, response
 --                      +--< session                one sitting; a resumed enrolment has several
 --                             +--< answer, note, calibration --< calibration_point
 --
@@ -273,6 +273,21 @@ CREATE TABLE marker (
   code INTEGER NOT NULL CHECK (code BETWEEN 1 AND 255),  -- that was sent, as the protocol names it
   event_ns INTEGER NOT NULL,          -- the flip or the arrival that it marks
   written_ns INTEGER,                 -- when the system had taken it; NULL: it did not in time
+  interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
+                                      -- which stimulus of a two-interval trial; otherwise 1
+  PRIMARY KEY (attempt_id, number)
+) STRICT, WITHOUT ROWID;
+
+-- Sounds at contacts, in the order handed over.
+CREATE TABLE sound (
+  attempt_id INTEGER NOT NULL REFERENCES attempt (id),
+  number INTEGER NOT NULL CHECK (number >= 1),  -- in the order planned
+  step INTEGER,                       -- in which the contact began; NULL: it is of a time from onset
+  lag_ms REAL NOT NULL,               -- from the flip that shows it to the sound, as asked for
+  loudness REAL NOT NULL CHECK (loudness > 0 AND loudness <= 1),  -- share of what the device can give
+  shown_ns INTEGER,                   -- the flip that showed the contact; NULL: it was not shown
+  intended_ns INTEGER NOT NULL,       -- its onset, as was foreseen when it was handed over
+  realised_ns INTEGER,                -- when its onset left the device's buffer; NULL: not known
   interval INTEGER NOT NULL DEFAULT 1 CHECK (interval IN (1, 2)),
                                       -- which stimulus of a two-interval trial; otherwise 1
   PRIMARY KEY (attempt_id, number)

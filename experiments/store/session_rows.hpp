@@ -70,6 +70,8 @@ std::optional<double> seconds_since_recorded(SQLite::Database& database, std::in
 
 /// Kinds of notes on markers for another recorder.
 inline constexpr const char* kMarkersNote = "markers";           ///< where they go
+inline constexpr const char* kSoundNote = "sound";             ///< by which device, or by none
+inline constexpr const char* kSoundLostNote = "sound lost";    ///< since when nothing was heard
 inline constexpr const char* kMarkersLostNote = "markers lost";  ///< how many of how many
 
 /// Kinds of notes of a session: that it resumed on another screen than the one before, and that its

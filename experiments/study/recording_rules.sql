@@ -39,6 +39,10 @@ SELECT place || ': of the markers 1 to ' || max(marker.number) || ' there are ' 
   FROM marker JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
   HAVING max(marker.number) <> count(*);
 
+SELECT place || ': of the sounds 1 to ' || max(sound.number) || ' there are ' || count(*)
+  FROM sound JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
+  HAVING max(sound.number) <> count(*);
+
 SELECT place || ': of the answers 1 to ' || max(response.number) || ' there are ' || count(*)
   FROM response JOIN shown ON shown.id = attempt_id GROUP BY attempt_id
   HAVING max(response.number) <> count(*);

@@ -7,7 +7,7 @@ pkg_check_modules(X11 IMPORTED_TARGET x11)
 pkg_check_modules(XTST IMPORTED_TARGET xtst)
 
 impetus_room(drawing USES impetus_run)
-impetus_room(window USES impetus_drawing impetus_session)
+impetus_room(window USES impetus_drawing impetus_session impetus_sound)
 impetus_room(viewers USES impetus_window impetus_viewing)
 
 # Private: no other room sees the window's libraries.

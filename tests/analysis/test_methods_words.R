@@ -42,3 +42,13 @@ test_that("markers are counted with how soon they were sent, and those that were
     "Events were marked for another recorder by 1 code; 1 was not sent in time.")
   expect_null(marker_words(markers[0, , drop = FALSE]))
 })
+
+test_that("sounds are counted with their lags and how far onsets lay from them", {
+  sounds <- data.frame(lag_ms = c(-150, 0, 0, 150), realised_lag_ms = c(-149, 1, 3, NA))
+  expect_equal(sound_words(sounds), paste("4 sounds were played at lags of -150, 0, 150 ms from the flip that showed",
+    "the contact; onsets left the device's buffer 1 ms from that in the median (half of them between 1 and 2 ms),",
+    "before what driver and loudspeaker add; of 1 nobody knows when they were heard."))
+  expect_equal(sound_words(data.frame(lag_ms = 0, realised_lag_ms = NA_real_)), paste("1 sound was played at lags",
+    "of 0 ms from the flip that showed the contact; of 1 nobody knows when they were heard."))
+  expect_null(sound_words(sounds[0, ]))
+})

@@ -29,6 +29,7 @@ constexpr Recording kRecordings[] = {
     {"launching", 24U},              // one of two spheres rests; delays and gaps
     {"odd-shapes", 9U},              // prisms launched from afar, that appear late
     {"scheduler-distribution", 7U},  // nobody takes part
+    {"stream-or-bounce", 6U},        // bodies that pass through each other, and a sound
     {"two-balls", 4U},               // discs and walls in a plane; a goal ends each trial
     {"what-will-happen", 6U},        // still at first; gravity; hidden before the end
 };

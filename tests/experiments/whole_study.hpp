@@ -61,7 +61,9 @@ class WholeStudy {
             "INSERT INTO note (session_id, written_utc, kind, text) VALUES "
             "(1, '2026-01-02T03:04:05Z', 'test', ''); "
             "INSERT INTO marker VALUES (1, 1, 'onset', 20, 500, 600, 1), "
-            "(1, 2, 'contact', 30, 700, NULL, 1)");
+            "(1, 2, 'contact', 30, 700, NULL, 1); "
+            "INSERT INTO sound VALUES (1, 1, 240, -150, 0.5, 700, 550, 560, 1), "
+            "(1, 2, NULL, 0, 0.25, NULL, 800, NULL, 1)");
   }
 
   void run(const std::string& study,

@@ -11,6 +11,7 @@
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
+#include "experiments/window/audio_device.hpp"
 #include "experiments/window/window.hpp"
 #endif
 
@@ -56,6 +57,8 @@ class HeadlessLaboratory final : public Laboratory {
   Input& input() override { return *observer_; }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   Gaze* gaze() override { return observer_->eye(); }
+  Sounds* sounds() override { return &silence_; }
+  [[nodiscard]] std::string sound_words() const override { return "headless: heard by nobody"; }
   SyncTest sync_test() override {
     return {0, 0, 0.0, 0.0, true, "virtual time: every flip happens exactly when it is due"};
   }
@@ -67,6 +70,7 @@ class HeadlessLaboratory final : public Laboratory {
  private:
   VirtualClock clock_;
   HeadlessDisplay display_;
+  NoSounds silence_;
   std::unique_ptr<RatingObserver> observer_;
 };
 
@@ -76,7 +80,8 @@ class HeadlessLaboratory final : public Laboratory {
 class WindowLaboratory final : public Laboratory {
  public:
   explicit WindowLaboratory(const LaboratoryOptions& options)
-      : window_(options_of(options), clock_) {
+      : audio_(options.sounds ? std::make_unique<AudioDevice>() : nullptr),
+        window_(options_of(options), clock_) {
     window_.set_geometry(lab_screen(options));
     if (options.photodiode) {
       window_.show_patch(*options.photodiode);
@@ -90,6 +95,15 @@ class WindowLaboratory final : public Laboratory {
   Display& display() override { return window_; }
   Input& input() override { return observer_ ? static_cast<Input&>(*observer_) : window_; }
   Gaze* gaze() override { return observer_ ? observer_->eye() : &window_.mouse_gaze(); }
+  Sounds* sounds() override { return audio_.get(); }
+  [[nodiscard]] std::string sound_words() const override {
+    return audio_ ? audio_->description() : "";
+  }
+  [[nodiscard]] std::string sound_lost() const override {
+    return audio_ && audio_->is_gone()
+               ? "the sound device went away; sounds without an instant were not heard"
+               : "";
+  }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return window_.sync_test(); }
   [[nodiscard]] std::string description() const override { return window_.description(); }
@@ -120,6 +134,7 @@ class WindowLaboratory final : public Laboratory {
   }
 
   SteadyClock clock_;
+  std::unique_ptr<AudioDevice> audio_;  ///< before the window, which nobody should see without it
   Window window_;
   std::unique_ptr<ShownObserver> observer_;
   bool measured_{false};

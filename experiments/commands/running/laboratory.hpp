@@ -12,6 +12,7 @@
 #include "experiments/protocol/observer_file.hpp"
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/record/ports.hpp"
+#include "experiments/record/sound.hpp"
 #include "experiments/session/timing_check.hpp"
 
 namespace impetus::inline commands {
@@ -26,6 +27,7 @@ struct LaboratoryOptions {
   std::string window_size;                   ///< "1280x1024"; "" for fullscreen
   std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
   std::set<std::uint16_t> letters{};         ///< of kWideLetters, that the window will show
+  bool sounds{false};                        ///< the protocol's scenes are heard
 
   /// Whether somebody sees a window.
   [[nodiscard]] bool has_window() const { return !observer || show; }
@@ -39,6 +41,12 @@ class Laboratory {
   virtual Input& input() = 0;
   /// Where the participant looks; none when nothing tells.
   virtual Gaze* gaze() { return nullptr; }
+  /// What plays the sounds of scenes; none: the scenes have none.
+  virtual Sounds* sounds() { return nullptr; }
+  /// By what they are heard, in words.
+  [[nodiscard]] virtual std::string sound_words() const { return ""; }
+  /// In a sentence, that it is gone; "": it is there, or never was.
+  [[nodiscard]] virtual std::string sound_lost() const { return ""; }
   /// Of flips and gaze samples.
   [[nodiscard]] virtual const Clock& clock() const = 0;
   virtual SyncTest sync_test() = 0;

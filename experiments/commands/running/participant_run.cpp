@@ -206,6 +206,10 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   Ports ports{
       laboratory_->display(), laboratory_->input(), scenes,       writer,           gaze(),
       &laboratory_->clock(),  &work_clock,          &gaze_paths_, GazeCorrection{}, tell_at_once};
+  if (part_.lab.sounds && laboratory_->sounds() != nullptr) {
+    writer.save(NoteRecord{kSoundNote, laboratory_->sound_words()});
+    ports.sounds = laboratory_->sounds();
+  }
   std::optional<MarkerWriter> markers;
   if (markers_) {
     writer.save(NoteRecord{kMarkersNote, options_.markers});
@@ -216,6 +220,10 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
       run_session(protocol.script, plan_, enrolment_.history, ports, protocol.design);
   save_tracker_note(part_.tracker.get(), writer);  // two clocks drift apart
   tell_warnings(result, writer);
+  if (const std::string lost = laboratory_->sound_lost(); !lost.empty()) {
+    std::fprintf(stderr, "warning: %s\n", lost.c_str());
+    writer.save(NoteRecord{kSoundLostNote, lost});
+  }
   if (markers) {
     save_markers_note(markers->counts(), writer);
   }

@@ -111,6 +111,7 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
   part.lab.letters = wide_letters(part.protocol);
+  part.lab.sounds = part.protocol.scene.value.contains("sound");
   require_fonts(part);
   require_markers(part, options);
   if (!options.photodiode.empty()) {

@@ -34,6 +34,7 @@ std::filesystem::path study_with_every_table(const std::filesystem::path& path,
       "INSERT INTO gaze VALUES (3, 1, 11, .5, .25, NULL, 1); "
       "INSERT INTO click VALUES (3, 1, 'key', 12, 13, 1); "
       "INSERT INTO marker VALUES (3, 1, 'contact', 30, 12, 13, 1); "
+      "INSERT INTO sound VALUES (3, 1, 240, -150, 0.5, 12, 13, 14, 1); "
       "INSERT INTO response VALUES (3, 1, 'free_text', 'Why?', 'for ''' || char(10) || 'fun', "
       "NULL, "
       "NULL, '{}', 'key', 1, 2, 3, 0); "
