@@ -226,7 +226,7 @@ void add_timing(CLI::App& app, Command& chosen) {
                       "gazepoint://HOST[:PORT]");
   command->add_option("--markers", options->markers,
                       "Where to send markers, and measure how soon: serial:///dev/PORT or "
-                      "tcp://HOST:PORT");
+                      "tcp://HOST:PORT or lsl://NAME");
   command->add_flag("--json", options->json, "Print the report as JSON, too");
   command->add_flag("--force", options->force, "Overwrite an earlier report");
   command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });

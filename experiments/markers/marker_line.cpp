@@ -14,6 +14,7 @@
 #include <functional>
 #include <utility>
 
+#include "experiments/connections/lsl.hpp"
 #include "experiments/connections/tcp.hpp"
 #include "experiments/settings/input_error.hpp"
 
@@ -61,7 +62,7 @@ class ReopenedLine final : public MarkerLine {
   ReopenedLine(Opening open, std::string (*bytes_of)(MarkedEvent, std::int64_t))
       : open_(std::move(open)), bytes_of_(bytes_of), file_(open_(kLongestOpening)) {}
 
-  bool write(MarkedEvent event, std::int64_t code) override {
+  bool write(MarkedEvent event, std::int64_t code, std::int64_t /*event_ns*/) override {
     if (!file_.is_open() && !reopen()) {
       return false;
     }
@@ -94,9 +95,11 @@ class ReopenedLine final : public MarkerLine {
 
 std::string byte_of(MarkedEvent /*event*/, std::int64_t code) { return {static_cast<char>(code)}; }
 
-std::string line_of(MarkedEvent event, std::int64_t code) {
-  return std::to_string(code) + " " + std::string(name_of(event)) + "\n";
+std::string words_of(MarkedEvent event, std::int64_t code) {
+  return std::to_string(code) + " " + std::string(name_of(event));
 }
+
+std::string line_of(MarkedEvent event, std::int64_t code) { return words_of(event, code) + "\n"; }
 
 [[noreturn]] void refuse_address(const std::string& address, const std::string& expected) {
   throw InputError("--markers: expected " + expected + ", got " + address);
@@ -187,6 +190,33 @@ std::unique_ptr<MarkerLine> socket_line(const std::string& address, const std::s
       [=](Milliseconds longest) { return open_socket(address, host, port, longest); }, line_of);
 }
 
+// ---------------------------------------------------------------- the Lab Streaming Layer
+
+/// Whoever listens to the stream gets it; nobody need.
+class StreamedLine final : public MarkerLine {
+ public:
+  explicit StreamedLine(const std::string& name) : outlet_(name, "Markers") {}
+
+  bool write(MarkedEvent event, std::int64_t code, std::int64_t event_ns) override {
+    return outlet_.push(words_of(event, code), event_ns);
+  }
+
+ private:
+  LslOutlet outlet_;
+};
+
+std::unique_ptr<MarkerLine> streamed_line(const std::string& address, const std::string& name) {
+  if (name.empty()) {
+    refuse_address(address, "lsl://NAME, the name of the stream");
+  }
+  try {
+    return std::make_unique<StreamedLine>(name);
+  } catch (const std::runtime_error& missing) {
+    refuse_line(address, "the library liblsl, which Debian has not (github.com/sccn/liblsl)",
+                missing.what());
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<MarkerLine> open_marker_line(const std::string& address) {
@@ -199,7 +229,10 @@ std::unique_ptr<MarkerLine> open_marker_line(const std::string& address) {
   if (scheme == "tcp") {
     return socket_line(address, rest);
   }
-  refuse_address(address, "serial:///dev/PORT or tcp://HOST:PORT");
+  if (scheme == "lsl") {
+    return streamed_line(address, rest);
+  }
+  refuse_address(address, "serial:///dev/PORT, tcp://HOST:PORT or lsl://NAME");
 }
 
 }  // namespace impetus::inline markers

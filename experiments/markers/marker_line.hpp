@@ -2,6 +2,8 @@
 //
 //   serial:///dev/ttyUSB0?baud=115200    each marker is one byte, its code
 //   tcp://eeg-room:5005                  each is a line: "30 contact"
+//   lsl://impetus                        a stream of that name and of type Markers, of such texts,
+//                                        stamped by the flip itself
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -19,9 +21,9 @@ class MarkerLine {
  public:
   virtual ~MarkerLine() = default;
 
-  /// Hands the marker to the system; whether it took it, in at most a tenth of a second. Once it
-  /// did not, the line is tried anew from time to time.
-  virtual bool write(MarkedEvent event, std::int64_t code) = 0;
+  /// Hands the marker of an event at `event_ns` to the system; whether it took it, in at most a
+  /// tenth of a second. Once it did not, the line is tried anew from time to time.
+  virtual bool write(MarkedEvent event, std::int64_t code, std::int64_t event_ns) = 0;
 };
 
 /// The line at an address as above, open. Throws InputError in one sentence: an address that is

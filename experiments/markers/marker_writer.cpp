@@ -58,7 +58,7 @@ void MarkerWriter::send_until_the_end() {
     }
     const MarkerRecord next = waiting_.front();
     lock.unlock();
-    const bool is_sent = line_->write(next.event, next.code);
+    const bool is_sent = line_->write(next.event, next.code, next.event_ns);
     const std::int64_t now_ns = clock_.now_ns();
     lock.lock();
     waiting_.pop_front();

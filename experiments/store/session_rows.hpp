@@ -68,10 +68,10 @@ void insert_calibration(SQLite::Database& database, std::int64_t session_id,
 /// session's start or end. Negative when that clock was set back since; none: there was no session.
 std::optional<double> seconds_since_recorded(SQLite::Database& database, std::int64_t enrolment_id);
 
-/// Kinds of notes on markers for another recorder.
+/// Kinds of notes on markers for another recorder, and on sounds.
 inline constexpr const char* kMarkersNote = "markers";           ///< where they go
-inline constexpr const char* kSoundNote = "sound";             ///< by which device, or by none
-inline constexpr const char* kSoundLostNote = "sound lost";    ///< since when nothing was heard
+inline constexpr const char* kSoundNote = "sound";               ///< by which device, or by none
+inline constexpr const char* kSoundLostNote = "sound lost";      ///< since when nothing was heard
 inline constexpr const char* kMarkersLostNote = "markers lost";  ///< how many of how many
 
 /// Kinds of notes of a session: that it resumed on another screen than the one before, and that its

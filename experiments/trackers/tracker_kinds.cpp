@@ -63,6 +63,7 @@ const std::vector<const TrackerKind*>& tracker_kinds() {
   static const std::vector<const TrackerKind*> kinds = {
       &pupil_tracker(),
       &gazepoint_tracker(),
+      &lsl_tracker(),
   };
   return kinds;
 }

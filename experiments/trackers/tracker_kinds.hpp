@@ -13,6 +13,7 @@ namespace impetus::inline trackers {
 // Each in a source of its name.
 const TrackerKind& pupil_tracker();
 const TrackerKind& gazepoint_tracker();
+const TrackerKind& lsl_tracker();
 
 /// In the order in which they are listed.
 const std::vector<const TrackerKind*>& tracker_kinds();

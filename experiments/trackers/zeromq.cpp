@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/trackers/zeromq.hpp"
 
-#include <dlfcn.h>
-
 #include <cstddef>
 
+#include "experiments/connections/loaded_library.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline trackers {
@@ -41,43 +40,34 @@ struct ZeroMqLibrary {
   int (*poll)(PollItem*, int, long);
 };
 
-void* open_library(const char* name) {
-  void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
+LoadedLibrary open_library(const std::string& name) {
+  try {
+    return LoadedLibrary({name});
+  } catch (const NoSuchLibrary& missing) {
     throw InputError(
-        std::string("pupil://: expected the library ZeroMQ, by which Pupil sends, but ") + name +
-        " is not installed; `apt install libzmq5`");
+        std::string("pupil://: expected the library ZeroMQ, by which Pupil sends, but ") +
+        missing.what() + "; `apt install libzmq5`");
   }
-  return library;
 }
 
-template <typename Function>
-void find(void* library, const char* name, Function& function) {
-  void* found = dlsym(library, name);
-  if (found == nullptr) {
-    throw InputError(std::string("pupil://: expected ") + kLibrary + " to have " + name);
-  }
-  function = reinterpret_cast<Function>(found);
-}
-
-ZeroMqLibrary load_library() {
-  void* library = open_library(kLibrary);
+ZeroMqLibrary load_functions() {
+  const LoadedLibrary library = open_library(kLibrary);
   ZeroMqLibrary zmq{};
-  find(library, "zmq_ctx_new", zmq.new_context);
-  find(library, "zmq_ctx_term", zmq.end_context);
-  find(library, "zmq_socket", zmq.new_socket);
-  find(library, "zmq_close", zmq.close);
-  find(library, "zmq_connect", zmq.connect);
-  find(library, "zmq_setsockopt", zmq.set_option);
-  find(library, "zmq_getsockopt", zmq.get_option);
-  find(library, "zmq_send", zmq.send);
-  find(library, "zmq_recv", zmq.receive);
-  find(library, "zmq_poll", zmq.poll);
+  library.find("zmq_ctx_new", zmq.new_context);
+  library.find("zmq_ctx_term", zmq.end_context);
+  library.find("zmq_socket", zmq.new_socket);
+  library.find("zmq_close", zmq.close);
+  library.find("zmq_connect", zmq.connect);
+  library.find("zmq_setsockopt", zmq.set_option);
+  library.find("zmq_getsockopt", zmq.get_option);
+  library.find("zmq_send", zmq.send);
+  library.find("zmq_recv", zmq.receive);
+  library.find("zmq_poll", zmq.poll);
   return zmq;
 }
 
 const ZeroMqLibrary& loaded_zeromq() {
-  static const ZeroMqLibrary library = load_library();
+  static const ZeroMqLibrary library = load_functions();
   return library;
 }
 
@@ -130,6 +120,6 @@ void await_message(const std::vector<const ZeroMqSocket*>& sockets, int wait_ms)
   loaded_zeromq().poll(items.data(), static_cast<int>(items.size()), wait_ms);
 }
 
-void require_zeromq(const char* library) { dlclose(open_library(library)); }
+void require_zeromq(const char* library) { static_cast<void>(open_library(library)); }
 
 }  // namespace impetus::inline trackers

@@ -323,7 +323,8 @@ void add_run(CLI::App& app, Command& chosen) {
                     "Resume on another screen than the session before; a note is kept");
   command
       ->add_option("--gaze", options->gaze,
-                   "An eye tracker: pupil://HOST[:PORT][?surface=NAME] or gazepoint://HOST[:PORT]; "
+                   "An eye tracker: pupil://HOST[:PORT][?surface=NAME], gazepoint://HOST[:PORT] or "
+                   "lsl://STREAM; "
                    "or a file of recorded gaze that is followed in place of the participant's: CSV "
                    "or TSV with times and places, one trial for all or one for each")
       ->check([](const std::string& given) {
@@ -337,7 +338,7 @@ void add_run(CLI::App& app, Command& chosen) {
       "A corner, such as \"bottom left\", for a square whose light tells each frame");
   command->add_option("--markers", options->markers,
                       "Where the codes of a protocol's \"markers\" go, right after each flip: "
-                      "serial:///dev/ttyUSB0?baud=115200 or tcp://HOST:PORT");
+                      "serial:///dev/ttyUSB0?baud=115200, tcp://HOST:PORT or lsl://NAME");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

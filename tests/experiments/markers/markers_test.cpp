@@ -186,18 +186,18 @@ TEST(Markers, GoOnWhereTheOtherProgramIsBack) {
   const std::uint16_t port = recorder->port();
   const std::unique_ptr<MarkerLine> line = open_marker_line(recorder->address());
   recorder->take_call();
-  EXPECT_TRUE(line->write(MarkedEvent::kOnset, 1));
+  EXPECT_TRUE(line->write(MarkedEvent::kOnset, 1, 0));
   recorder.reset();
   bool is_sent = true;
   for (int i = 0; i < 20 && is_sent; ++i) {  // the system takes one before it knows
-    is_sent = line->write(MarkedEvent::kOnset, 2);
+    is_sent = line->write(MarkedEvent::kOnset, 2, 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_FALSE(is_sent);
-  EXPECT_FALSE(line->write(MarkedEvent::kOnset, 3));
+  EXPECT_FALSE(line->write(MarkedEvent::kOnset, 3, 0));
   Listener again(port);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
-  EXPECT_TRUE(line->write(MarkedEvent::kContact, 4));
+  EXPECT_TRUE(line->write(MarkedEvent::kContact, 4, 0));
   again.take_call();
   EXPECT_EQ(again.line(), "4 contact");
 }
@@ -208,7 +208,7 @@ TEST(Markers, WithoutALineAreRefusedInOneSentence) {
   };
   const std::string begin = "--markers: expected ";
   EXPECT_EQ(refused("/dev/ttyUSB0"),
-            begin + "serial:///dev/PORT or tcp://HOST:PORT, got /dev/ttyUSB0");
+            begin + "serial:///dev/PORT, tcp://HOST:PORT or lsl://NAME, got /dev/ttyUSB0");
   EXPECT_EQ(refused("serial://ttyUSB0"),
             begin +
                 "serial:///dev/PORT or serial:///dev/PORT?baud=115200, "

@@ -133,7 +133,7 @@ TEST(TrackerUrls, NameHostPortAndOptions) {
 TEST(TrackerUrls, ThatAreNoneAreRefusedInASentence) {
   EXPECT_EQ(url_refusal("tobii://here"),
             "--gaze tobii://here: expected a file of recorded gaze or one of pupil://HOST, "
-            "gazepoint://HOST");
+            "gazepoint://HOST, lsl://HOST");
   EXPECT_EQ(url_refusal("pupil://"),
             "--gaze pupil://: expected a host, such as pupil://localhost:50020");
   EXPECT_EQ(url_refusal("pupil://a:0"),
