@@ -44,12 +44,12 @@ class Sounds {
  public:
   virtual ~Sounds() = default;
 
-  /// Makes what will be played, before a stimulus begins. May take some milliseconds.
+  /// Makes what will be played, before a trial begins. May take some milliseconds.
   virtual void prepare(const SoundTask& task) = 0;
 
-  /// Plays what was prepared last, from `at_ns` of the clock of flips on, or at once where that is
-  /// past. Its number, for realised().
-  virtual std::int64_t play(std::int64_t at_ns, double loudness) = 0;
+  /// Plays what was prepared for this task, from `at_ns` of the clock of flips on, or at once where
+  /// that is past. Its number, for realised_ns().
+  virtual std::int64_t play(const SoundTask& task, std::int64_t at_ns, double loudness) = 0;
 
   /// When its onset leaves the device's buffer; none: it has not begun, or the device is gone.
   virtual std::optional<std::int64_t> realised_ns(std::int64_t number) = 0;
@@ -59,7 +59,10 @@ class Sounds {
 class NoSounds final : public Sounds {
  public:
   void prepare(const SoundTask& /*task*/) override {}
-  std::int64_t play(std::int64_t /*at_ns*/, double /*loudness*/) override { return 0; }
+  std::int64_t play(const SoundTask& /*task*/, std::int64_t /*at_ns*/,
+                    double /*loudness*/) override {
+    return 0;
+  }
   std::optional<std::int64_t> realised_ns(std::int64_t /*number*/) override { return {}; }
 };
 

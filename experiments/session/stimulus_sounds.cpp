@@ -86,7 +86,7 @@ void StimulusSounds::flipped(std::int64_t frame, std::int64_t flipped_ns,
 }
 
 void StimulusSounds::hand_over(Planned& planned) {
-  planned.number = sounds_.play(planned.intended_ns, planned.loudness);
+  planned.number = sounds_.play(task_, planned.intended_ns, planned.loudness);
 }
 
 void StimulusSounds::end() {

@@ -85,19 +85,21 @@ AudioDevice::~AudioDevice() {
   SDL_QuitSubSystem(SDL_INIT_AUDIO);
 }
 
-void AudioDevice::prepare(const SoundTask& task) {
+AudioDevice::Key AudioDevice::key_of(const SoundTask& task) {
   const bool is_tone = task.kind == SoundKind::kTone;
-  const Key key{static_cast<int>(task.kind), is_tone ? task.frequency_hz : 0.0,
-                is_tone ? task.duration_ms : 0.0};
-  const auto [made, is_new] = waveforms_.try_emplace(key);
+  return {task.kind, is_tone ? task.frequency_hz : 0.0, is_tone ? task.duration_ms : 0.0};
+}
+
+void AudioDevice::prepare(const SoundTask& task) {
+  const auto [made, is_new] = waveforms_.try_emplace(key_of(task));
   if (is_new) {
     made->second = waveform_of(task, rate_hz_);
   }
-  prepared_ = &made->second;
 }
 
-std::int64_t AudioDevice::play(std::int64_t at_ns, double loudness) {
-  return prepared_ == nullptr ? 0 : mixer_->play(*prepared_, at_ns, loudness).value_or(0);
+std::int64_t AudioDevice::play(const SoundTask& task, std::int64_t at_ns, double loudness) {
+  const auto made = waveforms_.find(key_of(task));
+  return made == waveforms_.end() ? 0 : mixer_->play(made->second, at_ns, loudness).value_or(0);
 }
 
 std::optional<std::int64_t> AudioDevice::realised_ns(std::int64_t number) {

@@ -27,7 +27,7 @@ class AudioDevice final : public Sounds {
   AudioDevice& operator=(const AudioDevice&) = delete;
 
   void prepare(const SoundTask& task) override;
-  std::int64_t play(std::int64_t at_ns, double loudness) override;
+  std::int64_t play(const SoundTask& task, std::int64_t at_ns, double loudness) override;
   std::optional<std::int64_t> realised_ns(std::int64_t number) override;
 
   /// "pulseaudio, 48000 Hz, blocks of 256 samples (5.3 ms)".
@@ -37,7 +37,8 @@ class AudioDevice final : public Sounds {
 
  private:
   struct Fill;  ///< what SDL calls
-  using Key = std::tuple<int, double, double>;
+  using Key = std::tuple<SoundKind, double, double>;
+  static Key key_of(const SoundTask& task);
 
   SteadyClock clock_;
   std::uint32_t device_{0};
@@ -46,8 +47,7 @@ class AudioDevice final : public Sounds {
   std::unique_ptr<Mixer> mixer_;
   std::vector<float> block_;                     ///< of the device's thread
   std::map<Key, std::vector<float>> waveforms_;  ///< never moved or changed once made
-  const std::vector<float>* prepared_{nullptr};
-  std::atomic<std::int64_t> gone_ns_{0};  ///< when it was taken away; 0: it is there
+  std::atomic<std::int64_t> gone_ns_{0};         ///< when it was taken away; 0: it is there
 };
 
 }  // namespace impetus::inline window

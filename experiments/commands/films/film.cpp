@@ -108,7 +108,7 @@ int film_trial(const FilmOptions& options) {
     require_filmable(target, look.size);
     const RecordedFilm recorded = recorded_film(study, attempt);
     for (const auto& what : recorded.head["left_out"]) {
-      std::printf("left out: %s, which was shown with it\n", what.get<std::string>().c_str());
+      std::printf("left out: %s, which went with it\n", what.get<std::string>().c_str());
     }
     return film_one(recorded.film, target, look, recorded.head);
   } catch (const SQLite::Exception& error) {

@@ -41,7 +41,7 @@ std::vector<TimedGaze> samples_of(StudyFile& study, const StoredAttempt& attempt
                   : std::vector<TimedGaze>{};
 }
 
-/// What was on the screen beside the pictures, in words.
+/// What went with the pictures, in words.
 nlohmann::ordered_json left_out(StudyFile& study, const StoredAttempt& attempt,
                                 const Script& script) {
   nlohmann::ordered_json names = nlohmann::ordered_json::array();
@@ -51,6 +51,10 @@ nlohmann::ordered_json left_out(StudyFile& study, const StoredAttempt& attempt,
   if (load_value<std::string>(study.database(), "SELECT gaze_source FROM attempt WHERE id = ?",
                               attempt.id) == "mouse") {
     names.push_back("the mouse pointer");
+  }
+  if (load_value<std::int64_t>(study.database(), "SELECT count(*) FROM sound WHERE attempt_id = ?",
+                               attempt.id) > 0) {
+    names.push_back("the sound");
   }
   return names;
 }

@@ -27,7 +27,7 @@ struct LaboratoryOptions {
   std::string window_size;                   ///< "1280x1024"; "" for fullscreen
   std::optional<ScreenCorner> photodiode{};  ///< where a patch for one is drawn
   std::set<std::uint16_t> letters{};         ///< of kWideLetters, that the window will show
-  bool sounds{false};                        ///< the protocol's scenes are heard
+  bool sounds{false};                        ///< scenes of it, or of its series, are heard
 
   /// Whether somebody sees a window.
   [[nodiscard]] bool has_window() const { return !observer || show; }

@@ -206,7 +206,7 @@ SessionEnding ParticipantRun::run(const std::function<void()>& saved) {
   Ports ports{
       laboratory_->display(), laboratory_->input(), scenes,       writer,           gaze(),
       &laboratory_->clock(),  &work_clock,          &gaze_paths_, GazeCorrection{}, tell_at_once};
-  if (part_.lab.sounds && laboratory_->sounds() != nullptr) {
+  if (is_heard(protocol) && laboratory_->sounds() != nullptr) {
     writer.save(NoteRecord{kSoundNote, laboratory_->sound_words()});
     ports.sounds = laboratory_->sounds();
   }

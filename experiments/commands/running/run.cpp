@@ -169,9 +169,10 @@ std::vector<RunPart> parts_from(const Series& series, const RunOptions& options)
                        "\" again");
     }
   }
-  for (RunPart& part : parts) {  // which share one window
+  for (RunPart& part : parts) {  // which share one laboratory
     for (const RunPart& other : parts) {
       part.lab.letters.insert(other.lab.letters.begin(), other.lab.letters.end());
+      part.lab.sounds = part.lab.sounds || other.lab.sounds;
     }
   }
   return parts;

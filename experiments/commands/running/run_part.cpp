@@ -100,6 +100,8 @@ std::vector<std::int64_t> main_slots(const Plan& plan) {
   return slots;
 }
 
+bool is_heard(const Protocol& protocol) { return protocol.scene.value.contains("sound"); }
+
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,
                   const RunOptions& options) {
   RunPart part{load_protocol(file), {}};
@@ -111,7 +113,7 @@ RunPart part_from(const std::filesystem::path& file, const std::string& observer
   part.lab.screen_file = options.screen_file;
   part.lab.window_size = options.window_size;
   part.lab.letters = wide_letters(part.protocol);
-  part.lab.sounds = part.protocol.scene.value.contains("sound");
+  part.lab.sounds = is_heard(part.protocol);
   require_fonts(part);
   require_markers(part, options);
   if (!options.photodiode.empty()) {

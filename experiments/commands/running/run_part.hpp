@@ -51,6 +51,9 @@ struct RunPart {
   std::int64_t series_place{1};                 ///< from 1
 };
 
+/// Whether its scene has a sound, be it silent at some levels.
+bool is_heard(const Protocol& protocol);
+
 /// Reads and checks the protocol and, unless "", the observer (a name or a file). Throws
 /// InputError.
 RunPart part_from(const std::filesystem::path& file, const std::string& observer,

@@ -15,7 +15,8 @@ class WatchedSounds final : public Sounds {
   explicit WatchedSounds(const VirtualClock& clock) : clock_(&clock) {}
 
   void prepare(const SoundTask& task) override { prepared.push_back(task); }
-  std::int64_t play(std::int64_t at_ns, double loudness) override {
+  std::int64_t play(const SoundTask& task, std::int64_t at_ns, double loudness) override {
+    played.push_back(task);
     begun.push_back(std::max(at_ns, clock_->now_ns()));
     handed_over_ns.push_back(clock_->now_ns());
     loudnesses.push_back(loudness);
@@ -26,6 +27,7 @@ class WatchedSounds final : public Sounds {
   }
 
   std::vector<SoundTask> prepared;
+  std::vector<SoundTask> played;
   std::vector<std::int64_t> begun;
   std::vector<std::int64_t> handed_over_ns;
   std::vector<double> loudnesses;
