@@ -63,7 +63,7 @@ const std::vector<Room> kRooms = {
      {"experiments/scenes", "experiments/observers", "experiments/session", "experiments/tables"},
      {"JSON"}},
     {"experiments/lines", {"experiments/protocol"}, {"JSON"}},
-    {"experiments/files", {"experiments/protocol"}, {"assimp", "JSON"}},
+    {"experiments/files", {"experiments/protocol"}, {"assimp", "JSON", "sndfile"}},
     {"experiments/store", {"experiments/session"}, {"SQLite"}},
     {"experiments/store/merging", {"experiments/store"}, {"SQLite"}},
     {"experiments/study", {"experiments/protocol", "experiments/store"}, {"JSON", "SQLite"}},
@@ -101,11 +101,12 @@ struct Library {
 };
 
 const std::vector<Library> kLibraries = {
-    {"Eigen", "Eigen/"},       {"assimp", "assimp/"}, {"JSON", "nlohmann/"},
-    {"valijson", "valijson/"}, {"SQLite", "sqlite3"}, {"SQLite", "SQLiteCpp/"},
-    {"window", "SDL"},         {"window", "epoxy/"},  {"window", "GL/"},
-    {"window", "imgui"},       {"CLI", "CLI/"},       {"zlib", "zlib.h"},
-    {"pybind11", "pybind11/"}, {"PNG", "png.h"},      {"FCL", "fcl/"},  // tests alone
+    {"Eigen", "Eigen/"},       {"assimp", "assimp/"},     {"JSON", "nlohmann/"},
+    {"valijson", "valijson/"}, {"SQLite", "sqlite3"},     {"SQLite", "SQLiteCpp/"},
+    {"window", "SDL"},         {"window", "epoxy/"},      {"window", "GL/"},
+    {"window", "imgui"},       {"CLI", "CLI/"},           {"zlib", "zlib.h"},
+    {"sndfile", "sndfile.h"},  {"pybind11", "pybind11/"}, {"PNG", "png.h"},
+    {"FCL", "fcl/"},  // tests alone
 };
 
 /// The engine reads no clock, no file and no global random state, prints nothing, has no threads

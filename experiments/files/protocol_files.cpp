@@ -15,7 +15,7 @@
 namespace impetus::inline files {
 namespace {
 
-/// The mesh and figure files that factors and demonstrations put into the scene.
+/// The mesh, figure and sound files that factors and demonstrations put into the scene.
 MoreFiles files_of_design(const Protocol& protocol) {
   MoreFiles files;
   const auto add = [&](const std::string& pointer, const LevelValue& value) {
@@ -25,6 +25,9 @@ MoreFiles files_of_design(const Protocol& protocol) {
     }
     if (name != nullptr && pointer.ends_with("/figure")) {
       files.figures.push_back(*name);
+    }
+    if (name != nullptr && pointer.ends_with("/sound/file")) {
+      files.sounds.push_back(*name);
     }
   };
   std::vector<Condition> beside;  // what is shown besides the design's own levels
@@ -43,6 +46,14 @@ MoreFiles files_of_design(const Protocol& protocol) {
         if (level.factor == factor.name) {
           add(factor.pointer, level.value);
         }
+      }
+    }
+  }
+  for (const Factor& factor : protocol.design.factors) {
+    for (const auto& [level, values] : factor.sets) {
+      const nlohmann::json set = nlohmann::json::parse(values);
+      if (set.contains("/sound/file") && set["/sound/file"].is_string()) {
+        files.sounds.push_back(set["/sound/file"].get<std::string>());
       }
     }
   }

@@ -3,8 +3,10 @@
 
 #include <exception>
 #include <optional>
+#include <stdexcept>
 
 #include "experiments/files/mesh_file.hpp"
+#include "experiments/files/sound_file.hpp"
 #include "experiments/models/base64.hpp"
 #include "experiments/models/mesh_bytes.hpp"
 #include "experiments/models/mesh_report.hpp"
@@ -72,6 +74,36 @@ void hold_noticing(JsonDocument& scene, const std::filesystem::path& path) {
   scene.text = scene.value.dump();
 }
 
+/// Puts the content of `file` into the scene, unless it is there; `pointer` is where it is named.
+void hold_sound(JsonDocument& scene, const std::string& pointer, const std::string& file,
+                const std::filesystem::path& folder) {
+  if (scene.value.contains("sound_files") && scene.value["sound_files"].contains(file)) {
+    return;
+  }
+  if (const std::string problem = problem_of_place(file, folder); !problem.empty()) {
+    refuse(scene, pointer, problem);
+  }
+  try {
+    scene.value["sound_files"][file] = content_of(load_sound(folder / file));
+  } catch (const std::runtime_error& error) {
+    refuse(scene, pointer, std::string("expected a sound file, but ") + error.what());
+  }
+}
+
+/// Of the scene, and of a protocol's factors.
+void hold_sounds(JsonDocument& scene, const MoreFiles& more, const std::filesystem::path& folder) {
+  const std::optional<std::string> own = named_sound_file(scene.value);
+  if (own) {
+    hold_sound(scene, "/sound/file", *own, folder);
+  }
+  for (const std::string& file : more.sounds) {
+    hold_sound(scene, "", file, folder);
+  }
+  if (own || !more.sounds.empty()) {
+    scene.text = scene.value.dump();
+  }
+}
+
 /// Figures first: their parts may be meshes.
 void hold_files(JsonDocument& scene, const MoreFiles& more, const std::filesystem::path& folder) {
   std::vector<FigureFile> figures = named_figure_files(scene.value);
@@ -128,6 +160,7 @@ JsonDocument with_files(JsonDocument scene, const std::filesystem::path& path,
   require_scene_schema(scene);
   hold_noticing(scene, path);
   hold_files(scene, more, path.parent_path());
+  hold_sounds(scene, more, path.parent_path());
   return scene;
 }
 

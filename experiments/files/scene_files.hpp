@@ -1,6 +1,7 @@
-// Scene files, with the meshes and figures that they name read and held in them.
+// Scene files, with the meshes, figures and sounds that they name read and held in them.
 //
-//   scene.json ──names──> meshes, figures ──read once──> one document, checked, that needs no file
+//   scene.json ──names──> meshes, figures, sounds ──read once──> one document, checked, that needs
+//   no file
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -22,6 +23,7 @@ JsonDocument load_scene(const std::filesystem::path& path);
 struct MoreFiles {
   std::vector<std::string> meshes;
   std::vector<std::string> figures;
+  std::vector<std::string> sounds;
 };
 
 /// The scene in the file, valid by its schema alone, holding its meshes and figures and those that

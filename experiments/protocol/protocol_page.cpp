@@ -175,6 +175,7 @@ std::string sound(const json& said) {
                      (kind == "none"   ? "nothing is heard"
                       : kind == "tone" ? "a tone of " + number("frequency_hz", 1000.0) +
                                              " Hz for " + number("duration_ms", 100.0) + " ms"
+                      : kind == "file" ? "`" + said.value("file", "") + "`"
                                        : "a sound as of struck " + kind);
   page += said.contains("at_s") ? ", " + number("at_s", 0.0) + " s after onset"
           : said.value("every_contact", false)

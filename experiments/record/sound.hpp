@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,13 @@
 namespace impetus::inline record {
 
 /// What sounds.
-enum class SoundKind { kNone, kWood, kMetal, kGlass, kRubber, kTone };
+enum class SoundKind { kNone, kWood, kMetal, kGlass, kRubber, kTone, kFile };
+
+/// A sound that was recorded, mono.
+struct SoundSamples {
+  double rate_hz{0.0};
+  std::vector<float> values;  ///< full scale: -1 to 1
+};
 
 /// What a scene says of its sound.
 struct SoundTask {
@@ -25,6 +32,8 @@ struct SoundTask {
   double duration_ms{100.0};        ///< of a tone
   bool is_of_every_contact{false};  ///< louder and softer by impulse; else of the first alone
   std::optional<double> at_s;       ///< from onset, in place of contacts
+  std::string file{};               ///< of kind kFile: its name
+  std::shared_ptr<const SoundSamples> samples{};  ///< what it holds
 };
 
 /// One sound of a trial.

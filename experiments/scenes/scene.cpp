@@ -3,7 +3,6 @@
 
 #include "engine/numerics/elementary_functions.hpp"
 #include "experiments/scenes/plane/plane_rows.hpp"
-#include "experiments/scenes/showing/sound_settings.hpp"
 
 namespace impetus::inline scenes {
 namespace {
@@ -357,31 +356,33 @@ std::vector<Row<Scene>> with_showing(std::vector<Row<Scene>> rows) {
 const Kind<Scene>& scene_kind() {
   using S = Scene;
   static const Kind<S> kind = object<S>(
-      "",
-      rows_of_file<S>(with_showing(
-          {required("engine", &S::engine, engine_kind()),
-           row("meshes", &S::meshes, by_name(mesh_kind()),
-               "The content of mesh files, by file: put in when a scene is read, so that a "
-               "recording holds all that it needs. A file that is here is not read."),
-           required("viewer", &S::viewer, viewer_kind()), row("plane", &S::plane, plane_kind()),
-           row("appearance", &S::appearance, appearance_kind()),
-           row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
-               "Named one by one: two that meet, or any number with positions of their own."),
-           row("crowd", &S::crowd, crowd_kind()),
-           row("figures", &S::figures, list(named_figure_kind(), {1, 100}),
-               "Articulated figures, beside bodies or alone: each part is a body, called "
-               "FIGURE/PART."),
-           row("figure_crowd", &S::figure_crowd, figure_crowd_kind()),
-           row("figure_files", &S::figure_files, by_name(figure_content_kind()),
-               "The content of figure files, by file: put in when a scene is read, so that a "
-               "recording holds all that it needs. A file that is here is not read."),
-           row("enclosure", &S::enclosure, enclosure_kind()),
-           row("duration_s", &S::duration_s, number(above(0, 3600)),
-               "Of the scene from where it begins to move, where nothing meets."),
-           row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
-           row("launch", &S::launch, launch_kind()),
-           row("distractors", &S::distractors, distractors_kind()),
-           row("imposed", &S::imposed, imposed_kind()), row("sound", &S::sound, sound_kind())})));
+      "", rows_of_file<S>(with_showing(
+              {required("engine", &S::engine, engine_kind()),
+               row("meshes", &S::meshes, by_name(mesh_kind()),
+                   "The content of mesh files, by file: put in when a scene is read, so that a "
+                   "recording holds all that it needs. A file that is here is not read."),
+               required("viewer", &S::viewer, viewer_kind()), row("plane", &S::plane, plane_kind()),
+               row("appearance", &S::appearance, appearance_kind()),
+               row("bodies", &S::bodies, list(body_kind(), {1, 1000}),
+                   "Named one by one: two that meet, or any number with positions of their own."),
+               row("crowd", &S::crowd, crowd_kind()),
+               row("figures", &S::figures, list(named_figure_kind(), {1, 100}),
+                   "Articulated figures, beside bodies or alone: each part is a body, called "
+                   "FIGURE/PART."),
+               row("figure_crowd", &S::figure_crowd, figure_crowd_kind()),
+               row("figure_files", &S::figure_files, by_name(figure_content_kind()),
+                   "The content of figure files, by file: put in when a scene is read, so that a "
+                   "recording holds all that it needs. A file that is here is not read."),
+               row("enclosure", &S::enclosure, enclosure_kind()),
+               row("duration_s", &S::duration_s, number(above(0, 3600)),
+                   "Of the scene from where it begins to move, where nothing meets."),
+               row("goal", &S::goal, goal_kind()), row("meeting", &S::meeting, meeting_kind()),
+               row("launch", &S::launch, launch_kind()),
+               row("distractors", &S::distractors, distractors_kind()),
+               row("imposed", &S::imposed, imposed_kind()), row("sound", &S::sound, sound_kind()),
+               row("sound_files", &S::sound_files, by_name(sound_content_kind()),
+                   "The content of sound files, by file: put in when a scene is read, so that a "
+                   "recording holds all that it needs. A file that is here is not read.")})));
   return kind;
 }
 

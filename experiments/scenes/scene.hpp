@@ -23,12 +23,12 @@
 
 #include "engine/figures/figure.hpp"
 #include "engine/scheduling/viewer.hpp"
-#include "experiments/record/sound.hpp"
 #include "experiments/scenes/appearance_settings.hpp"
 #include "experiments/scenes/engine_settings.hpp"
 #include "experiments/scenes/figures/figure_settings.hpp"
 #include "experiments/scenes/shape_settings.hpp"
 #include "experiments/scenes/showing/showing_settings.hpp"
+#include "experiments/scenes/showing/sound_settings.hpp"
 
 namespace impetus::inline scenes {
 
@@ -228,6 +228,7 @@ struct Scene {
   std::optional<DistractorSettings> distractors;
   std::optional<ImposedSettings> imposed;
   std::optional<SoundTask> sound;
+  std::map<std::string, SoundContent> sound_files;
 
   [[nodiscard]] bool has_crowd() const { return crowd || figure_crowd; }
   [[nodiscard]] bool has_figures() const { return figures || figure_crowd; }

@@ -205,7 +205,7 @@ StagedScene staged_scene(const Scene& scene, const ScreenGeometry& screen, doubl
   staged.launch = launch;
   staged.step_hz = engine.step_hz;
   apply_showing(scene, realised_s, staged);
-  staged.sound = scene.sound;
+  staged.sound = sound_of(scene);
   staged.goal = goal_of(scene, m_per_deg);
   staged.contact_s = scene.meeting_s() > 0.0 ? staged.still_s + scene.meeting_s() : 0.0;
   staged.intended_hold_s = intended_s;

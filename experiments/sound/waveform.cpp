@@ -64,6 +64,24 @@ std::vector<float> struck_samples(const Struck& what, double rate_hz) {
   return samples;
 }
 
+/// Between two samples, on the line between them.
+std::vector<float> resampled(const SoundSamples& recorded, double rate_hz) {
+  if (recorded.rate_hz == rate_hz || recorded.values.empty()) {
+    return recorded.values;
+  }
+  const double step = recorded.rate_hz / rate_hz;
+  const double last = static_cast<double>(recorded.values.size() - 1);
+  std::vector<float> samples(static_cast<std::size_t>(std::floor(last / step)) + 1);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double place = std::min(static_cast<double>(i) * step, last);
+    const auto before = static_cast<std::size_t>(place);
+    const std::size_t after = std::min(before + 1, recorded.values.size() - 1);
+    const auto share = static_cast<float>(place - static_cast<double>(before));
+    samples[i] = (1.0F - share) * recorded.values[before] + share * recorded.values[after];
+  }
+  return samples;
+}
+
 std::vector<float> tone_samples(const SoundTask& task, double rate_hz) {
   const double lasts_s = task.duration_ms / 1e3;
   const double ramp_s = std::min(0.002, 0.5 * lasts_s);
@@ -86,6 +104,8 @@ std::vector<float> waveform_of(const SoundTask& task, double rate_hz) {
       return {};
     case SoundKind::kTone:
       return tone_samples(task, rate_hz);
+    case SoundKind::kFile:
+      return task.samples ? resampled(*task.samples, rate_hz) : std::vector<float>();
     default:
       return struck_samples(struck(task.kind), rate_hz);
   }

@@ -87,7 +87,8 @@ AudioDevice::~AudioDevice() {
 
 AudioDevice::Key AudioDevice::key_of(const SoundTask& task) {
   const bool is_tone = task.kind == SoundKind::kTone;
-  return {task.kind, is_tone ? task.frequency_hz : 0.0, is_tone ? task.duration_ms : 0.0};
+  return {task.kind, is_tone ? task.frequency_hz : 0.0, is_tone ? task.duration_ms : 0.0,
+          task.kind == SoundKind::kFile ? task.file : ""};
 }
 
 void AudioDevice::prepare(const SoundTask& task) {

@@ -37,7 +37,7 @@ class AudioDevice final : public Sounds {
 
  private:
   struct Fill;  ///< what SDL calls
-  using Key = std::tuple<SoundKind, double, double>;
+  using Key = std::tuple<SoundKind, double, double, std::string>;
   static Key key_of(const SoundTask& task);
 
   SteadyClock clock_;
