@@ -68,36 +68,37 @@ void add_file_problems(const Scene& scene, SceneProblems& problems) {
 }  // namespace
 
 Kind<SoundTask> sound_kind() {
-  using S = SoundTask;
-  return object<S>(
+  using Task = SoundTask;
+  return object<Task>(
       "A sound at the scene's contacts; it changes no step.",
       {required(
-           "kind", &S::kind, choice(sound_names()),
+           "kind", &Task::kind, choice(sound_names()),
            "wood, metal, glass, rubber: what is struck, as damped modes of a bar (Klatzky, "
            "Pai and Krotkov 2000); tone: a sine; file: a recording; none: silence, as a factor's "
            "level."),
-       row("file", &S::file, text(),
+       row("file", &Task::file, text(),
            "Of kind file: WAV, FLAC or OGG, up to 5 s, seen from the scene's folder and within it. "
            "What it holds is played at this loudness, as loud as it is."),
-       row("lag_ms", &S::lag_ms, number({-1000, 1000}),
+       row("lag_ms", &Task::lag_ms, number({-1000, 1000}),
            "From the flip that shows the contact to the sound's onset; below 0 it comes first. 0 "
            "when left out."),
-       row("loudness", &S::loudness, number(above(0, 1)),
+       row("loudness", &Task::loudness, number(above(0, 1)),
            "Of the first contact: share of what the sound device can give; 0.5 when left out."),
-       row("frequency_hz", &S::frequency_hz, number({50, 16000}), "Of a tone; 1000 when left out."),
-       row("duration_ms", &S::duration_ms, number({1, 5000}), "Of a tone; 100 when left out."),
-       row("every_contact", &S::is_of_every_contact, flag(),
+       row("frequency_hz", &Task::frequency_hz, number({50, 16000}),
+           "Of a tone; 1000 when left out."),
+       row("duration_ms", &Task::duration_ms, number({1, 5000}), "Of a tone; 100 when left out."),
+       row("every_contact", &Task::is_of_every_contact, flag(),
            "true: each contact sounds, louder and softer than the first by its impulse. false, "
            "when left out: the first alone."),
-       row("at_s", &S::at_s, number({0, 3600}),
+       row("at_s", &Task::at_s, number({0, 3600}),
            "From onset, in place of contacts: where bodies pass through each other.")});
 }
 
 Kind<SoundContent> sound_content_kind() {
-  using C = SoundContent;
-  return object<C>("", {required("rate_hz", &C::rate_hz, number({1, 1e6})),
-                        required("base64", &C::base64, any_text(),
-                                 "Samples, mono (32-bit floating point), little-endian.")});
+  using Content = SoundContent;
+  return object<Content>("", {required("rate_hz", &Content::rate_hz, number({1, 1e6})),
+                              required("base64", &Content::base64, any_text(),
+                                       "Samples, mono (32-bit floating point), little-endian.")});
 }
 
 std::optional<std::string> named_sound_file(const Scene& scene) {
