@@ -23,7 +23,7 @@ TEST(ObserverFile, EveryRefusalNamesThePlace) {
   const TemporaryFolder folder;
   const std::vector<Case> cases{
       {"/observer", "gaze",
-       "o.json:/observer: expected one of \"adapting\", \"awaiting\", \"causality\", "
+       "o.json:/observer: expected one of \"adapting\", \"awaiting\", \"bouncing\", \"causality\", "
        "\"counterfactual\", \"foreseeing\", \"gap\", \"gap-thresholds\", "
        "\"gaze-contingent\", \"launching\", \"psychometric\", \"rebound\", \"response\", "
        "got \"gaze\""},
