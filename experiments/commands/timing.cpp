@@ -1,5 +1,5 @@
-// `impetus timing`: what this machine's display, input and gaze do in time, for the methods
-// section.
+// `impetus timing`: what this machine's display, input, gaze, markers and sounds do in time, for
+// the methods section.
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <ctime>
@@ -29,6 +29,7 @@
 #include "experiments/timing/timing_run.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
 #include "experiments/trackers/tracker_kinds.hpp"
+#include "experiments/window/audio_device.hpp"
 #include "experiments/window/input_self_test.hpp"
 #include "experiments/window/shown_patch.hpp"
 #include "experiments/window/window.hpp"
@@ -43,6 +44,7 @@ struct LabDevices {
   std::shared_ptr<Tracker> tracker;  ///< none: the mouse
   std::string marker_address;        ///< "": nobody is told
   std::unique_ptr<MarkerLine> line;
+  std::unique_ptr<AudioDevice> audio;  ///< none: no sound was asked for
 };
 
 /// The lab's window as a timing report needs it.
@@ -69,6 +71,10 @@ class WindowLab final : public TimingLab {
   }
   Markers* markers() override { return markers_ ? &*markers_ : nullptr; }
   [[nodiscard]] std::string marker_address() const override { return devices_.marker_address; }
+  Sounds* sounds() override { return devices_.audio.get(); }
+  [[nodiscard]] std::string sound_device() const override {
+    return devices_.audio ? devices_.audio->description() : "";
+  }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return window_.sync_test(); }
   InputTrace try_input(const std::function<bool()>& show) override {
@@ -98,6 +104,7 @@ struct TimingOptions {
   std::string patch{"bottom left"};
   std::string gaze;     ///< an eye tracker's URL; "": the mouse
   std::string markers;  ///< "": nobody is told
+  bool sound{false};
   bool json{false};
   bool force{false};
 };
@@ -113,6 +120,9 @@ LabDevices opened_devices(const TimingOptions& options) {
   devices.marker_address = options.markers;
   if (!options.markers.empty()) {
     devices.line = open_marker_line(options.markers);
+  }
+  if (options.sound) {
+    devices.audio = std::make_unique<AudioDevice>();
   }
   return devices;
 }
@@ -213,7 +223,7 @@ void add_timing(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "timing", "Measure this machine's flips, input and gaze in time: a page for the methods");
   command->add_option("--out", options->out, "The folder to write to")->capture_default_str();
-  command->add_option("--seconds", options->seconds, "That each of the six parts takes")
+  command->add_option("--seconds", options->seconds, "That each of the six or seven parts takes")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--window", options->window_size, "WIDTHxHEIGHT instead of fullscreen");
@@ -227,6 +237,8 @@ void add_timing(CLI::App& app, Command& chosen) {
   command->add_option("--markers", options->markers,
                       "Where to send markers, and measure how soon: serial:///dev/PORT or "
                       "tcp://HOST:PORT or lsl://NAME");
+  command->add_flag("--sound", options->sound,
+                    "Play sounds, and measure how near they come to when they were asked for");
   command->add_flag("--json", options->json, "Print the report as JSON, too");
   command->add_flag("--force", options->force, "Overwrite an earlier report");
   command->callback([options, &chosen] { chosen = [options] { return report_timing(*options); }; });

@@ -2,6 +2,7 @@
 #include "experiments/timing/timing_json.hpp"
 
 #include "experiments/timing/timing_verdicts.hpp"
+#include "experiments/timing/timing_words.hpp"
 
 namespace impetus::inline timing {
 namespace {
@@ -96,6 +97,18 @@ Json markers_json(const MarkerRun& markers) {
           {"raw_delay_ms", markers.delays_ms}};
 }
 
+Json sounds_json(const SoundRun& sounds) {
+  if (sounds.device.empty()) {
+    return nullptr;
+  }
+  return {{"device", sounds.device},
+          {"lost", sounds.lost},
+          {"off_ms", as_json(distribution_of(sounds.off_ms))},
+          {"at_once_ms", as_json(distribution_of(sounds.at_once_ms))},
+          {"raw_off_ms", sounds.off_ms},
+          {"raw_at_once_ms", sounds.at_once_ms}};
+}
+
 Json content_json(const ContentRun& content) {
   if (!content.readable) {
     return nullptr;
@@ -140,6 +153,7 @@ nlohmann::ordered_json timing_json(const TimingReport& report) {
           {"inputs", std::move(inputs)},
           {"gaze_to_flip", gaze_json(report.gaze)},
           {"flip_to_marker", markers_json(report.markers)},
+          {"sounds", sounds_json(report.sounds)},
           {"content", content_json(report.content)},
           {"methods", methods_paragraph(report)},
           {"not_known", what_is_not_known(report)}};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/timing/timing_verdicts.hpp"
+#include "experiments/timing/timing_words.hpp"
 
 namespace impetus::inline timing {
 namespace {

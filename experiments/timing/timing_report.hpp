@@ -132,6 +132,16 @@ struct MarkerRun {
   std::vector<double> delays_ms;  ///< raw: from the flip to when the system had taken the marker
 };
 
+/// Sounds that were asked for after flips, half of them for a tenth of a second later, half at
+/// once.
+struct SoundRun {
+  std::string device;  ///< "": none was asked for
+  std::int64_t lost{0};
+  /// Raw: from the instant asked for to the onset's leaving the device's buffer.
+  std::vector<double> off_ms{};
+  std::vector<double> at_once_ms{};  ///< raw: from the flip to the same
+};
+
 /// A run of frames with a coded patch, and what was read back of them.
 struct ContentRun {
   std::string corner;
@@ -160,6 +170,7 @@ struct TimingReport {
   std::vector<InputDelay> inputs;
   GazeRun gaze;
   MarkerRun markers;
+  SoundRun sounds{};
   ContentRun content;
 };
 

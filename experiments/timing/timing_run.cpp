@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kMostBlocks = 100;
 
-constexpr int kParts = 6;
+constexpr int kParts = 6;  // and one where sounds were asked for
 constexpr int kGazeBodies = 15;
 
 /// Keeps nothing: what is measured is in the attempt.
@@ -100,6 +100,39 @@ MarkerRun marker_run(const std::vector<MarkerRecord>& markers, const std::string
   return run;
 }
 
+constexpr std::int64_t kTicks_ns = 250'000'000;       // from one sound to the next
+constexpr std::int64_t kSoundAhead_ns = 100'000'000;  // as a session hands foreseen ones over
+constexpr double kLastSounds_s = 0.5;                 // until the last have left, too
+
+/// A tone of a few milliseconds.
+SoundTask tick() {
+  SoundTask task;
+  task.kind = SoundKind::kTone;
+  task.duration_ms = 10.0;
+  return task;
+}
+
+/// A sound that was asked for.
+struct AskedSound {
+  std::int64_t number{0};
+  std::int64_t at_ns{0};
+  bool at_once{false};
+};
+
+SoundRun sound_run(const std::vector<AskedSound>& asked, Sounds& sounds, std::string device) {
+  SoundRun run{std::move(device)};
+  for (const AskedSound& sound : asked) {
+    const std::optional<std::int64_t> realised_ns = sounds.realised_ns(sound.number);
+    if (realised_ns) {
+      (sound.at_once ? run.at_once_ms : run.off_ms)
+          .push_back(static_cast<double>(*realised_ns - sound.at_ns) / 1e6);
+    } else {
+      ++run.lost;
+    }
+  }
+  return run;
+}
+
 Script timed_script() {
   Script script;
   script.timing = {{500.0, 500.0}, 0.0};
@@ -115,39 +148,72 @@ class TimingRun {
 
   std::optional<TimingReport> run() {
     report_.sync = lab_.sync_test();
-    const bool whole = measure_blank() && measure_bodies(1) && measure_bodies(kGazeBodies) &&
-                       measure_bodies(250) && measure_input() && check_patch();
+    const bool whole = measure_blank() && measure_sounds() && measure_bodies(1) &&
+                       measure_bodies(kGazeBodies) && measure_bodies(250) && measure_input() &&
+                       check_patch();
     return whole ? std::optional(std::move(report_)) : std::nullopt;
   }
 
  private:
   void begin(const std::string& part) {
-    const double left_s = (kParts - done_) * task_.seconds;
+    const int parts = lab_.sounds() == nullptr ? kParts : kParts + 1;
+    const double left_s = (parts - done_) * task_.seconds;
     char text[120];
     std::snprintf(text, sizeof text, "Part %d of %d: %s; %.0f s to go. Esc stops.", done_ + 1,
-                  kParts, part.c_str(), std::ceil(left_s));
-    progress_ = {done_++, kParts, text};
+                  parts, part.c_str(), std::ceil(left_s));
+    progress_ = {done_++, parts, text};
     tell_(progress_);
   }
 
   [[nodiscard]] std::int64_t frames() const { return whole_frames(task_.seconds, nominal_hz()); }
   [[nodiscard]] double nominal_hz() const { return lab_.display().refresh_hz(); }
 
-  bool measure_blank() {
-    begin("a blank picture");
+  bool show_blanks(double seconds, const std::function<void(const Flip&)>& shown) {
+    const std::int64_t frames = whole_frames(seconds, nominal_hz());
     Picture blank;
     blank.progress = progress_;
     blank.viewer = viewer_at(lab_.display().geometry(), 0.0);
-    std::vector<Flip> flips;
     lab_.display().restart_grid();
-    for (std::int64_t frame = 0; frame < frames(); ++frame) {
-      flips.push_back(lab_.display().show(blank));
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      shown(lab_.display().show(blank));
       if (lab_.input().interruption() != Interruption::kNone) {
         return false;
       }
     }
-    report_.runs.push_back(flip_series(0, flips, nominal_hz()));
     return true;
+  }
+
+  bool measure_blank() {
+    begin("a blank picture");
+    std::vector<Flip> flips;
+    const bool whole = show_blanks(task_.seconds, [&](const Flip& flip) { flips.push_back(flip); });
+    report_.runs.push_back(flip_series(0, flips, nominal_hz()));
+    return whole;
+  }
+
+  bool measure_sounds() {
+    if (lab_.sounds() == nullptr) {
+      return true;
+    }
+    begin("sounds");
+    Sounds& sounds = *lab_.sounds();
+    const SoundTask task = tick();
+    sounds.prepare(task);
+    std::vector<AskedSound> asked;
+    std::int64_t next_ns = 0;
+    const bool whole =
+        show_blanks(task_.seconds,
+                    [&](const Flip& flip) {
+                      if (flip.flipped_ns >= next_ns) {
+                        const bool at_once = asked.size() % 2 == 1;
+                        const std::int64_t at_ns = flip.flipped_ns + (at_once ? 0 : kSoundAhead_ns);
+                        asked.push_back({sounds.play(task, at_ns, task.loudness), at_ns, at_once});
+                        next_ns = flip.flipped_ns + kTicks_ns;
+                      }
+                    }) &&
+        show_blanks(kLastSounds_s, [](const Flip&) {});
+    report_.sounds = sound_run(asked, sounds, lab_.sound_device());
+    return whole;
   }
 
   /// One trial of the session's own; its record, unless it was interrupted.

@@ -1,7 +1,7 @@
 // Measures what a timing report tells, part by part, by the path that a session's trials take.
 //
 //   sync test ─> blank flips ─> 1, 15, 250 bodies as trials ─> input sent to itself ─> coded patch
-//                                    └ gaze sample to flip, flip to marker (15)
+//         └ sounds, where asked for  └ gaze sample to flip, flip to marker (15)
 //
 // Knows the lab by interfaces, so that it runs without a window, too.
 // SPDX-License-Identifier: MIT
@@ -56,7 +56,10 @@ class TimingLab {
   /// Who is told of events, with every one's code; none: nobody.
   virtual Markers* markers() { return nullptr; }
   [[nodiscard]] virtual std::string marker_address() const { return ""; }
-  /// Of flips, gaze samples and input.
+  /// What plays; none: no sound was asked for.
+  virtual Sounds* sounds() { return nullptr; }
+  [[nodiscard]] virtual std::string sound_device() const { return ""; }
+  /// Of flips, gaze samples, input and sounds.
   [[nodiscard]] virtual const Clock& clock() const = 0;
   virtual SyncTest sync_test() = 0;
 

@@ -1,5 +1,4 @@
-// What the measured values are good for, a line each, with the rule that says so; what a methods
-// section says of the timing, and what it has to add that nobody measured.
+// What the measured values are good for, a line each, with the rule that says so.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -38,11 +37,5 @@ std::string pictured(int bodies);
 
 /// "key presses put into the window system".
 std::string described(const InputDelay& input);
-
-/// One paragraph, bad results included. The report has at least the blank run.
-std::string methods_paragraph(const TimingReport& report);
-
-/// A sentence for everything that software cannot know of itself.
-std::vector<std::string> what_is_not_known(const TimingReport& report);
 
 }  // namespace impetus::inline timing

@@ -20,8 +20,8 @@ constexpr int kStereo = 2;
 [[noreturn]] void refuse_sound() {
   const std::string why = SDL_GetError();
   SDL_QuitSubSystem(SDL_INIT_AUDIO);
-  throw InputError("expected a sound device, which the protocol's sounds need, got none (" + why +
-                   "); run with --observer to go on without one");
+  throw InputError("expected a sound device, got none (" + why +
+                   "); a session whose protocol has sounds goes on without one with --observer");
 }
 
 }  // namespace

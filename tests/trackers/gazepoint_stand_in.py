@@ -3,9 +3,10 @@
 
 gazepoint_stand_in.py PORT [SHIFT_S [drops]]: sample n is taken at n * 5 ms of CLOCK_MONOTONIC, on a path that
 follows from n alone; the tracker's clock is SHIFT_S ahead. Of 50 samples one is not valid and one is
-off the screen. Nothing is sent before the client asks for it, and then it comes as TCP may cut it:
-a line in two parts, two lines at once, an answer or a line of a calibration between them. With "drops" it closes the connection after 60 samples, and takes
-none for 300 ms.
+off the screen. Every SET is answered, as Gazepoint does; no record is sent before the client asks for
+it, and then it comes as TCP may cut it: a line in two parts, two lines at once, an answer or a line of
+a calibration between them. With "drops" it closes the connection after 60 samples, and takes none for
+300 ms.
 """
 import socket
 import sys
@@ -30,11 +31,13 @@ def serve(client, shift_s, most):
         came = client.recv(4096)
         if not came:
             return
+        *lines, _ = (asked.rpartition(b"\n")[2] + came).split(b"\n")
         asked += came
+        for line in lines:
+            client.sendall(line.replace(b"<SET", b"<ACK") + b"\n")
     for needed in (b"ENABLE_SEND_TIME", b"ENABLE_SEND_POG_BEST"):
         if needed not in asked:
             return
-    client.sendall(b'<ACK ID="ENABLE_SEND_DATA" STATE="1" />\r\n')
     first = n = int(time.monotonic() / STEP_S) + 1
     held = ""
     while most is None or n < first + most:

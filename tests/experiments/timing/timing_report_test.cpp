@@ -6,6 +6,7 @@
 #include "experiments/timing/timing_page.hpp"
 #include "experiments/timing/timing_run.hpp"
 #include "experiments/timing/timing_verdicts.hpp"
+#include "experiments/timing/timing_words.hpp"
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/fakes.hpp"
 
@@ -47,6 +48,30 @@ class PromptMarkers final : public Markers {
   std::vector<MarkerRecord> records_;
 };
 
+/// Begins each sound so long after the instant asked for, or, where that is past, after now; but
+/// for every so-many-th, which nobody hears.
+class LateSounds final : public Sounds {
+ public:
+  explicit LateSounds(const Clock& clock) : clock_(clock) {}
+
+  void prepare(const SoundTask& /*task*/) override {}
+  std::int64_t play(const SoundTask& /*task*/, std::int64_t at_ns, double /*loudness*/) override {
+    begins_ns_.push_back(std::max(at_ns, clock_.now_ns() + 8'000'000) + late_ns);
+    return static_cast<std::int64_t>(begins_ns_.size());
+  }
+  std::optional<std::int64_t> realised_ns(std::int64_t number) override {
+    const bool is_lost = lost_every > 0 && number % lost_every == 0;
+    return is_lost ? std::nullopt : std::optional(begins_ns_.at(number - 1));
+  }
+
+  std::int64_t late_ns{0};
+  std::int64_t lost_every{0};
+
+ private:
+  const Clock& clock_;
+  std::vector<std::int64_t> begins_ns_;
+};
+
 /// Every input arrives after 2 ms; the patch shows what the last picture said, unless told
 /// otherwise.
 class VirtualLab final : public TimingLab {
@@ -64,6 +89,8 @@ class VirtualLab final : public TimingLab {
   [[nodiscard]] std::string gaze_clock() const override { return tracker_clock; }
   Markers* markers() override { return marker_line.empty() ? nullptr : &prompt; }
   [[nodiscard]] std::string marker_address() const override { return marker_line; }
+  Sounds* sounds() override { return device.empty() ? nullptr : &late; }
+  [[nodiscard]] std::string sound_device() const override { return device; }
   [[nodiscard]] const Clock& clock() const override { return clock_; }
   SyncTest sync_test() override { return {1, 120, 1e9 / 60.0, 0.0, true, "all is well"}; }
   InputTrace try_input(const std::function<bool()>& show) override {
@@ -86,6 +113,7 @@ class VirtualLab final : public TimingLab {
 
   std::string tracker_clock;
   std::string marker_line;
+  std::string device;
   PromptMarkers prompt;
   std::int64_t stopped_at_frame{-1};
   std::int64_t repeated_at_patch{-1};  ///< this reading finds the picture before
@@ -93,6 +121,11 @@ class VirtualLab final : public TimingLab {
 
  private:
   VirtualClock clock_;
+
+ public:
+  LateSounds late{clock_};
+
+ private:
   WatchedDisplay display_;
   ScriptedInput input_;
   ScriptedGaze gaze_;
@@ -179,6 +212,39 @@ TEST(TimingRun, TellsOfTrackersAndMarkersWhereThereAreAny) {
   ASSERT_TRUE(with_loss);
   EXPECT_EQ(with_loss->markers.lost, 1);
   EXPECT_EQ(grade_of(*with_loss, "Flip to marker"), TimingGrade::kWithCare);
+}
+
+TEST(TimingRun, TellsHowLateSoundsAre) {
+  VirtualLab silent;
+  const auto without = report_of(silent);
+  ASSERT_TRUE(without);
+  EXPECT_TRUE(timing_json(*without)["sounds"].is_null());
+  EXPECT_EQ(timing_page(*without).find("Sounds"), std::string::npos);
+
+  VirtualLab lab;
+  lab.device = "a device";
+  lab.late.late_ns = 500'000;
+  const auto report = report_of(lab);
+  ASSERT_TRUE(report);
+  ASSERT_EQ(report->sounds.off_ms.size(),
+            1U);  // a sound each quarter of a second, every other at once
+  ASSERT_EQ(report->sounds.at_once_ms.size(), 1U);
+  EXPECT_EQ(report->sounds.off_ms[0], 0.5);
+  EXPECT_EQ(report->sounds.at_once_ms[0], 8.5);
+  EXPECT_EQ(grade_of(*report, "Sounds that were foreseen"), TimingGrade::kGood);
+  EXPECT_EQ(grade_of(*report, "Flip to a sound"), TimingGrade::kGood);
+  EXPECT_NE(timing_page(*report).find("Sounds (a device) that were foreseen left the device"),
+            std::string::npos);
+  EXPECT_EQ(timing_json(*report)["sounds"]["lost"], 0);
+
+  lab.late.late_ns = 3'000'000;
+  EXPECT_EQ(grade_of(*report_of(lab), "Sounds that were foreseen"), TimingGrade::kWithCare);
+  lab.late.late_ns = -60'000'000;  // too soon is as bad
+  EXPECT_EQ(grade_of(*report_of(lab), "Sounds that were foreseen"), TimingGrade::kNotForTiming);
+  lab.late.lost_every = 1;
+  const auto unheard = report_of(lab);
+  EXPECT_EQ(unheard->sounds.lost, 2);
+  EXPECT_EQ(grade_of(*unheard, "Sounds that were foreseen"), TimingGrade::kNotForTiming);
 }
 
 TEST(TimingRun, AFrameThatTheScreenRepeatedIsFound) {
