@@ -98,8 +98,9 @@ part_methods <- function(part) {
       press = "Participants clicked once in each stimulus, which ended it; its time from onset is analysed.",
       clicks = "Participants clicked during the stimulus whenever they saw what was asked for.",
       threshold = scale_sentence(part),
-      answer = if (part$kind == "two_interval") "Participants chose one of two intervals." else
-        "Participants answered yes or no."))
+      answer = if (!is.null(part$choices)) sprintf("Participants chose one of %d answers.", part$choices) else
+        if (part$kind == "two_interval") "Participants chose one of two intervals." else
+          "Participants answered yes or no."))
 }
 
 analysis_words <- function(parts) {

@@ -6,6 +6,8 @@
 #                                         │    single factor says which of the two is
 #                                         └──> "threshold"          a level chosen trial by trial, or
 #                                                                   four numbers or more
+#   trial_response: choice ──────────────────> "answer"             binary, each option against the rest,
+#                                                                   and whether it was right
 #   trial_response: slider ──────────────────> "mark"               a number on a line, by question
 #   click_trial ─────────────────────────┬───> "clicks"             counts in a time
 #                                        └───> "press"              when the first came, where it ended
@@ -30,6 +32,7 @@ parts_of_protocol <- function(path, protocol) {
   parts <- c(
     if (any(ratings$phase == "main")) list(read_part(rating_part(path, protocol))),
     unlist(lapply(kinds, answer_parts, path = path, protocol = protocol), recursive = FALSE),
+    choice_parts(path, protocol, answers),
     lapply(mark_questions(answers), function(question) {
       read_part(mark_part(path, protocol, question))
     }),
@@ -111,6 +114,37 @@ right_parts <- function(part) {
   part$trials$positive <- trials$correct
   part$kind <- "right"
   list(part)
+}
+
+# Choices among several options: whether they were right, where that is known, and each option that
+# was ever chosen against the rest.
+choice_parts <- function(path, protocol, answers) {
+  chosen <- answers$answer[answers$phase == "main" & answers$kind == "choice" & answers$timed_out == 0]
+  if (length(chosen) == 0) return(list())
+  read <- read_part(choice_part(path, protocol))
+  if (!is.null(read$why)) return(list(read))
+  right <- if (!anyNA(read$trials$correct)) list(counting(read, "right choice", read$trials$correct))
+  c(right, lapply(sort(unique(chosen)), function(option) {
+    part <- counting(read, paste("choice", option), as.integer(read$trials$answer == option))
+    part$option <- option
+    part
+  }))
+}
+
+choice_part <- function(path, protocol) {
+  part <- read_trials(path, protocol, "trial_response", "answered main trials",
+    where = "kind = 'choice' AND timed_out = 0")
+  part <- with_factors_that_vary(keep_people_apart(with_every_factor(part)))
+  part$choices <- as.integer(sub(".*\"options\": *([0-9]+).*", "\\1", part$trials$detail[1]))
+  part$response <- "answer"
+  part
+}
+
+# The part where such answers count.
+counting <- function(part, kind, positive) {
+  part$kind <- kind
+  part$trials$positive <- positive
+  part
 }
 
 # Were levels chosen trial by trial?
@@ -222,6 +256,7 @@ title_of_part <- function(part) {
   switch(part$response, rating = "Ratings", clicks = "Clicks",
     mark = sprintf("Marks: %s", part$question), press = "Times of the click",
     threshold = sprintf("Thresholds of %s", name_and_unit(part$axis)),
-    answer = switch(part$kind, two_interval = "Choices of an interval", right = "Right answers",
-      "Answers yes or no"))
+    answer = if (!is.null(part$option)) sprintf("Choices of “%s”", part$option) else
+      switch(part$kind, two_interval = "Choices of an interval", right = "Right answers",
+        "right choice" = "Right choices", "Answers yes or no"))
 }

@@ -74,7 +74,9 @@ thresholds_panel <- function(study, rows) {
 }
 
 positive_label <- function(study) {
-  if (is.null(study$guess) && !isTRUE(study$kind %in% c("two_interval", "right"))) "Share answered yes" else "Share answered right"
+  if (!is.null(study$option)) return(sprintf("Share answered “%s”", study$option))
+  is_of_right <- !is.null(study$guess) || isTRUE(study$kind %in% c("two_interval", "right", "right choice"))
+  if (is_of_right) "Share answered right" else "Share answered yes"
 }
 
 condition_label <- function(study) {

@@ -18,7 +18,7 @@ struct AnsweredTrial {
   std::size_t rating_points{0};
   std::optional<bool> yes{};
   std::optional<bool> first{};                    ///< which of two intervals
-  std::optional<double> mark{};                   ///< on a line: a share of it
+  std::optional<Mark> mark{};                     ///< on a line
   std::optional<std::vector<double>> clicks_s{};  ///< from onset
   bool operator==(const AnsweredTrial&) const = default;
 };

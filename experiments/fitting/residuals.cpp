@@ -115,14 +115,17 @@ std::vector<QuestionResiduals> residuals(AnswerLikelihood& likelihood,
       return std::nullopt;
     }
     AnsweredTrial alone = asked_alone(trial);
-    Expectation expected{0.0, 0.0, *trial.mark};
+    const Mark& line = *trial.mark;
+    const double length = line.most - line.least;
+    Expectation expected{0.0, 0.0, line.value};
     double squares = 0.0;
     for (int part = 0; part <= kParts + 1; ++part) {
-      alone.mark = std::clamp((part - 0.5) / kParts, 0.0, 1.0);
+      const double at = std::clamp((part - 0.5) / kParts, 0.0, 1.0);
+      alone.mark = Mark{line.least + at * length, line.least, line.most};
       const bool is_end = part == 0 || part == kParts + 1;
-      const double chance = likelihood.chance(alone, own) / (is_end ? 1.0 : kParts);
-      expected.mean += chance * *alone.mark;
-      squares += chance * *alone.mark * *alone.mark;
+      const double chance = likelihood.chance(alone, own) * (is_end ? 1.0 : length / kParts);
+      expected.mean += chance * alone.mark->value;
+      squares += chance * alone.mark->value * alone.mark->value;
     }
     expected.variance = squares - expected.mean * expected.mean;
     return expected;

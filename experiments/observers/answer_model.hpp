@@ -39,6 +39,14 @@ struct Outcome {
   double seen{0.0};
 };
 
+/// A mark on a line, in the terms of what is seen: where it is, and where the line ends.
+struct Mark {
+  double value{0.0};
+  double least{0.0};
+  double most{1.0};
+  bool operator==(const Mark&) const = default;
+};
+
 /// A trait and the parameter that is its spread over participants.
 struct TraitSpread {
   const char* parameter;
@@ -62,9 +70,12 @@ struct AnswerModel {
   /// The chance of the point so many steps from the good end of a scale.
   double (*rating)(const RatingParameters& parameters, const Traits& traits, double seen,
                    std::size_t steps, std::size_t points){nullptr};
-  /// How probable a mark on a line is, a share of it: a chance at its ends, a density between them.
-  /// Null: a kind that marks no lines.
-  double (*mark)(const RatingParameters& parameters, double seen, double share){nullptr};
+  /// How probable a mark on a line is: a chance at its ends, a density between them. Null: a kind
+  /// that marks no lines.
+  double (*mark)(const RatingParameters& parameters, double seen, const Mark& mark){nullptr};
+  /// What happened in the stimulus, in the terms of what is seen: a mark on a line from the contrary,
+  /// -1 to 1, is this less what is seen. Null: a kind that marks no such lines.
+  double (*happened)(const StagedScene& scene){nullptr};
 
   bool is_of_scene{false};  ///< `percept` goes by the scene as it begins alone, and takes long
 

@@ -74,11 +74,11 @@ double seen_launch(const RatingParameters& parameters, const Traits& traits,
 }
 
 /// The mark that is meant is the impression; noise that leads over an end is cut there.
-double launching_mark(const RatingParameters& parameters, double seen, double share) {
+double launching_mark(const RatingParameters& parameters, double seen, const Mark& mark) {
   const double sd = std::max(static_cast<const LaunchingParameters&>(parameters).mark_sd, 1e-6);
-  const double z = (share - (1.0 - seen)) / sd;
-  if (share <= 0.0 || share >= 1.0) {
-    return normal_cdf(share <= 0.0 ? z : -z);
+  const double z = (mark.value - (1.0 - seen)) / sd;
+  if (mark.value <= mark.least || mark.value >= mark.most) {
+    return normal_cdf(mark.value <= mark.least ? z : -z);
   }
   return std::exp(-0.5 * z * z) / (sd * std::sqrt(2.0 * std::numbers::pi));
 }

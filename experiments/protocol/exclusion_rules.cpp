@@ -41,8 +41,8 @@ void check_exclusion_rules(const JsonDocument& protocol, const ExclusionRules& r
   const std::string below = place + "/practice_right_below";
   if (!has_right_answers(script)) {
     refuse(protocol, below,
-           "expected a question that has a right answer (yes_no with right_when, or two_interval), "
-           "but there is none");
+           "expected a question that has a right answer (yes_no or choice with right_when, or "
+           "two_interval), but there is none");
   }
   if (*rules.practice_right_below > static_cast<std::int64_t>(design.practice.size())) {
     refuse(protocol, below,

@@ -47,8 +47,9 @@ Kind<Factor> factor_kind() {
            "In place of a pointer, for a factor that changes several values at once: what each "
            "level, a word, puts into the scene, by JSON Pointer."),
        row("keys_of", &F::keys_of, text(),
-           "In place of a pointer: the question (yes_no, two_interval) whose answers have "
-           "other keys at each level: \"f j\", \"j f\". Each key keeps its side of the screen."),
+           "In place of a pointer: the question (yes_no, two_interval, choice) whose answers "
+           "have other keys at each level: \"f j\", \"j f\". Each key keeps its side of the "
+           "screen."),
        row("between", &F::between, flag(),
            "Between participants: each has one level, of those that the fewest have so far, drawn "
            "by the seed and the participant's code and kept with the plan; false when left out. "

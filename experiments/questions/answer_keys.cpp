@@ -56,7 +56,7 @@ void sort_by_places(std::vector<std::size_t>& answers, const std::vector<std::st
 Kind<std::vector<std::string>> answer_keys_kind() {
   return {defined("answer_keys", text(),
                   "Keys of the answers in their order, a blank between: letters from a to z, or "
-                  "digits. The language's, or 1 and 2, when left out."),
+                  "digits. The language's, or 1, 2 and so on, when left out."),
           [](const nlohmann::json& value) { return split(value.get<std::string>()); }};
 }
 

@@ -8,11 +8,12 @@ namespace impetus::inline questions {
 
 using Kinds = std::vector<std::reference_wrapper<const ResponseKind>>;
 using Declared = const ResponseKind&();
-Declared click_kind, rating_kind, yes_no_kind, two_interval_kind, slider_kind, free_text_kind;
+Declared click_kind, rating_kind, yes_no_kind, two_interval_kind, choice_kind, slider_kind,
+    free_text_kind;
 
 const Kinds& response_kinds() {
-  static const Kinds kinds{click_kind(),        rating_kind(), yes_no_kind(),
-                           two_interval_kind(), slider_kind(), free_text_kind()};
+  static const Kinds kinds{click_kind(),  rating_kind(), yes_no_kind(),   two_interval_kind(),
+                           choice_kind(), slider_kind(), free_text_kind()};
   return kinds;
 }
 

@@ -314,7 +314,7 @@ CREATE TABLE rating (
 CREATE TABLE response (
   attempt_id INTEGER NOT NULL REFERENCES attempt (id),
   number INTEGER NOT NULL CHECK (number >= 1),  -- in the order asked
-  kind TEXT NOT NULL,                 -- 'yes_no', 'two_interval', 'free_text', ...
+  kind TEXT NOT NULL,                 -- 'yes_no', 'two_interval', 'choice', ...
   question TEXT NOT NULL,             -- the words that were asked
   answer TEXT,                        -- 'yes', 'first', free words; NULL: timed out or left empty
   positive INTEGER CHECK (positive IN (0, 1)),  -- counts towards the threshold: seen, chosen right

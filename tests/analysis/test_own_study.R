@@ -93,3 +93,33 @@ test_that("marks on a line are a part of their own, on the line's scale", {
   expect_equal(unname(part$line), c(-50, 100))
   expect_equal(round(mean(part$trials$mark[part$trials$restitution == "0.8"])), 84, tolerance = 0.02)
 })
+
+test_that("a choice among several options is a part of each option, and one of right choices", {
+  folder <- new_folder()
+  dir.create(file.path(folder, "data"), recursive = TRUE)
+  path <- bounce_study(bounce_answers(6, 6))
+  study <- DBI::dbConnect(RSQLite::SQLite(), path)
+  # Yes becomes "high"; no is "low" or, in a third of the dim trials, "none".
+  DBI::dbExecute(study, paste("UPDATE response SET kind = 'choice', detail = '{\"options\":3}',",
+    "answer = CASE WHEN positive = 1 THEN 'high' WHEN attempt_id % 3 = 0 AND (SELECT",
+    "condition ->> 'light' FROM attempt JOIN trial ON trial.id = trial_id WHERE attempt.id = attempt_id)",
+    "= 'dim' THEN 'none' ELSE 'low' END, correct = positive = ((SELECT condition ->> 'restitution'",
+    "FROM attempt JOIN trial ON trial.id = trial_id WHERE attempt.id = attempt_id) > 0.5)"))
+  DBI::dbExecute(study, "UPDATE response SET positive = NULL")
+  DBI::dbDisconnect(study)
+  suppressMessages({
+    write_report_data(path, file.path(folder, "data"))
+    write_study_report(folder)
+  })
+  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  for (words in c("Right choices", "Choices of “high”", "Choices of “none”", "Choices of “low”",
+    "Share answered “high” by restitution of both balls: 0.2:", "Participants chose one of 3 answers.")) {
+    expect_match(page, words, fixed = TRUE)
+  }
+  parts <- parts_of_protocol(study_of_report_data(file.path(folder, "data")), "bounce")
+  expect_equal(vapply(parts, `[[`, "", "kind"), c("right choice", "choice high", "choice low",
+    "choice none"))
+  # Of each trial one option was chosen.
+  expect_true(all(rowSums(sapply(parts[-1], function(part) part$trials$positive)) == 1))
+  expect_true(all(parts[[4]]$trials$light[parts[[4]]$trials$positive == 1] == "dim"))
+})

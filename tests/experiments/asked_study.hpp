@@ -15,6 +15,9 @@ inline constexpr const char* kAskYesNo = R"({"yes_no": {"question": "Was there a
 inline constexpr const char* kAskTwoInterval =
     R"({"two_interval": {"question": "Which had a delay?",
   "standard": {"delay_ms": 0}, "timeout_ms": 5000}})";
+inline constexpr const char* kAskChoice = R"({"choice": {"question": "What happened?",
+  "options": ["a hit", "a late hit", "a miss"], "timeout_ms": 5000,
+  "right_when": {"factor": "delay_ms", "options": {"0": "a hit", "300": "a late hit"}}}})";
 inline constexpr const char* kAskSlider = R"({"slider": {"scales": [{"question": "How late was it?",
   "minimum": 0, "maximum": 100, "words": ["not at all", "very"]}], "timeout_ms": 5000}})";
 inline constexpr const char* kAskFreeText = R"({"free_text": {"question": "What did you see?"}})";

@@ -117,15 +117,32 @@ bool has_any(const AnsweredTrial& trial) {
   return trial.rating_steps || trial.yes || trial.first || trial.mark || trial.clicks_s;
 }
 
-/// Where the mark is between the ends of its scale; none where the scale has two sides.
-std::optional<double> share_of_line(const StoredResponse& response) {
+/// Where the mark is between the ends of its scale, 0 and 1; of a scale with two sides, −1 and 1.
+Mark mark_on_line(const StoredResponse& response) {
   const json detail = json::parse(response.detail);
+  const double value = detail["value"];
   const double least = detail["minimum"];
   const double most = detail["maximum"];
-  if (least < 0.0) {
+  const double side = least < 0.0 ? -1.0 : 0.0;
+  return {side + (1.0 - side) * (value - least) / (most - least), side, 1.0};
+}
+
+/// What an observer goes by in a trial, and what happened in it; none: it marks no two-sided line.
+struct Perceived {
+  Percept percept;
+  std::optional<double> happened{};
+};
+
+/// None: nothing tells what a mark on a line with two sides comes from.
+std::optional<Mark> in_terms_of_seen(const Mark& mark, const Perceived& perceived) {
+  if (mark.least == 0.0) {
+    return mark;
+  }
+  if (!perceived.happened) {
     return std::nullopt;
   }
-  return (detail["value"].get<double>() - least) / (most - least);
+  const double happened = *perceived.happened;
+  return Mark{happened - mark.value, happened - mark.most, happened - mark.least};
 }
 
 /// What an observer goes by in trials: found once for scenes that begin alike, where that is all it
@@ -134,9 +151,9 @@ class Perception {
  public:
   explicit Perception(const ObserverFile& observer) : observer_(observer) {}
 
-  const Percept& of(const ShownAgain& again, const std::string& condition) {
+  const Perceived& of(const ShownAgain& again, const std::string& condition) {
     const AnswerModel& model = observer_.kind->answers;
-    Percept* place = &last_;
+    Perceived* place = &last_;
     bool is_new = true;
     if (model.is_of_scene) {
       const auto known =
@@ -145,15 +162,18 @@ class Perception {
       is_new = known.second;
     }
     if (is_new) {
-      *place = model.percept(*observer_.parameters, again.record, again.scene);
+      place->percept = model.percept(*observer_.parameters, again.record, again.scene);
+      if (model.happened != nullptr) {
+        place->happened = model.happened(again.scene);
+      }
     }
     return *place;
   }
 
  private:
   const ObserverFile& observer_;
-  std::map<std::pair<std::string, std::uint64_t>, Percept> known_;
-  Percept last_;
+  std::map<std::pair<std::string, std::uint64_t>, Perceived> known_;
+  Perceived last_;
 };
 
 /// The answers alone; none when there is no answer that counts.
@@ -172,7 +192,7 @@ std::optional<AnsweredTrial> answers_of(StudyFile& study, const Protocol& protoc
       trial.first = response.answer == "first";
     }
     if (!response.timed_out && response.kind == "slider") {
-      trial.mark = share_of_line(response);
+      trial.mark = mark_on_line(response);
     }
   }
   if (takes_clicks(protocol.script)) {
@@ -238,7 +258,9 @@ std::vector<std::vector<AnsweringPerson>> answering_people(
     for (std::int64_t interval = 1; interval <= library.intervals(attempt); ++interval) {
       const ShownAgain again = show_again(study, library, attempt, interval);
       for (std::size_t i = 0; i < observers.size(); ++i) {
-        trials[i].percepts.push_back(perceptions[i].of(again, attempt.trial.condition));
+        const Perceived& seen = perceptions[i].of(again, attempt.trial.condition);
+        trials[i].percepts.push_back(seen.percept);
+        trials[i].mark = answers->mark ? in_terms_of_seen(*answers->mark, seen) : std::nullopt;
       }
     }
     for (std::size_t i = 0; i < observers.size(); ++i) {

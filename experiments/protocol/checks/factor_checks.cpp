@@ -32,8 +32,8 @@ void check_key_factor(const Protocol& protocol, const std::string& place, const 
   const Question* question = keyed_question(protocol, factor.keys_of);
   if (question == nullptr || !taken.insert(factor.keys_of).second) {
     refuse(protocol.document, place + "/keys_of",
-           "expected a question of the protocol that has two answers (yes_no, two_interval) and no "
-           "other factor of keys, got " +
+           "expected a question of the protocol whose answers have keys (yes_no, two_interval, "
+           "choice) and no other factor of keys, got " +
                json_text(factor.keys_of));
   }
   std::vector<std::string> first = keys_of_level(factor.levels.front());

@@ -161,8 +161,8 @@ void check_training(const Protocol& protocol) {
   }
   if (!has_right_answers(protocol.script)) {
     refuse(protocol.document, place,
-           "expected a question that has a right answer (yes_no with right_when, or two_interval), "
-           "but there is none");
+           "expected a question that has a right answer (yes_no or choice with right_when, or "
+           "two_interval), but there is none");
   }
   if (protocol.design.practice.empty()) {
     refuse(protocol.document, place,

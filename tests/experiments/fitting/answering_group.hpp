@@ -91,7 +91,7 @@ inline AnsweringPerson answering_person(const ObserverFile& file, const PlantedS
       trial.percepts.push_back(file.kind->answers.percept(*file.parameters, shown, study.scene));
     }
     if (study.question == "slider") {
-      trial.mark = observer->mark();
+      trial.mark = Mark{observer->mark()};
       continue;
     }
     const std::size_t choice = observer->ask(page).choice;

@@ -44,8 +44,11 @@ Percept clip(double distance_deg) {
   });
 }
 
-/// Marks, or yes and no, of people who imagine with that noise.
-std::vector<AnsweringPerson> people_with(double noise_deg, bool mark, std::uint64_t seed) {
+/// What people who imagine with a noise are asked for.
+enum class Asked { kYesNo, kMark, kTwoSidedMark };
+
+/// The answers of eight of them.
+std::vector<AnsweringPerson> people_with(double noise_deg, Asked asked, std::uint64_t seed) {
   RandomStream stream(seed, "heading fit");
   std::vector<AnsweringPerson> people;
   for (int i = 0; i < 8; ++i) {
@@ -54,8 +57,12 @@ std::vector<AnsweringPerson> people_with(double noise_deg, bool mark, std::uint6
       AnsweredTrial& trial = person.trials.emplace_back();
       trial.percepts = {clip(distance_deg)};
       const double share = share_at_noise(trial.percepts[0], noise_deg);
-      if (mark) {
-        trial.mark = std::clamp(share + 0.1 * draw_normal(stream), 0.0, 1.0);
+      if (asked == Asked::kMark) {
+        trial.mark = Mark{std::clamp(share + 0.1 * draw_normal(stream), 0.0, 1.0)};
+      } else if (asked == Asked::kTwoSidedMark) {
+        const double happened = i % 2;
+        const double mark = std::clamp(happened - share + 0.1 * draw_normal(stream), -1.0, 1.0);
+        trial.mark = Mark{happened - mark, happened - 1.0, happened + 1.0};
       } else {
         trial.yes = stream.uniform() < 0.01 + 0.98 * share;
       }
@@ -75,12 +82,18 @@ void expect_found(const ObserverFit& fit, double planted_deg) {
 
 TEST(HeadingFit, FindsTheNoiseFromMarks) {
   const ObserverFile file = shipped_observer("two-balls");
-  expect_found(fit_observer(*file.kind, *file.parameters, people_with(2.0, true, 1)), 2.0);
+  expect_found(fit_observer(*file.kind, *file.parameters, people_with(2.0, Asked::kMark, 1)), 2.0);
+}
+
+TEST(HeadingFit, FindsTheNoiseFromMarksWithTwoSides) {
+  const ObserverFile file = shipped_observer("two-balls");
+  const auto people = people_with(2.0, Asked::kTwoSidedMark, 3);
+  expect_found(fit_observer(*file.kind, *file.parameters, people), 2.0);
 }
 
 TEST(HeadingFit, FindsTheNoiseFromYesAndNo) {
   const ObserverFile file = shipped_observer("what-will-happen");
-  expect_found(fit_observer(*file.kind, *file.parameters, people_with(1.2, false, 2)), 1.2);
+  expect_found(fit_observer(*file.kind, *file.parameters, people_with(1.2, Asked::kYesNo, 2)), 1.2);
 }
 
 }  // namespace impetus::heading_fit_test

@@ -232,8 +232,8 @@ TEST(DesignFile, KeysAreAsManyLettersOrDigitsAsThereAreAnswers) {
             "/design/factors/3/levels/1: expected the keys of the first level (\"f j\") in another "
             "order, got \"d k\"");
   EXPECT_EQ(refused("/design/factors/3/keys_of", "rating"),
-            "/design/factors/3/keys_of: expected a question of the protocol that has two answers "
-            "(yes_no, two_interval) and no other factor of keys, got \"rating\"");
+            "/design/factors/3/keys_of: expected a question of the protocol whose answers have "
+            "keys (yes_no, two_interval, choice) and no other factor of keys, got \"rating\"");
   EXPECT_EQ(refused("/design/factors/3/pointer", "/title"),
             "/design/factors/3: expected either \"pointer\" or \"keys_of\", got both");
   EXPECT_EQ(Study().without("/design/factors/0/pointer").refused(),

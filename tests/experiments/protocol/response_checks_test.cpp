@@ -8,14 +8,44 @@
 namespace impetus::response_checks_test {
 
 TEST(ResponseChecks, SomethingMustBeAsked) {
-  EXPECT_EQ(
-      asked_refusal(asked_protocol({})),
-      "asked.json:/: expected something that participants answer, a key \"rating\", "
-      "\"yes_no\", \"two_interval\", \"slider\", \"free_text\" or \"clicks\", but there is none");
+  EXPECT_EQ(asked_refusal(asked_protocol({})),
+            "asked.json:/: expected something that participants answer, a key \"rating\", "
+            "\"yes_no\", \"two_interval\", \"choice\", \"slider\", \"free_text\" or \"clicks\", "
+            "but there is none");
   for (const char* question :
-       {kAskRating, kAskYesNo, kAskTwoInterval, kAskSlider, kAskFreeText, kAskClicks}) {
+       {kAskRating, kAskYesNo, kAskTwoInterval, kAskChoice, kAskSlider, kAskFreeText, kAskClicks}) {
     EXPECT_EQ(asked_refusal(asked_protocol({question})), "accepted") << question;
   }
+}
+
+TEST(ResponseChecks, OptionsOfAChoiceDifferAndOneIsRightAtEachLevel) {
+  const auto refused = [](const char* pointer, const json& value) {
+    json protocol = asked_protocol({kAskChoice});
+    protocol[json::json_pointer(pointer)] = value;
+    return asked_refusal(protocol);
+  };
+  EXPECT_EQ(refused("/choice/options", {"a hit"}),
+            "asked.json:/choice/options: expected a list of 2 to 9 values, got [\"a hit\"]");
+  EXPECT_EQ(refused("/choice/options/2", "a hit"),
+            "asked.json:/choice/options/2: expected options that differ, got \"a hit\" twice");
+  EXPECT_EQ(refused("/choice/right_when/options/0", "a kiss"),
+            "asked.json:/choice/right_when/options/0: expected one of the options, got \"a kiss\"");
+  EXPECT_EQ(
+      refused("/choice/right_when/options", {{"0", "a hit"}}),
+      "asked.json:/choice/right_when/options: expected an option for every level of delay_ms, "
+      "got none for 300");
+  EXPECT_EQ(refused("/choice/right_when/factor", "gap"),
+            "asked.json:/choice/right_when/factor: expected the name of a factor, got \"gap\"");
+  EXPECT_EQ(refused("/choice/right_when", {{"factor", "delay_ms"}}),
+            "asked.json:/choice/right_when: expected the key \"options\", which is missing");
+  EXPECT_EQ(
+      refused("/choice/keys", "f j"),
+      "asked.json:/choice/keys: expected 3 keys that differ, letters from a to z or digits, a "
+      "blank between (\"f j\"), got \"f j\"");
+  EXPECT_EQ(refused("/choice/keys", "f g h"), "accepted");
+  EXPECT_EQ(refused("/exclude_when", {{"practice_right_below", 2}}),
+            "asked.json:/exclude_when: expected a question that rules of answers go by, a key "
+            "\"yes_no\" or \"two_interval\", but there is none");
 }
 
 TEST(ResponseChecks, ASliderHasAScaleForEveryCondition) {
@@ -78,7 +108,7 @@ TEST(ResponseChecks, WhoIsLeftOutByRulesIsAskedWhatTheyGoBy) {
   unknown["yes_no"].erase("right_when");
   EXPECT_EQ(refused(unknown, {{"practice_right_below", 1}}),
             "asked.json:/exclude_when/practice_right_below: expected a question that has a right "
-            "answer (yes_no with right_when, or two_interval), but there is none");
+            "answer (yes_no or choice with right_when, or two_interval), but there is none");
   EXPECT_EQ(refused(asked_protocol({kAskRating}), {{"equal_answers_in_a_row", 4}}),
             "asked.json:/exclude_when: expected a question that rules of answers go by, a key "
             "\"yes_no\" or \"two_interval\", but there is none");
@@ -158,7 +188,7 @@ TEST(ResponseChecks, TrainingNeedsARightAnswerAndPracticeAndNoOtherRule) {
   without_rule["yes_no"].erase("right_when");
   EXPECT_EQ(asked_refusal(without_rule),
             "asked.json:/design/train_until: expected a question that has a right answer (yes_no "
-            "with right_when, or two_interval), but there is none");
+            "or choice with right_when, or two_interval), but there is none");
   json untrained = with_training(asked_protocol({kAskYesNo}));
   untrained["design"].erase("practice");
   EXPECT_EQ(asked_refusal(untrained),

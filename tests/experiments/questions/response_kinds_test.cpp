@@ -44,7 +44,8 @@ TEST(ResponseKinds, ColumnsAreThoseOfTheStudyFilesTables) {
 }
 
 TEST(ResponseKinds, DetailsAreThoseThatARecordHas) {
-  const std::vector<std::string> questions{kAskYesNo, kAskTwoInterval, kAskSlider, kAskFreeText};
+  const std::vector<std::string> questions{kAskYesNo, kAskTwoInterval, kAskChoice, kAskSlider,
+                                           kAskFreeText};
   TestLab lab(60.0, asked(questions));
   const AttemptRecord record = answered_trial(lab, trial_with_delay(300), 0);
   for (const ResponseKind& kind : response_kinds()) {
@@ -66,6 +67,7 @@ TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
   json document = json::parse(shipped("protocols/gaze-contingent.json"));
   document.merge_patch(json::parse(R"({"yes_no": {"question": "?"}, "free_text": {"question": "?"},
     "slider": {"scales": [{"question": "?", "minimum": 0, "maximum": 9, "words": ["a", "b"]}]},
+    "choice": {"question": "?", "options": ["a", "b", "c"]},
     "two_interval": {"question": "?", "standard": {"scheduling": "all-good"}}})"));
   const Protocol protocol =
       make_protocol(parse_json(source_file("protocols/gaze-contingent.json"), document.dump()),
@@ -83,7 +85,7 @@ TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
   EXPECT_GT(record.clicks.size(), 0U);
   EXPECT_EQ(record.clicks.front().device, "simulated");
   EXPECT_EQ(record.ratings.size(), 1U);
-  EXPECT_EQ(record.responses.size(), 4U);
+  EXPECT_EQ(record.responses.size(), 5U);
   EXPECT_GT(record.gaze.size(), 2000U);  // twice 10 s at 250 Hz
 }
 

@@ -54,6 +54,39 @@ TEST(Responses, YesIsRightWhereTwoBodiesTouchThoughTheyDoSoUnseen) {
   EXPECT_EQ(answered(0.1, kNo), false);
 }
 
+TEST(Responses, AChoiceIsRightWhereTheLevelSaysSo) {
+  const auto chosen = [](double delay_ms, std::size_t choice) {
+    TestLab lab(60.0, asked({kAskChoice}));
+    const AttemptRecord record = answered_trial(lab, trial_with_delay(delay_ms), choice);
+    EXPECT_EQ(record.responses.size(), 1U);
+    const auto page = practice_feedback(lab.protocol.script, record, {});
+    EXPECT_EQ(page->paragraphs.front(), record.responses.front().correct == true
+                                            ? "That was right."
+                                            : "That was not right: the answer was “a late hit”.");
+    return record.responses.front();
+  };
+  EXPECT_EQ(chosen(300, 1).answer, "a late hit");
+  EXPECT_EQ(chosen(300, 1).correct, true);
+  EXPECT_EQ(chosen(300, 2).answer, "a miss");
+  EXPECT_EQ(chosen(300, 2).correct, false);
+  EXPECT_EQ(chosen(0, 0).correct, true);
+  EXPECT_EQ(chosen(0, 0).positive, std::nullopt);
+}
+
+TEST(Responses, OptionsHaveDigitsOrTheKeysOfTheProtocol) {
+  json protocol = asked_protocol({kAskChoice});
+  TestLab lab(60.0, study_of(protocol));
+  const PlannedTrial trial = trial_with_delay(0);
+  const Page page = *lab.protocol.script.asked.front()->page({trial, {}});
+  ASSERT_EQ(page.choices.size(), 3U);
+  EXPECT_EQ(page.choices[2].label, "a miss");
+  EXPECT_EQ(page.choices[2].key, "3");
+  EXPECT_EQ(page.positive_choice, 0U);
+  protocol["choice"].erase("right_when");
+  TestLab without(60.0, study_of(protocol));
+  EXPECT_EQ(without.protocol.script.asked.front()->page({trial, {}})->positive_choice, 3U);
+}
+
 TEST(Responses, WithoutARuleNothingIsRightOrWrong) {
   json protocol = asked_protocol({kAskYesNo});
   protocol["yes_no"].erase("right_when");

@@ -50,7 +50,7 @@ TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
         observer->witnessed(shown, scenes[clip]);
         AnsweredTrial& trial = person.trials.emplace_back();
         trial.percepts = {percepts[clip]};
-        trial.mark = std::round(100.0 * observer->mark()) / 100.0;
+        trial.mark = Mark{std::round(100.0 * observer->mark()) / 100.0};
       }
     }
     FitWish wish;

@@ -72,7 +72,7 @@ class LaunchesByLevel {
         for (int by = 0; by < kLevels; ++by) {
           AnsweredTrial& trial = all[by].people.back().trials.emplace_back();
           trial.percepts = {percepts_[by][at]};
-          trial.mark = mark;
+          trial.mark = Mark{mark};
         }
       }
     }
