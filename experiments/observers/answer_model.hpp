@@ -73,8 +73,8 @@ struct AnswerModel {
   /// How probable a mark on a line is: a chance at its ends, a density between them. Null: a kind
   /// that marks no lines.
   double (*mark)(const RatingParameters& parameters, double seen, const Mark& mark){nullptr};
-  /// What happened in the stimulus, in the terms of what is seen: a mark on a line from the contrary,
-  /// -1 to 1, is this less what is seen. Null: a kind that marks no such lines.
+  /// What happened in the stimulus, in the terms of what is seen: a mark on a line from the
+  /// contrary, -1 to 1, is this less what is seen. Null: a kind that marks no such lines.
   double (*happened)(const StagedScene& scene){nullptr};
 
   bool is_of_scene{false};  ///< `percept` goes by the scene as it begins alone, and takes long

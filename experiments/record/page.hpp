@@ -74,7 +74,8 @@ struct Page {
   SessionProgress progress;
   /// The response that is asked for, such as "rating" or "yes_no"; "": not one of a trial's.
   std::string response{};
-  /// Of a yes_no: the index of yes; of a two_interval or a choice: of the right one, or past the last.
+  /// Of a yes_no: the index of yes; of a two_interval or a choice: of the right one, or past the
+  /// last.
   std::size_t positive_choice{0};
   double timeout_ms{0.0};  ///< gone unanswered after so long; 0: never
   bool can_pause{true};    ///< Esc asks for a pause; false where Esc is one of the choices

@@ -24,7 +24,8 @@ TEST(ProtocolSchema, AnUnknownKeyIsRefused) {
         "\"levels\", \"name\", \"pointer\", \"sets\", "
         "got \"level\""},
        {"/seed", 1,
-        "/: expected only the keys \"$schema\", \"choice\", \"clicks\", \"design\", \"exclude_when\", "
+        "/: expected only the keys \"$schema\", \"choice\", \"clicks\", \"design\", "
+        "\"exclude_when\", "
         "\"free_text\", \"gaze\", "
         "\"language\", \"markers\", \"name\", \"participants\", \"question_order\", \"rating\", "
         "\"scene\", "
