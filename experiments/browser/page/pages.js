@@ -95,6 +95,8 @@ function buttonOf(choice) {
     key ? element('span', {className: 'key', textContent: `(${key})`}) : null);
 }
 
+const kAbreast = 60;  // letters of large choices that stand side by side
+
 function build(page) {
   const main = $('page');
   main.className = page.layout;
@@ -108,7 +110,8 @@ function build(page) {
   ].filter((each) => each !== null));
   const buttons = page.choices.map(buttonOf);
   const large = page.layout === 'scale' || page.layout === 'choices';
-  main.append(element('div', {className: large ? 'choices large' : 'choices'}, ...buttons));
+  const below = page.layout === 'choices' && page.choices.some(({label}) => label.length > kAbreast / page.choices.length);
+  main.append(element('div', {className: `choices${large ? ' large' : ''}${below ? ' below' : ''}`}, ...buttons));
   if (page.low_anchor || page.high_anchor) {
     main.append(element('div', {className: 'anchors'}, element('span', {textContent: page.low_anchor}),
       element('span', {textContent: page.high_anchor})));
