@@ -24,14 +24,21 @@ bounce_study <- function(answers, label = "Restitution of both balls") {
   path
 }
 
-test_that("four levels make answers by condition too, and few trials no threshold", {
+# The report of a study: its page as one line, and the folder of its data.
+report_of <- function(path) {
   folder <- new_folder()
-  dir.create(file.path(folder, "data"), recursive = TRUE)
+  data <- file.path(folder, "data")
+  dir.create(data, recursive = TRUE)
   suppressMessages({
-    write_report_data(bounce_study(bounce_answers(1, 6)), file.path(folder, "data"))
+    write_report_data(path, data)
     write_study_report(folder)
   })
-  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  list(page = paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " "),
+    data = data)
+}
+
+test_that("four levels make answers by condition too, and few trials no threshold", {
+  page <- report_of(bounce_study(bounce_answers(1, 6)))$page
   for (words in c("Answers yes or no", "Share answered yes by restitution of both balls: 0.2:",
     "answers depended on restitution of both balls", "Odds ratios of a positive answer",
     "A threshold of restitution of both balls needs 40 trials or more", "there are 12.",
@@ -70,8 +77,6 @@ test_that("the power of such a study is of its factors", {
 })
 
 test_that("marks on a line are a part of their own, on the line's scale", {
-  folder <- new_folder()
-  dir.create(file.path(folder, "data"), recursive = TRUE)
   path <- bounce_study(bounce_answers(5, 6))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   DBI::dbExecute(study, paste("UPDATE response SET kind = 'slider', positive = NULL,",
@@ -79,24 +84,18 @@ test_that("marks on a line are a part of their own, on the line's scale", {
     "100 * (condition ->> 'restitution') FROM attempt JOIN trial ON trial.id = trial_id",
     "WHERE attempt.id = attempt_id) + abs(random() % 9) AS INTEGER)"))
   DBI::dbDisconnect(study)
-  suppressMessages({
-    write_report_data(path, file.path(folder, "data"))
-    write_study_report(folder)
-  })
-  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  report <- report_of(path)
   for (words in c("Marks: ", "by a mark on a line from -50 to 100", "Mean mark by restitution of both",
     "Repeated-measures ANOVA", "Friedman")) {
-    expect_match(page, words, fixed = TRUE)
+    expect_match(report$page, words, fixed = TRUE)
   }
-  expect_false(grepl("mixed model", page, fixed = TRUE))
-  part <- parts_of_protocol(study_of_report_data(file.path(folder, "data")), "bounce")[[1]]
+  expect_false(grepl("mixed model", report$page, fixed = TRUE))
+  part <- parts_of_protocol(study_of_report_data(report$data), "bounce")[[1]]
   expect_equal(unname(part$line), c(-50, 100))
   expect_equal(round(mean(part$trials$mark[part$trials$restitution == "0.8"])), 84, tolerance = 0.02)
 })
 
 test_that("a choice among several options is a part of each option, and one of right choices", {
-  folder <- new_folder()
-  dir.create(file.path(folder, "data"), recursive = TRUE)
   path <- bounce_study(bounce_answers(6, 6))
   study <- DBI::dbConnect(RSQLite::SQLite(), path)
   # Yes becomes "high"; no is "low" or, in a third of the dim trials, "none".
@@ -107,16 +106,12 @@ test_that("a choice among several options is a part of each option, and one of r
     "FROM attempt JOIN trial ON trial.id = trial_id WHERE attempt.id = attempt_id) > 0.5)"))
   DBI::dbExecute(study, "UPDATE response SET positive = NULL")
   DBI::dbDisconnect(study)
-  suppressMessages({
-    write_report_data(path, file.path(folder, "data"))
-    write_study_report(folder)
-  })
-  page <- paste(readLines(file.path(folder, "report.html"), encoding = "UTF-8"), collapse = " ")
+  report <- report_of(path)
   for (words in c("Right choices", "Choices of “high”", "Choices of “none”", "Choices of “low”",
     "Share answered “high” by restitution of both balls: 0.2:", "Participants chose one of 3 answers.")) {
-    expect_match(page, words, fixed = TRUE)
+    expect_match(report$page, words, fixed = TRUE)
   }
-  parts <- parts_of_protocol(study_of_report_data(file.path(folder, "data")), "bounce")
+  parts <- parts_of_protocol(study_of_report_data(report$data), "bounce")
   expect_equal(vapply(parts, `[[`, "", "kind"), c("right choice", "choice high", "choice low",
     "choice none"))
   # Of each trial one option was chosen.
