@@ -201,17 +201,17 @@ class TimingRun {
     sounds.prepare(task);
     std::vector<AskedSound> asked;
     std::int64_t next_ns = 0;
+    const auto ask = [&](const Flip& flip) {
+      if (flip.flipped_ns < next_ns) {
+        return;
+      }
+      const bool at_once = asked.size() % 2 == 1;
+      const std::int64_t at_ns = flip.flipped_ns + (at_once ? 0 : kSoundAhead_ns);
+      asked.push_back({sounds.play(task, at_ns, task.loudness), at_ns, at_once});
+      next_ns = flip.flipped_ns + kTicks_ns;
+    };
     const bool whole =
-        show_blanks(task_.seconds,
-                    [&](const Flip& flip) {
-                      if (flip.flipped_ns >= next_ns) {
-                        const bool at_once = asked.size() % 2 == 1;
-                        const std::int64_t at_ns = flip.flipped_ns + (at_once ? 0 : kSoundAhead_ns);
-                        asked.push_back({sounds.play(task, at_ns, task.loudness), at_ns, at_once});
-                        next_ns = flip.flipped_ns + kTicks_ns;
-                      }
-                    }) &&
-        show_blanks(kLastSounds_s, [](const Flip&) {});
+        show_blanks(task_.seconds, ask) && show_blanks(kLastSounds_s, [](const Flip& /*flip*/) {});
     report_.sounds = sound_run(asked, sounds, lab_.sound_device());
     return whole;
   }
