@@ -39,10 +39,12 @@ void check_exclusion_rules(const JsonDocument& protocol, const ExclusionRules& r
     return;
   }
   const std::string below = place + "/practice_right_below";
-  if (!has_right_answers(script)) {
+  if (std::none_of(script.asked.begin(), script.asked.end(), [](const auto& question) {
+        return question->kind().is_two_sided && question->has_right_answer();
+      })) {
     refuse(protocol, below,
-           "expected a question that has a right answer (yes_no or choice with right_when, or "
-           "two_interval), but there is none");
+           "expected a question that has a right answer (yes_no with right_when, or two_interval), "
+           "but there is none");
   }
   if (*rules.practice_right_below > static_cast<std::int64_t>(design.practice.size())) {
     refuse(protocol, below,

@@ -112,7 +112,7 @@ JOIN enrolment ON enrolment.id = session.enrolment_id
 JOIN participant ON participant.id = enrolment.participant_id
 JOIN protocol ON protocol.id = enrolment.protocol_id;
 
--- Who meets a rule of the protocol's exclude_when, by answers yes or no and by choices; a
+-- Who meets a rule of the protocol's exclude_when, by answers yes or no and choices of an interval; a
 -- row for each rule that is met. Answers in a row are those of one question, in the main phase.
 CREATE VIEW excluded_by_rule AS
 WITH rule (protocol_id, name, bound) AS MATERIALIZED (
@@ -127,7 +127,7 @@ WITH rule (protocol_id, name, bound) AS MATERIALIZED (
   JOIN trial ON trial.enrolment_id = enrolment.id
   JOIN attempt ON attempt.trial_id = trial.id AND attempt.outcome = 'completed'
   JOIN response ON response.attempt_id = attempt.id
-    AND response.kind IN ('yes_no', 'two_interval', 'choice') AND response.timed_out = 0
+    AND response.kind IN ('yes_no', 'two_interval') AND response.timed_out = 0
   WINDOW in_order AS (PARTITION BY trial.enrolment_id, trial.phase, response.question
                       ORDER BY trial.slot)
 ), with_runs (enrolment_id, question, alike, unlike) AS MATERIALIZED (

@@ -104,11 +104,11 @@ TEST(ResponseChecks, WhoIsLeftOutByRulesIsAskedWhatTheyGoBy) {
   EXPECT_EQ(refused(yes_no, {{"practice_right_below", 3}}),
             "asked.json:/exclude_when/practice_right_below: expected at most the 2 trials of "
             "practice, got 3");
-  json unknown = yes_no;
+  json unknown = asked_protocol({kAskYesNo, kAskChoice});  // the rule goes by no choices
   unknown["yes_no"].erase("right_when");
   EXPECT_EQ(refused(unknown, {{"practice_right_below", 1}}),
             "asked.json:/exclude_when/practice_right_below: expected a question that has a right "
-            "answer (yes_no or choice with right_when, or two_interval), but there is none");
+            "answer (yes_no with right_when, or two_interval), but there is none");
   EXPECT_EQ(refused(asked_protocol({kAskRating}), {{"equal_answers_in_a_row", 4}}),
             "asked.json:/exclude_when: expected a question that rules of answers go by, a key "
             "\"yes_no\" or \"two_interval\", but there is none");
