@@ -158,11 +158,12 @@ class SliderQuestion final : public Question {
   double timeout_ms_{0.0};  ///< 0: none
 };
 
-/// On a scale with a side below zero, both sides mean something.
+/// On a scale with a side below zero, both sides mean something. What is meant is a share of the line
+/// from end to end, as a fit reads it.
 void simulate_mark(const Page& page, Judge& judge, Answer& answer) {
   const Field& field = page.fields.front();
-  const double mark =
-      field.minimum < 0.0 ? judge.two_sided_mark() * field.maximum : judge.mark() * field.maximum;
+  const double share = field.minimum < 0.0 ? 0.5 * (1.0 + judge.two_sided_mark()) : judge.mark();
+  const double mark = field.minimum + share * (field.maximum - field.minimum);
   const double value = std::clamp(std::round(mark), field.minimum, field.maximum);
   answer.fields.front() = std::to_string(static_cast<std::int64_t>(value));
 }

@@ -89,6 +89,43 @@ TEST(ResponseKinds, EveryKindIsSimulatedByTheGazeContingentParticipant) {
   EXPECT_GT(record.gaze.size(), 2000U);  // twice 10 s at 250 Hz
 }
 
+/// Means a quarter of the way between nothing and everything, and halfway to the contrary.
+class SteadyJudge final : public Judge {
+ public:
+  [[nodiscard]] const std::vector<double>& seen_in_intervals() const override { return seen_; }
+  [[nodiscard]] std::vector<double> probabilities(double /*seen*/) const override { return {}; }
+  [[nodiscard]] double yes_probability(double /*seen*/) const override { return 0.0; }
+  [[nodiscard]] double first_probability(double /*first*/, double /*second*/) const override {
+    return 0.0;
+  }
+  double mark() override { return 0.25; }
+  double two_sided_mark() override { return -0.5; }
+  double uniform() override { return 0.0; }
+
+ private:
+  std::vector<double> seen_{0.25};
+};
+
+TEST(ResponseKinds, ASimulatedMarkIsAShareOfItsWholeLine) {
+  const auto& kinds = response_kinds();
+  const auto slider = std::find_if(kinds.begin(), kinds.end(),
+                                   [](const ResponseKind& kind) { return kind.name == "slider"; });
+  ASSERT_NE(slider, kinds.end());
+  const auto marked = [&](double minimum, double maximum) {
+    Page page;
+    page.fields = {{"slider", "", Field::Kind::kSlider, {"a", "b"}, minimum, maximum}};
+    Answer answer;
+    answer.fields = {""};
+    SteadyJudge judge;
+    slider->get().simulate(page, judge, answer);
+    return answer.fields.front();
+  };
+  EXPECT_EQ(marked(0, 100), "25");
+  EXPECT_EQ(marked(20, 100), "40");
+  EXPECT_EQ(marked(-100, 100), "-50");
+  EXPECT_EQ(marked(-40, 200), "20");
+}
+
 TEST(ResponseKinds, AnObserverThatCannotDoWhatIsAskedIsRefused) {
   json document = json::parse(shipped("protocols/gaze-contingent.json"));
   document["rating"]["maximum"] = 3;
