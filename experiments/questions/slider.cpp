@@ -158,8 +158,8 @@ class SliderQuestion final : public Question {
   double timeout_ms_{0.0};  ///< 0: none
 };
 
-/// On a scale with a side below zero, both sides mean something. What is meant is a share of the line
-/// from end to end, as a fit reads it.
+/// On a scale with a side below zero, both sides mean something. What is meant is a share of the
+/// line from end to end, as a fit reads it.
 void simulate_mark(const Page& page, Judge& judge, Answer& answer) {
   const Field& field = page.fields.front();
   const double share = field.minimum < 0.0 ? 0.5 * (1.0 + judge.two_sided_mark()) : judge.mark();
