@@ -18,10 +18,10 @@ fail() {
   exit 1
 }
 
-# open_display [SIZE]: sets DISPLAY and `server`.
+# open_display [SIZE]: sets DISPLAY and `server`. A small one: all is drawn by software.
 open_display() {
   : >display
-  Xvfb -displayfd 3 -noreset -screen 0 "${1:-1280x1024}x24" 3>display 2>/dev/null &
+  Xvfb -displayfd 3 -noreset -screen 0 "${1:-640x512}x24" 3>display 2>/dev/null &
   server=$!
   for _ in $(seq 100); do
     [ -s display ] && break
