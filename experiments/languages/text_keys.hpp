@@ -178,6 +178,7 @@ inline constexpr std::array kTextRows = std::to_array<TextRow>({
     {"page_coarse_clock"},
     {"page_unsteady"},
     {"page_no_webgl"},
+    {"page_too_old"},
     {"page_full_screen"},
     {"page_full_screen_why"},
     {"page_fill_screen", TextUse::kLabel},

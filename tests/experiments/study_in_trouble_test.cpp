@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <SQLiteCpp/Transaction.h>
 
+#include <csignal>
+
 #include "tests/experiments/command_lines.hpp"
 #include "tests/experiments/crash.hpp"
 
@@ -76,8 +78,10 @@ TEST(StudyInTrouble, ASecondSessionOnTheSameFileIsRefusedAndTheFirstGoesOn) {
   const pid_t child = session_under_way(folder);
   Words second = simulated_run({"--participant", "S02"});
   second[3] = (folder / "a.sqlite").string();
+  ASSERT_EQ(kill(child, SIGSTOP), 0);  // it does not end before the other begins
   expect_refused(elsewhere, second,
                  second[3] + ": in use by another Impetus process; end that session first");
+  ASSERT_EQ(kill(child, SIGCONT), 0);
   EXPECT_EQ(wait_for(folder, child).status, 0);
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM rated_trial"), "87");
   EXPECT_EQ(value_of(folder, "SELECT count(*) FROM participant"), "1");

@@ -32,6 +32,10 @@ export function rendererName() {
   return name;
 }
 
+// A program that fills a vector and counts its bits: without vectors there is no engine.
+const kOfVectors = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
+  253, 15, 253, 98, 11);
+
 /** Throws, in words, where the study cannot be shown as it should be. */
 export function requireUsable(site) {
   if (matchMedia('(pointer: coarse) and (hover: none)').matches && !site.phones) {
@@ -40,6 +44,7 @@ export function requireUsable(site) {
   if (clockStep_ms() > 1.05 * kCoarsestClock_ms) {
     throw new Error(text('page_coarse_clock', {step: clockStep_ms().toFixed(1)}));
   }
+  if (!WebAssembly.validate(kOfVectors)) throw new Error(text('page_too_old'));
   if (rendererName() === 'none') throw new Error(text('page_no_webgl'));
 }
 
