@@ -152,6 +152,7 @@ async function run() {
   if (!site.phones) requireLargeEnough();
   writeFacts(program, site, layOut(), keeper, screen);
   listen(() => finished);
+  tell('…', []);  // the program measures frames, for seconds
   const ending = await program.ccall('run_page', 'string', [], [], {async: true});
   finished = true;
   if (document.fullscreenElement) await document.exitFullscreen();

@@ -6,6 +6,6 @@
 
 namespace impetus::response_million_test {
 
-TEST(Response, IsSoundInAMillionRandomProblems) { expect_sound_responses(2002, 1'000'000); }
+TEST(ResponseMillion, IsSoundInAMillionRandomProblems) { expect_sound_responses(2002, 1'000'000); }
 
 }  // namespace impetus::response_million_test

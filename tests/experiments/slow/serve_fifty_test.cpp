@@ -4,6 +4,6 @@
 
 namespace impetus::serve_fifty_test {
 
-TEST(Serve, FiftyAtOnceAreEachKeptWhole) { expect_kept_at_once(50); }
+TEST(ServeFifty, FiftyAtOnceAreEachKeptWhole) { expect_kept_at_once(50); }
 
 }  // namespace impetus::serve_fifty_test
