@@ -291,3 +291,16 @@ def open_browser(program, folder, width, height):
         with contextlib.suppress(subprocess.TimeoutExpired):
             browser.process.wait(10)
         browser.end()
+
+
+def see_through(browser, link, seconds):
+    """Opens a page that sets `ended` when it is done, or `failed` to what went wrong, and waits for it."""
+    browser.go(link)
+    for _ in range(5 * seconds):
+        time.sleep(0.2)
+        failed = browser.ask("return window.failed;")
+        if failed:
+            raise RuntimeError(f"{link}: {failed}")
+        if browser.ask("return window.ended;"):
+            return
+    raise RuntimeError(f"{link}: did not end in {seconds} seconds")

@@ -9,7 +9,7 @@ import os
 import sys
 import time
 
-from browsers import open_browser
+from browsers import open_browser, see_through
 
 PAGE = """<!doctype html>
 <meta charset="utf-8">
@@ -34,15 +34,8 @@ def presented(browser, folder, film):
     page = os.path.join(folder, film + ".html")
     with open(page, "w") as out:
         out.write(PAGE.replace("FILM", film))
-    browser.go("file://" + page)
-    for _ in range(600):
-        time.sleep(0.2)
-        failed = browser.ask("return window.failed;")
-        if failed:
-            sys.exit(f"{film}: Chromium does not play it ({failed})")
-        if browser.ask("return window.ended;"):
-            return browser.ask("return window.presented;")
-    sys.exit(f"{film}: did not end in two minutes")
+    see_through(browser, "file://" + page, 120)
+    return browser.ask("return window.presented;")
 
 
 def check(film, frames, refresh_hz, seen):

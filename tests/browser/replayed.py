@@ -11,9 +11,8 @@ import os
 import sys
 import tempfile
 import threading
-import time
 
-from browsers import open_browser
+from browsers import open_browser, see_through
 
 PAGE = """<!doctype html>
 <meta charset="utf-8">
@@ -70,24 +69,13 @@ def served(build, folder, names):
         server.shutdown()
 
 
-def replayed(browser, link):
-    browser.go(link)
-    for _ in range(3000):
-        time.sleep(0.2)
-        failed = browser.ask("return window.failed;")
-        if failed:
-            sys.exit(f"the page failed: {failed}")
-        if browser.ask("return window.ended;"):
-            return browser.ask("return window.said;")
-    sys.exit("the page did not end in ten minutes")
-
-
 def main():
     build, folder, program = sys.argv[1:]
     names = sorted(name for name in os.listdir(folder) if name.endswith(".lines"))
     with tempfile.TemporaryDirectory() as own, served(build, folder, names) as link, \
             open_browser(program, own, 640, 512) as browser:
-        said = replayed(browser, link)
+        see_through(browser, link, 600)
+        said = browser.ask("return window.said;")
     whole = [line for line in said if line.split(":")[0] in names and "the same bits" in line]
     if not names or len(whole) != len(names) or said != whole:
         sys.exit("\n".join([f"{program}: expected the same bits of {len(names)} recordings, got:", *said]))
