@@ -7,7 +7,6 @@ at a quarter of the speed: a machine without a graphics card presents 15 frames 
 import json
 import os
 import sys
-import time
 
 from browsers import open_browser, see_through
 
