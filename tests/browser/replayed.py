@@ -8,6 +8,7 @@ import functools
 import http.server
 import json
 import os
+import shutil
 import sys
 import tempfile
 import threading
@@ -35,33 +36,16 @@ replay_all(NAMES).catch((error) => { window.failed = String(error); });
 
 
 class Server(http.server.SimpleHTTPRequestHandler):
-    """The page, what was built, and the recordings."""
-
-    def __init__(self, build, page, *arguments, **more):
-        self.build, self.page = build, page
-        super().__init__(*arguments, **more)
-
-    def translate_path(self, path):
-        name = os.path.basename(path)
-        return os.path.join(self.build, name) if name.startswith("replay_page.") else super().translate_path(path)
-
-    def do_GET(self):
-        if self.path != "/":
-            return super().do_GET()
-        self.send_response(200)
-        self.send_header("Content-Type", "text/html")
-        self.end_headers()
-        self.wfile.write(self.page.encode())
+    """Serves files, and says nothing of it."""
 
     def log_message(self, *_):
         pass
 
 
 @contextlib.contextmanager
-def served(build, folder, names):
-    """The address of the page."""
-    page = PAGE.replace("NAMES", json.dumps(names))
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, build, page, directory=folder))
+def served(folder):
+    """The folder's address."""
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Server, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     try:
         yield f"http://127.0.0.1:{server.server_port}/"
@@ -69,11 +53,19 @@ def served(build, folder, names):
         server.shutdown()
 
 
+def write_page(folder, build, names):
+    """Beside the recordings: the page, and what was built."""
+    for name in ("replay_page.js", "replay_page.wasm"):
+        shutil.copy(os.path.join(build, name), folder)
+    with open(os.path.join(folder, "index.html"), "w") as out:
+        out.write(PAGE.replace("NAMES", json.dumps(names)))
+
+
 def main():
     build, folder, program = sys.argv[1:]
     names = sorted(name for name in os.listdir(folder) if name.endswith(".lines"))
-    with tempfile.TemporaryDirectory() as own, served(build, folder, names) as link, \
-            open_browser(program, own, 640, 512) as browser:
+    write_page(folder, build, names)
+    with tempfile.TemporaryDirectory() as own, served(folder) as link, open_browser(program, own, 640, 512) as browser:
         see_through(browser, link, 600)
         said = browser.ask("return window.said;")
     whole = [line for line in said if line.split(":")[0] in names and "the same bits" in line]
