@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/fitting/student_t.hpp"
+
 namespace impetus::inline fitting {
 namespace {
 
@@ -44,19 +46,34 @@ std::vector<AnsweringPerson> part_of(const std::vector<AnsweringPerson>& people,
   return part;
 }
 
-double foretold(const ComparedObserver& observer, const RatingParameters& start, std::size_t fold,
-                std::size_t folds) {
+/// A person for each trial.
+std::vector<AnsweringPerson> trial_by_trial(const AnsweringPerson& person) {
+  std::vector<AnsweringPerson> each;
+  for (const AnsweredTrial& trial : person.trials) {
+    each.push_back({person.code, {trial}});
+  }
+  return each;
+}
+
+/// The logarithm of the probability of each person of a fold, of one person: of each trial.
+std::vector<double> foretold(const ComparedObserver& observer, const RatingParameters& start,
+                             std::size_t fold, std::size_t folds) {
   const bool as_group = observer.people.size() > 1;
   const std::vector<AnsweringPerson> others = part_of(observer.people, fold, folds, false);
   const ObserverFit fit = fit_observer(*observer.kind, start, others,
                                        {.as_group = as_group, .starts = 1, .intervals = false});
-  const std::vector<AnsweringPerson> own = part_of(observer.people, fold, folds, true);
-  return AnswerLikelihood(*observer.kind, *fit.best, own, as_group).logarithm();
+  std::vector<AnsweringPerson> own = part_of(observer.people, fold, folds, true);
+  if (!as_group) {
+    own = trial_by_trial(own.front());
+  }
+  return AnswerLikelihood(*observer.kind, *fit.best, own, as_group).logarithms();
 }
 
-/// The sum of the differences, and its standard error over folds.
+/// The sum of the differences, and how much of it chance may have made.
 void judge_difference(const std::vector<double>& a, const std::vector<double>& b, double& sum,
-                      double& error) {
+                      double& by_chance) {
+  // An odds of e is not worth more than a bare mention (Kass and Raftery 1995).
+  constexpr double kBareMention = 1.0;
   const auto count = static_cast<double>(a.size());
   sum = 0.0;
   double squares = 0.0;
@@ -66,17 +83,16 @@ void judge_difference(const std::vector<double>& a, const std::vector<double>& b
   for (std::size_t i = 0; i < a.size(); ++i) {
     squares += std::pow(a[i] - b[i] - sum / count, 2.0);
   }
-  error = std::sqrt(count * squares / std::max(count - 1.0, 1.0));
+  const double degrees = std::max(count - 1.0, 1.0);
+  by_chance = std::max(kBareMention, student_t(degrees) * std::sqrt(count * squares / degrees));
 }
 
-constexpr double kErrors = 2.0;
-
-/// The best by the sum of its folds, if that is beyond chance.
+/// The best of those that foretell beyond chance.
 void choose(ObserverComparison& comparison) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i + 1 < comparison.observers.size(); ++i) {
     const Foretelling& one = comparison.observers[i];
-    if (one.gain > kErrors * one.gain_error &&
+    if (one.gain > one.gain_by_chance &&
         (!best || one.per_trial > comparison.observers[*best].per_trial)) {
       best = i;
     }
@@ -84,9 +100,10 @@ void choose(ObserverComparison& comparison) {
   comparison.chosen = best;
   for (std::size_t i = 0; best && i + 1 < comparison.observers.size(); ++i) {
     double lead = 0.0;
-    double error = 0.0;
-    judge_difference(comparison.observers[*best].folds, comparison.observers[i].folds, lead, error);
-    if (i != *best && lead <= kErrors * error) {
+    double by_chance = 0.0;
+    judge_difference(comparison.observers[*best].parts, comparison.observers[i].parts, lead,
+                     by_chance);
+    if (i != *best && lead <= by_chance) {
       comparison.not_told_apart.push_back(i);
     }
   }
@@ -120,13 +137,15 @@ ObserverComparison compare_observers(const std::vector<ComparedObserver>& observ
                      {.as_group = people.size() > 1, .starts = 2, .intervals = false});
     tell();
     for (std::size_t fold = 0; fold < comparison.folds; ++fold) {
-      told.folds.push_back(foretold(observer, *whole.best, fold, comparison.folds));
-      told.per_trial += told.folds.back() / trials;
+      for (const double one : foretold(observer, *whole.best, fold, comparison.folds)) {
+        told.parts.push_back(one);
+        told.per_trial += one / trials;
+      }
       tell();
     }
   }
   for (Foretelling& told : comparison.observers) {
-    judge_difference(told.folds, comparison.observers.back().folds, told.gain, told.gain_error);
+    judge_difference(told.parts, comparison.observers.back().parts, told.gain, told.gain_by_chance);
   }
   choose(comparison);
   return comparison;

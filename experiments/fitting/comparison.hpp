@@ -28,12 +28,12 @@ struct ComparedObserver {
 /// How well it foretold.
 struct Foretelling {
   std::string name;
-  std::vector<double> folds;  ///< the logarithm of each fold's probability
-  double per_trial{0.0};      ///< of all
-  /// Of its folds against those of the observer that goes by nothing: the sum, and its standard
-  /// error.
-  double gain{0.0};
-  double gain_error{0.0};
+  /// The logarithm of the probability of each person's answers; of one person: of each trial's.
+  std::vector<double> parts;
+  double per_trial{0.0};  ///< of all
+  double gain{0.0};       ///< the sum of the parts, less that of the observer that goes by nothing
+  /// As much of it may be chance: t (97.5 %) standard errors over the parts, and at least 1.
+  double gain_by_chance{0.0};
 };
 
 /// What a comparison found.

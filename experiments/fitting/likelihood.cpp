@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <thread>
+#include <tuple>
 
 namespace impetus::inline fitting {
 namespace {
@@ -42,6 +44,30 @@ const HermiteRule& rule_for(Eigen::Index traits) {
   return traits <= 1 ? one : more;
 }
 
+/// The logarithm of a product of many chances, for few logarithms.
+class LogarithmOfProduct {
+ public:
+  void take(double chance, double count) {
+    constexpr double kSmall = 1e-60;  // three such, and a product as small as it may get, are > 0
+    if (count > 3.0 || !(chance > kSmall)) {
+      sum_ += count * std::log(std::max(chance, kLeastChance));
+      return;
+    }
+    for (double left = count; left > 0.0; left -= 1.0) {
+      product_ *= chance;
+    }
+    if (product_ < kSmall) {
+      sum_ += std::log(product_);
+      product_ = 1.0;
+    }
+  }
+  [[nodiscard]] double logarithm() const { return sum_ + std::log(product_); }
+
+ private:
+  double sum_{0.0};
+  double product_{1.0};
+};
+
 }  // namespace
 
 // ---------------------------------------------------------------- what may be moved
@@ -57,7 +83,7 @@ AnswerLikelihood::AnswerLikelihood(const ObserverKind& kind, const RatingParamet
       if (same != own.cells.end()) {
         same->count += 1.0;
       } else {
-        own.cells.push_back({&trial, 1.0, {}, 0.0});
+        own.cells.push_back({&trial, 1.0, {}});
       }
     }
   }
@@ -82,9 +108,10 @@ void AnswerLikelihood::list_spreads(bool as_group) {
 
 void AnswerLikelihood::forget_modes() {
   judged_by_.reset();
-  traits_change_seen_ = std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
-    return one.trait == &Traits::threshold;
-  });
+  traits_change_seen_ = model_->outcomes == nullptr &&
+                        std::any_of(spreads_.begin(), spreads_.end(), [](const TraitSpread& one) {
+                          return one.trait == &Traits::threshold;
+                        });
   for (Person& person : people_) {
     person.mode = VectorXd::Zero(static_cast<Eigen::Index>(spreads_.size()));
   }
@@ -151,78 +178,107 @@ bool AnswerLikelihood::can_be() const {
 
 // ---------------------------------------------------------------- one trial
 
-double AnswerLikelihood::chance_of(const AnsweredTrial& trial, const Traits& traits,
-                                   const std::vector<Outcome>& outcomes) const {
-  double chance = 0.0;
-  for (const Outcome& outcome : outcomes) {
-    double all = outcome.probability;
-    if (trial.rating_steps) {
-      all *= model_->rating(*parameters_, traits, outcome.seen, *trial.rating_steps,
-                            trial.rating_points);
-    }
-    if (trial.yes) {
-      const double yes = yes_chance(*parameters_, outcome.seen);
-      all *= *trial.yes ? yes : 1.0 - yes;
-    }
-    if (trial.mark) {
-      all *= model_->mark(*parameters_, outcome.seen, *trial.mark);
-    }
-    chance += all;
+/// What may have been seen, and the logarithm of the probability of the clicks.
+double AnswerLikelihood::look(const AnsweredTrial& trial, const Traits& traits,
+                              std::vector<Outcome>& outcomes) const {
+  if (model_->outcomes != nullptr) {
+    return model_->outcomes(*parameters_, trial.percepts.front(),
+                            trial.clicks_s ? &*trial.clicks_s : nullptr, outcomes);
   }
-  if (trial.first) {
-    const double first =
-        first_chance(*parameters_, model_->seen(*parameters_, traits, trial.percepts.front()),
-                     model_->seen(*parameters_, traits, trial.percepts.back()));
-    chance *= *trial.first ? first : 1.0 - first;
+  double clearest = 0.0;  // as Judge::clearest()
+  for (const Percept& percept : trial.percepts) {
+    clearest = std::max(clearest, model_->seen(*parameters_, traits, percept));
+  }
+  outcomes.assign(1, {1.0, clearest});
+  return 0.0;
+}
+
+/// Of the answers that are no rating, where so much was seen.
+double AnswerLikelihood::unrated_chance(const AnsweredTrial& trial, double seen) const {
+  double chance = 1.0;
+  if (trial.yes) {
+    const double yes = yes_chance(*parameters_, seen);
+    chance *= *trial.yes ? yes : 1.0 - yes;
+  }
+  if (trial.mark) {
+    chance *= model_->mark(*parameters_, seen, *trial.mark);
   }
   return chance;
 }
 
-double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits) {
-  double logarithm = 0.0;
-  if (model_->outcomes != nullptr) {
-    logarithm = model_->outcomes(*parameters_, trial.percepts.front(),
-                                 trial.clicks_s ? &*trial.clicks_s : nullptr, scratch_);
-  } else {
-    double clearest = 0.0;  // as Judge::clearest()
-    for (const Percept& percept : trial.percepts) {
-      clearest = std::max(clearest, model_->seen(*parameters_, traits, percept));
-    }
-    scratch_.assign(1, {1.0, clearest});
+/// Of the choice of an interval; 1: none was asked for.
+double AnswerLikelihood::choice_chance(const AnsweredTrial& trial, const Traits& traits) const {
+  if (!trial.first) {
+    return 1.0;
   }
-  return std::exp(logarithm) * chance_of(trial, traits, scratch_);
+  const double first =
+      first_chance(*parameters_, model_->seen(*parameters_, traits, trial.percepts.front()),
+                   model_->seen(*parameters_, traits, trial.percepts.back()));
+  return *trial.first ? first : 1.0 - first;
+}
+
+double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits) {
+  const double logarithm = look(trial, traits, scratch_);
+  double sum = 0.0;
+  for (const Outcome& outcome : scratch_) {
+    double all = outcome.probability * unrated_chance(trial, outcome.seen);
+    if (trial.rating_steps) {
+      all *= model_->rating(*parameters_, traits, outcome.seen, *trial.rating_steps,
+                            trial.rating_points);
+    }
+    sum += all;
+  }
+  return std::exp(logarithm) * sum * choice_chance(trial, traits);
 }
 
 // ---------------------------------------------------------------- one person
 
-/// What was seen goes by the kind's own parameters: true when one is not what it last was.
-bool AnswerLikelihood::own_have_moved() {
-  std::vector<double> own;
+/// True when a parameter is not what it was that something else than a rating goes by.
+bool AnswerLikelihood::must_judge() {
+  const auto is_of_ratings = [&](const std::string& name) {
+    const bool is_spread = std::any_of(spreads_.begin(), spreads_.end(), [&](const auto& spread) {
+      return name == spread.parameter;
+    });
+    return is_spread || name == "effect" || name.starts_with("cut_");
+  };
+  std::vector<double> others;
   for (const MovableParameter& one : movable_) {
-    if (std::find(model_->fitted.begin(), model_->fitted.end(), one.name) != model_->fitted.end()) {
-      own.push_back(*one.place);
+    if (!is_of_ratings(one.name)) {
+      others.push_back(*one.place);
     }
   }
-  const bool moved = !judged_by_ || *judged_by_ != own;
-  judged_by_ = std::move(own);
+  const bool moved = !judged_by_ || *judged_by_ != others;
+  judged_by_ = std::move(others);
   return moved;
 }
 
-/// What no trait changes is computed once for all traits that are tried.
-void AnswerLikelihood::judge(Person& person) {
+/// What no trait changes is computed once for all traits that are tried: all but ratings.
+void AnswerLikelihood::judge(Person& person) const {
+  std::map<std::tuple<double, std::size_t, std::size_t>, std::size_t> places;
+  std::vector<Outcome> outcomes;
+  person.ratings.clear();
+  person.known_logarithm = 0.0;
   for (Cell& cell : person.cells) {
-    const std::vector<Percept>& percepts = cell.trial->percepts;
-    if (model_->outcomes != nullptr) {
-      const auto& clicks_s = cell.trial->clicks_s;
-      cell.clicks_logarithm = model_->outcomes(*parameters_, percepts.front(),
-                                               clicks_s ? &*clicks_s : nullptr, cell.outcomes);
-    } else if (!traits_change_seen_) {
-      double clearest = 0.0;
-      for (const Percept& percept : percepts) {
-        clearest = std::max(clearest, model_->seen(*parameters_, {}, percept));
+    const AnsweredTrial& trial = *cell.trial;
+    const double clicks_logarithm = look(trial, {}, outcomes);
+    const double choice = choice_chance(trial, {});
+    double unrated = 0.0;
+    cell.outcomes.clear();
+    for (const Outcome& outcome : outcomes) {
+      const double chance = outcome.probability * choice * unrated_chance(trial, outcome.seen);
+      unrated += chance;
+      if (trial.rating_steps) {
+        const GivenRating rating{outcome.seen, *trial.rating_steps, trial.rating_points};
+        const auto [at, is_new] =
+            places.try_emplace({rating.seen, rating.steps, rating.points}, person.ratings.size());
+        if (is_new) {
+          person.ratings.push_back(rating);
+        }
+        cell.outcomes.push_back({chance, at->second});
       }
-      cell.outcomes.assign(1, {1.0, clearest});
     }
+    const double logarithm = trial.rating_steps ? 0.0 : std::log(std::max(unrated, kLeastChance));
+    person.known_logarithm += cell.count * (clicks_logarithm + logarithm);
   }
 }
 
@@ -235,21 +291,32 @@ Traits AnswerLikelihood::traits(const VectorXd& z) const {
 }
 
 /// The logarithm of P(answers | z) exp(−½ z²).
-double AnswerLikelihood::joint(const Person& person, const VectorXd& z) {
+double AnswerLikelihood::joint(Person& person, const VectorXd& z) {
   const Traits own = traits(z);
-  double sum = -0.5 * z.squaredNorm();
-  for (const Cell& cell : person.cells) {
-    const bool is_known = model_->outcomes != nullptr || !traits_change_seen_;
-    const double chance =
-        is_known ? chance_of(*cell.trial, own, cell.outcomes) : this->chance(*cell.trial, own);
-    sum += cell.count * (std::log(std::max(chance, kLeastChance)) + cell.clicks_logarithm);
+  LogarithmOfProduct product;
+  if (traits_change_seen_) {
+    for (const Cell& cell : person.cells) {
+      product.take(chance(*cell.trial, own), cell.count);
+    }
+    return product.logarithm() - 0.5 * z.squaredNorm();
   }
-  return sum;
+  for (GivenRating& one : person.ratings) {
+    one.chance = model_->rating(*parameters_, own, one.seen, one.steps, one.points);
+  }
+  for (const Cell& cell : person.cells) {
+    double chance = cell.outcomes.empty() ? 1.0 : 0.0;
+    for (const RatedOutcome& outcome : cell.outcomes) {
+      chance += outcome.chance * person.ratings[outcome.rating].chance;
+    }
+    product.take(chance, cell.count);
+  }
+  return product.logarithm() + person.known_logarithm - 0.5 * z.squaredNorm();
 }
 
 /// Newton's method from where it was before; returns the curvature there, with its sign turned.
 MatrixXd AnswerLikelihood::find_mode(Person& person) {
   constexpr double kStep = 2e-3;
+  constexpr double kClose = 1e-4;  ///< in standard deviations over people: the quadrature forgives
   constexpr int kMostSteps = 30;
   const Eigen::Index size = person.mode.size();
   MatrixXd precision = MatrixXd::Identity(size, size);
@@ -284,7 +351,7 @@ MatrixXd AnswerLikelihood::find_mode(Person& person) {
       factor.compute(precision);
     }
     VectorXd step = factor.solve(gradient);
-    if (step.norm() < 1e-6) {
+    if (step.norm() < kClose) {
       break;
     }
     double there = joint(person, person.mode + step);
@@ -344,7 +411,7 @@ std::vector<double> AnswerLikelihood::logarithms() {
   if (!can_be()) {
     return std::vector<double>(people_.size(), kImpossible);
   }
-  const bool judges = own_have_moved();
+  const bool judges = !traits_change_seen_ && must_judge();
   std::vector<double> all(people_.size());
   for_each_person([&](std::size_t i) {
     if (judges) {

@@ -56,16 +56,29 @@ class AnswerLikelihood {
   [[nodiscard]] std::vector<Traits> likely_traits();
 
  private:
+  /// A point of a scale that somebody gave, had he seen so much.
+  struct GivenRating {
+    double seen;
+    std::size_t steps;
+    std::size_t points;
+    double chance{0.0};  ///< for the traits that were tried last
+  };
+  /// What may have been seen in a trial, and how probable that and all answers but the rating are.
+  struct RatedOutcome {
+    double chance;
+    std::size_t rating;  ///< of the person's
+  };
   /// A trial as often as it came with the same answers.
   struct Cell {
     const AnsweredTrial* trial{nullptr};
     double count{1.0};
-    std::vector<Outcome> outcomes;  ///< where no trait changes them
-    double clicks_logarithm{0.0};
+    std::vector<RatedOutcome> outcomes;  ///< where no trait changes them, and there is a rating
   };
   /// And where the integral over a person's traits was last looked for.
   struct Person {
     std::vector<Cell> cells;
+    std::vector<GivenRating> ratings;  ///< each once
+    double known_logarithm{0.0};       ///< of all answers that no trait changes
     Eigen::VectorXd mode;
   };
 
@@ -73,15 +86,17 @@ class AnswerLikelihood {
   void list_spreads(bool as_group);
   void forget_modes();
   [[nodiscard]] bool can_be() const;
-  [[nodiscard]] bool own_have_moved();
-  void judge(Person& person);
+  [[nodiscard]] double look(const AnsweredTrial& trial, const Traits& traits,
+                            std::vector<Outcome>& outcomes) const;
+  [[nodiscard]] double unrated_chance(const AnsweredTrial& trial, double seen) const;
+  [[nodiscard]] double choice_chance(const AnsweredTrial& trial, const Traits& traits) const;
+  [[nodiscard]] bool must_judge();
+  void judge(Person& person) const;
   [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
-  [[nodiscard]] double joint(const Person& person, const Eigen::VectorXd& z);
+  [[nodiscard]] double joint(Person& person, const Eigen::VectorXd& z);
   [[nodiscard]] Eigen::MatrixXd find_mode(Person& person);
   [[nodiscard]] double integral(Person& person);
   void for_each_person(const std::function<void(std::size_t)>& one);
-  [[nodiscard]] double chance_of(const AnsweredTrial& trial, const Traits& traits,
-                                 const std::vector<Outcome>& outcomes) const;
 
   const AnswerModel* model_;
   std::shared_ptr<RatingParameters> parameters_;
@@ -89,7 +104,7 @@ class AnswerLikelihood {
   std::vector<TraitSpread> spreads_;  ///< in which people differ
   bool traits_change_seen_{false};
   std::vector<Person> people_;
-  std::optional<std::vector<double>> judged_by_;  ///< the kind's own parameters; none: not yet
+  std::optional<std::vector<double>> judged_by_;  ///< what all but ratings go by; none: not yet
   std::vector<Outcome> scratch_;
 };
 

@@ -15,18 +15,26 @@ constexpr double kGradientStep = 1e-4;
 constexpr double kCurvatureStep = 3e-3;
 constexpr double kLongestStep = 2.0;  ///< of any one number
 
-/// From one side alone where the function is not defined on the other. `value` is that at `at`.
-VectorXd gradient_at(const SmoothFunction& function, const VectorXd& at, double value) {
+constexpr double kCoarse = 1e-3;  ///< a tolerance that one side of a slope is enough for
+
+/// From one side alone where that is enough, or the function is not defined on the other. `value`
+/// is that at `at`.
+VectorXd gradient_at(const SmoothFunction& function, const VectorXd& at, double value,
+                     bool is_coarse) {
   VectorXd gradient(at.size());
   VectorXd near = at;
   for (Eigen::Index i = 0; i < at.size(); ++i) {
     near[i] = at[i] + kGradientStep;
-    const double above = function(near);
-    near[i] = at[i] - kGradientStep;
-    const double below = function(near);
-    gradient[i] = !std::isfinite(above)   ? (value - below) / kGradientStep
-                  : !std::isfinite(below) ? (above - value) / kGradientStep
-                                          : (above - below) / (2.0 * kGradientStep);
+    const double rise = (function(near) - value) / kGradientStep;
+    if (is_coarse && std::isfinite(rise)) {
+      gradient[i] = rise;
+    } else {
+      near[i] = at[i] - kGradientStep;
+      const double before = (value - function(near)) / kGradientStep;
+      gradient[i] = !std::isfinite(rise)     ? before
+                    : !std::isfinite(before) ? rise
+                                             : 0.5 * (before + rise);
+    }
     near[i] = at[i];
   }
   return gradient;
@@ -52,9 +60,10 @@ FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start,
     return found;
   }
   const MatrixXd identity = MatrixXd::Identity(start.size(), start.size());
+  const bool is_coarse = tolerance >= kCoarse;
   bool is_fresh = inverse_curvature.rows() == 0;
   MatrixXd inverse = is_fresh ? identity : inverse_curvature;
-  VectorXd gradient = gradient_at(function, found.at, found.value);
+  VectorXd gradient = gradient_at(function, found.at, found.value, is_coarse);
   for (int count = 0; count < most_steps && gradient.allFinite(); ++count) {
     VectorXd step = -(inverse * gradient);
     double fall = -gradient.dot(step);
@@ -85,7 +94,7 @@ FoundMinimum find_minimum(const SmoothFunction& function, const VectorXd& start,
     is_fresh = false;
     const VectorXd moved = share * step;
     found = {found.at + moved, value};
-    const VectorXd there = gradient_at(function, found.at, found.value);
+    const VectorXd there = gradient_at(function, found.at, found.value, is_coarse);
     learn(moved, there - gradient, inverse);
     gradient = there;
   }

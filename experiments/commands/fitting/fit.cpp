@@ -17,6 +17,7 @@
 #include "experiments/commands/named_observer.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/fitting/student_t.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/store/merging/merge_part.hpp"
 #include "experiments/tables/text_table.hpp"
@@ -77,17 +78,6 @@ void require_any_found(const FitOptions& options, const ObserverFile& observer,
                      attention_of(observer).words + "), got none of which " + own.front() +
                      " would have an interval");
   }
-}
-
-/// Student's t, the 97.5 % point; Hill 1970's expansion, right to three digits from 3 on.
-double student_t(double freedom) {
-  constexpr double z = 1.959964;
-  const double z3 = z * z * z;
-  const double z5 = z3 * z * z;
-  const double g1 = (z3 + z) / 4.0;
-  const double g2 = (5.0 * z5 + 16.0 * z3 + 3.0 * z) / 96.0;
-  const double g3 = (3.0 * z5 * z * z + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / 384.0;
-  return z + g1 / freedom + g2 / (freedom * freedom) + g3 / (freedom * freedom * freedom);
 }
 
 /// The means of what at least three people's answers identify.

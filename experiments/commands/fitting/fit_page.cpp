@@ -80,16 +80,18 @@ std::string residual_pages(const FitStory& story) {
 }
 
 std::string comparison_page(const ObserverComparison& comparison) {
-  Rows rows{{"observer", "log-likelihood per trial", "gain over none", "its standard error"}};
+  Rows rows{{"observer", "log-likelihood per trial", "gain over none", "chance may make"}};
   for (const Foretelling& one : comparison.observers) {
     const bool is_none = &one == &comparison.observers.back();
     rows.push_back({one.name, number(one.per_trial), is_none ? "" : number(one.gain),
-                    is_none ? "" : number(one.gain_error)});
+                    is_none ? "" : number(one.gain_by_chance)});
   }
   return "## Observers compared\n\nEach was fitted to all folds but one, " +
          std::to_string(comparison.folds) +
-         " times, and foretold that one. A gain counts beyond twice its standard error over "
-         "folds.\n\n" +
+         " times, and foretold that one. A gain, in units of the logarithm, counts beyond what "
+         "chance "
+         "may make: 1, or t (97.5 %) standard errors over people, over trials where there is one "
+         "person.\n\n" +
          markdown(rows) + choice_sentence(comparison) + "\n\n";
 }
 

@@ -41,13 +41,16 @@ TEST(ObserverComparison, ChoosesTheOneThatAnswered) {
   EXPECT_EQ(comparison.folds, 4U);
 }
 
-// Nobody sees anything: half of the answers are yes, whatever was shown.
+// Nobody sees anything: half of the answers are yes, whatever was shown. One of two observers is
+// chosen in some 5 % of studies: more than 1 of 8 has a probability of 6 %.
 TEST(ObserverComparison, NullDataChooseNone) {
   const ObserverFile blind = participant({{"guess_rate", 0.5}, {"miss_rate", 0.499}});
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  int chosen = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto people = answering_group(blind, delays_study(6), 8, seed);
-    EXPECT_EQ(compare_observers(two_observers(people), 4).chosen, std::nullopt) << "seed " << seed;
+    chosen += compare_observers(two_observers(people), 4).chosen ? 1 : 0;
   }
+  EXPECT_LE(chosen, 1);
 }
 
 TEST(ObserverComparison, OfOnePersonHoldsOutTrials) {
@@ -55,7 +58,7 @@ TEST(ObserverComparison, OfOnePersonHoldsOutTrials) {
   const ObserverComparison comparison = compare_observers(two_observers(person), 5);
   ASSERT_TRUE(comparison.chosen);
   EXPECT_EQ(comparison.observers[*comparison.chosen].name, "by the delay");
-  EXPECT_EQ(comparison.observers[0].folds.size(), 5U);
+  EXPECT_EQ(comparison.observers[0].parts.size(), person.front().trials.size());
 }
 
 }  // namespace impetus::comparison_test
