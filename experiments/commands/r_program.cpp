@@ -1,31 +1,110 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/commands/r_program.hpp"
 
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+#include <utility>
 
 #include "experiments/commands/program_start.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
+namespace {
 
-int run_r_script(const std::vector<std::string>& words) {
+std::optional<pid_t> start_r_script(const std::vector<std::string>& words,
+                                    const std::vector<GivenDescriptor>& given) {
   std::vector<std::string> all{"Rscript", "--vanilla"};
   all.insert(all.end(), words.begin(), words.end());
-  const auto child = start_program(std::move(all), {{STDERR_FILENO, STDOUT_FILENO}});
-  if (!child) {
-    return kNoRscript;
-  }
-  const int status = await_program(*child);
+  return start_program(std::move(all), given);
+}
+
+int exit_status(pid_t program) {
+  const int status = await_program(program);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+[[noreturn]] void throw_no_rscript() {
+  throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
+}
+
+}  // namespace
+
+int run_r_script(const std::vector<std::string>& words) {
+  const auto child = start_r_script(words, {{STDERR_FILENO, STDOUT_FILENO}});
+  return child ? exit_status(*child) : kNoRscript;
 }
 
 int run_needed_r_script(const std::vector<std::string>& words) {
   const int status = run_r_script(words);
   if (status == kNoRscript) {
-    throw InputError("expected R, got no Rscript on the path (apt-get install r-base-core)");
+    throw_no_rscript();
   }
   return status;
 }
+
+AskingRScript::AskingRScript(const std::vector<std::string>& words) {
+  // A socket and no pipe: who writes to a script that ended is told so, and gets no signal.
+  std::array<int, 2> ends{-1, -1};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw std::runtime_error("no socket could be made");
+  }
+  const auto child = start_r_script(words, {{ends[1], STDIN_FILENO}, {ends[1], STDOUT_FILENO}});
+  close(ends[1]);
+  if (!child) {
+    close(ends[0]);
+    throw_no_rscript();
+  }
+  socket_ = ends[0];
+  process_ = *child;
+}
+
+AskingRScript::~AskingRScript() {
+  close(socket_);
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    await_program(process_);
+  }
+}
+
+std::optional<std::string> AskingRScript::hear() {
+  std::array<char, 65536> part{};
+  std::size_t end = 0;
+  while ((end = heard_.find('\n')) == std::string::npos) {
+    const ssize_t count = recv(socket_, part.data(), part.size(), 0);
+    if (count < 0 && errno == EINTR) {
+      continue;
+    }
+    if (count <= 0) {
+      return std::nullopt;
+    }
+    heard_.append(part.data(), static_cast<std::size_t>(count));
+  }
+  std::string line = heard_.substr(0, end);
+  heard_.erase(0, end + 1);
+  return line;
+}
+
+bool AskingRScript::tell(const std::string& line) {
+  std::string left = line + "\n";
+  while (!left.empty()) {
+    const ssize_t sent = send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) {
+      continue;
+    }
+    if (sent < 0) {
+      return false;
+    }
+    left.erase(0, static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+int AskingRScript::await() { return exit_status(std::exchange(process_, 0)); }
 
 }  // namespace impetus::inline commands

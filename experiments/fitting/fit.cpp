@@ -19,7 +19,6 @@ constexpr double kFirstTolerance = 1e-3;  ///< of starts, in the logarithm
 constexpr double kTolerance = 1e-5;
 constexpr int kMostBetters = 5;  ///< times that a profile may send the search back
 
-constexpr const char* kNotAsked = "no answer of the study depends on it";
 constexpr const char* kNotIdentified = "the study does not identify it";
 
 /// One end of an interval, on the scale; none: the profile is open.

@@ -21,6 +21,9 @@
 
 namespace impetus::inline fitting {
 
+/// Why a parameter was held that the study does not ask.
+inline constexpr const char* kNotAsked = "no answer of the study depends on it";
+
 /// A parameter after a fit.
 struct FittedParameter {
   std::string name;

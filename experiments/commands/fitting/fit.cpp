@@ -35,6 +35,7 @@ struct FitOptions {
   std::string protocol;
   std::string code;
   bool by_person{false};
+  bool posterior{false};
   std::vector<std::string> compared;
   std::int64_t folds{10};
 };
@@ -138,6 +139,13 @@ ObserverFit fit_as_group(const ObserverFile& observer, const std::vector<Answeri
   return fit_observer(*observer.kind, *observer.parameters, people, wish);
 }
 
+Posterior posterior_of(const ObserverFile& observer, const std::vector<AnsweringPerson>& people,
+                       const ObserverFit& fit) {
+  ProgressLine line("drawing from the posterior");
+  PosteriorDensity density(*observer.kind, *observer.parameters, people, fit);
+  return sample_posterior(density, [&](double share) { line.tell(share); });
+}
+
 /// The observers' names as they were given, with the answers as each perceives the trials.
 ObserverComparison compare(const FitOptions& options, const std::vector<ObserverFile>& observers,
                            const std::vector<std::vector<AnsweringPerson>>& people) {
@@ -177,6 +185,9 @@ FitStory told_fit(const FitOptions& options, const AnsweredStudy& answered,
   if (options.by_person) {
     fit_one_by_one(options, observer, people.front(), story);
   }
+  if (options.posterior) {
+    story.posterior = posterior_of(observer, people.front(), story.fit);
+  }
   AnswerLikelihood fitted(*observer.kind, *story.fit.best, people.front(), story.people > 1);
   story.residuals = residuals(fitted, people.front());
   if (!options.compared.empty()) {
@@ -197,6 +208,11 @@ int fit(const FitOptions& options) {
   const fs::path page = fs::path(options.out).replace_extension(".md");
   require_new_file(options.out);
   require_new_file(page);
+  const fs::path draws = fs::path(options.out).replace_extension(".draws.csv");
+  if (options.posterior) {
+    require_new_file(draws);
+    require_sampler();
+  }
   StudyFile study = StudyFile::open_for_reading(options.study);
   const AnsweredStudy answered = choose_answers(study, {options.protocol, options.code});
   ReplayLibrary library(study);
@@ -208,9 +224,16 @@ int fit(const FitOptions& options) {
   static_cast<void>(observers.front().kind->read(parse_json(options.out, text)));
   write_whole_file(options.out, text);
   write_whole_file(page, fit_page(story));
+  if (story.posterior) {
+    write_whole_file(draws, draws_table(*story.posterior));
+  }
   std::printf("%s", text_table(parameter_rows(story)).c_str());
   if (story.comparison) {
     std::printf("%s\n", choice_sentence(*story.comparison).c_str());
+  }
+  if (story.posterior) {
+    std::printf("%s: draws from the posterior%s\n", draws.c_str(),
+                story.posterior->agrees() ? "" : ", whose chains do not agree: not to be used");
   }
   std::printf("%s: a participant for run and power; %s: the page\n", options.out.c_str(),
               page.c_str());
@@ -238,10 +261,16 @@ void add_fit(CLI::App& app, Command& chosen) {
                       "Answers to this protocol (default: the study's only one)");
   CLI::Option* code =
       command->add_option("--code", options->code, "Only this participant's answers");
+  CLI::Option* by_person = command
+                               ->add_flag("--by-person", options->by_person,
+                                          "Fit everybody alone; the file has the means over people")
+                               ->excludes(code);
   command
-      ->add_flag("--by-person", options->by_person,
-                 "Fit everybody alone; the file has the means over people")
-      ->excludes(code);
+      ->add_flag(
+          "--posterior", options->posterior,
+          "Also draw from the posterior under weak priors, for the page and a table of draws "
+          "(needs R, mcmc and coda)")
+      ->excludes(by_person);
   command
       ->add_option("--compare", options->compared,
                    "Other simulated participants: which foretells best what it was not fitted to")

@@ -79,6 +79,28 @@ std::string residual_pages(const FitStory& story) {
   return text;
 }
 
+std::string posterior_page(const Posterior& posterior) {
+  Rows rows{{"parameter", "median", "95 %", "95 % of the prior", "told by the answers, %", "R-hat",
+             "independent draws"}};
+  for (const PosteriorParameter& one : posterior.parameters) {
+    rows.push_back({one.name, number(one.median), interval(one.low, one.high),
+                    interval(one.prior_low, one.prior_high), rounded_number(100.0 * one.told, 3),
+                    rounded_number(one.rhat, kDigits), rounded_number(one.enough, 3)});
+  }
+  return "## Posterior\n\n" +
+         std::string(posterior.agrees() ? ""
+                                        : "**Not to be used: the chains do not agree, or are too "
+                                          "short** (R-hat above 1.01, or worth fewer than 400 "
+                                          "independent draws; Vehtari et al. 2021).\n\n") +
+         markdown(rows) + "Four chains of Metropolis' random walk, " +
+         std::to_string(posterior.draws.size()) +
+         " draws after a warm-up, by the R package mcmc; every draw is in the table beside this "
+         "page. Priors are normal, about what the file assumed: of what is positive the logarithm, "
+         "standard deviation 1; of a probability the logit, 1.5; of logits 3; of other numbers "
+         "three quarters of what was assumed. Told by the answers is the share of the prior's "
+         "variance that they took away: where it is small, the posterior is what was assumed.\n\n";
+}
+
 std::string comparison_page(const ObserverComparison& comparison) {
   Rows rows{{"observer", "log-likelihood per trial", "gain over none", "chance may make"}};
   for (const Foretelling& one : comparison.observers) {
@@ -185,6 +207,9 @@ std::string fit_page(const FitStory& story) {
                 "people includes the error of each person's fit.\n\n";
   if (!story.by_person.empty()) {
     text += "## Person by person\n\n" + markdown(person_rows(story));
+  }
+  if (story.posterior) {
+    text += posterior_page(*story.posterior);
   }
   if (story.comparison) {
     text += comparison_page(*story.comparison);

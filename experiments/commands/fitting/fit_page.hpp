@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/commands/fitting/posterior.hpp"
 #include "experiments/fitting/comparison.hpp"
 #include "experiments/fitting/residuals.hpp"
 #include "experiments/protocol/observer_file.hpp"
@@ -44,6 +45,7 @@ struct FitStory {
   std::vector<PersonFit> by_person{};
   std::vector<GroupMean> means{};
   std::vector<QuestionResiduals> residuals{};
+  std::optional<Posterior> posterior{};
   std::optional<ObserverComparison> comparison{};
 };
 

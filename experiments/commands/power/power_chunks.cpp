@@ -16,7 +16,7 @@
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/power_simulation.hpp"
 #include "experiments/commands/power/power_studies.hpp"
-#include "experiments/commands/power/scratch_folder.hpp"
+#include "experiments/commands/scratch_folder.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"

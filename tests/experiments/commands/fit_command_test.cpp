@@ -1,6 +1,8 @@
 // `impetus fit` from outside: a simulated study in, a participant file and a page out.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/experiments/command_lines.hpp"
 #include "tests/places/places.hpp"
@@ -14,8 +16,9 @@ class FittedStudy {
  public:
   FittedStudy() {
     ran_ = run_program(folder_, simulated_run({"--participants", "3"}));
-    fitted_ = run_program(folder_, {"fit", "a.sqlite", "--observer", "causality", "--out",
-                                    "fitted.json", "--compare", "null-causality", "--folds", "3"});
+    fitted_ =
+        run_program(folder_, {"fit", "a.sqlite", "--observer", "causality", "--out", "fitted.json",
+                              "--compare", "null-causality", "--folds", "3", "--posterior"});
   }
   static const FittedStudy& once() {
     static const FittedStudy study;
@@ -43,6 +46,28 @@ TEST(FitCommand, ParametersSayWhatTheyWereFittedTo) {
   EXPECT_NE(source.find("), 3 people"), std::string::npos) << source;
   EXPECT_EQ(threshold["note"].get<std::string>().rfind("95 % interval ", 0), 0U);
   EXPECT_EQ(threshold["unit"], "ms");
+}
+
+// Of a normal posterior the middle of the draws is near its highest place, which is near the fit.
+TEST(FitCommand, ThePosteriorIsDrawnAndToldOnThePage) {
+  const FittedStudy& study = FittedStudy::once();
+  ASSERT_EQ(study.fitted().status, 0) << study.fitted().errors;
+  const std::string page = text_of(study.folder() / "fitted.md");
+  EXPECT_NE(page.find("## Posterior"), std::string::npos);
+  EXPECT_EQ(page.find("Not to be used"), std::string::npos);
+  std::istringstream draws(text_of(study.folder() / "fitted.draws.csv"));
+  std::string line;
+  std::getline(draws, line);
+  ASSERT_EQ(line.rfind("chain,threshold_mean_ms,", 0), 0U) << line;
+  std::vector<double> thresholds;
+  while (std::getline(draws, line)) {
+    thresholds.push_back(std::stod(line.substr(line.find(',') + 1)));
+  }
+  ASSERT_GE(thresholds.size(), 2000U);
+  std::nth_element(thresholds.begin(), thresholds.begin() + thresholds.size() / 2,
+                   thresholds.end());
+  const json threshold = study.file()["parameters"]["threshold_mean_ms"];
+  EXPECT_NEAR(thresholds[thresholds.size() / 2], threshold["value"].get<double>(), 40.0);
 }
 
 TEST(FitCommand, WhatIsNotFittedStaysAsAssumed) {
