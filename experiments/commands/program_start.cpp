@@ -2,10 +2,12 @@
 #include "experiments/commands/program_start.hpp"
 
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <stdexcept>
 
 namespace impetus::inline commands {
 
@@ -34,6 +36,28 @@ int await_program(pid_t program) {
   while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+std::array<int, 2> socket_ends() {
+  std::array<int, 2> ends{-1, -1};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw std::runtime_error("no socket could be made");
+  }
+  return ends;
+}
+
+bool send_all(int socket, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) {
+      continue;
+    }
+    if (sent < 0) {
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(sent));
+  }
+  return true;
 }
 
 }  // namespace impetus::inline commands

@@ -8,7 +8,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <stdexcept>
 #include <utility>
 
 #include "experiments/commands/program_start.hpp"
@@ -49,11 +48,7 @@ int run_needed_r_script(const std::vector<std::string>& words) {
 }
 
 AskingRScript::AskingRScript(const std::vector<std::string>& words) {
-  // A socket and no pipe: who writes to a script that ended is told so, and gets no signal.
-  std::array<int, 2> ends{-1, -1};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw std::runtime_error("no socket could be made");
-  }
+  const std::array<int, 2> ends = socket_ends();
   const auto child = start_r_script(words, {{ends[1], STDIN_FILENO}, {ends[1], STDOUT_FILENO}});
   close(ends[1]);
   if (!child) {
@@ -91,18 +86,8 @@ std::optional<std::string> AskingRScript::hear() {
 }
 
 bool AskingRScript::tell(const std::string& line) {
-  std::string left = line + "\n";
-  while (!left.empty()) {
-    const ssize_t sent = send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) {
-      continue;
-    }
-    if (sent < 0) {
-      return false;
-    }
-    left.erase(0, static_cast<std::size_t>(sent));
-  }
-  return true;
+  const std::string whole = line + "\n";
+  return send_all(socket_, {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
 }
 
 int AskingRScript::await() { return exit_status(std::exchange(process_, 0)); }

@@ -1,48 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/fitting/likelihood.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <thread>
 #include <tuple>
+
+#include "experiments/fitting/trait_integral.hpp"
+#include "experiments/observers/side_by_side.hpp"
 
 namespace impetus::inline fitting {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 constexpr double kLeastChance = 1e-300;
-
-/// Nodes and weights for ∫ f(t) exp(−t²) dt.
-struct HermiteRule {
-  VectorXd nodes;
-  VectorXd weights;
-};
-
-/// Golub and Welsch 1969: nodes are the eigenvalues of the Hermite polynomials' recurrence.
-HermiteRule hermite_rule(Eigen::Index size) {
-  MatrixXd recurrence = MatrixXd::Zero(size, size);
-  for (Eigen::Index i = 1; i < size; ++i) {
-    recurrence(i, i - 1) = std::sqrt(0.5 * static_cast<double>(i));
-    recurrence(i - 1, i) = recurrence(i, i - 1);
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> parts(recurrence);
-  return {parts.eigenvalues(),
-          std::sqrt(std::numbers::pi) * parts.eigenvectors().row(0).transpose().cwiseAbs2()};
-}
-
-const HermiteRule& rule_for(Eigen::Index traits) {
-  static const HermiteRule one = hermite_rule(9);
-  static const HermiteRule more = hermite_rule(7);
-  return traits <= 1 ? one : more;
-}
 
 /// The logarithm of a product of many chances, for few logarithms.
 class LogarithmOfProduct {
@@ -313,95 +288,13 @@ double AnswerLikelihood::joint(Person& person, const VectorXd& z) {
   return product.logarithm() + person.known_logarithm - 0.5 * z.squaredNorm();
 }
 
-/// Newton's method from where it was before; returns the curvature there, with its sign turned.
-MatrixXd AnswerLikelihood::find_mode(Person& person) {
-  constexpr double kStep = 2e-3;
-  constexpr double kClose = 1e-4;  ///< in standard deviations over people: the quadrature forgives
-  constexpr int kMostSteps = 30;
-  const Eigen::Index size = person.mode.size();
-  MatrixXd precision = MatrixXd::Identity(size, size);
-  double value = joint(person, person.mode);
-  for (int count = 0; count < kMostSteps; ++count) {
-    VectorXd gradient(size);
-    VectorXd near = person.mode;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      near[i] = person.mode[i] + kStep;
-      const double above = joint(person, near);
-      near[i] = person.mode[i] - kStep;
-      const double below = joint(person, near);
-      near[i] = person.mode[i];
-      gradient[i] = (above - below) / (2.0 * kStep);
-      precision(i, i) = (2.0 * value - above - below) / (kStep * kStep);
-      for (Eigen::Index j = 0; j < i; ++j) {
-        const auto at = [&](double by_i, double by_j) {
-          VectorXd corner = person.mode;
-          corner[i] += by_i;
-          corner[j] += by_j;
-          return joint(person, corner);
-        };
-        precision(i, j) =
-            -(at(kStep, kStep) - at(kStep, -kStep) - at(-kStep, kStep) + at(-kStep, -kStep)) /
-            (4.0 * kStep * kStep);
-        precision(j, i) = precision(i, j);
-      }
-    }
-    Eigen::LLT<MatrixXd> factor(precision);
-    if (factor.info() != Eigen::Success) {
-      precision = MatrixXd::Identity(size, size) * (1.0 + precision.cwiseAbs().maxCoeff());
-      factor.compute(precision);
-    }
-    VectorXd step = factor.solve(gradient);
-    if (step.norm() < kClose) {
-      break;
-    }
-    double there = joint(person, person.mode + step);
-    while (there < value && step.norm() > 1e-6) {
-      step *= 0.5;
-      there = joint(person, person.mode + step);
-    }
-    if (!std::isfinite(there)) {
-      break;
-    }
-    person.mode += step;
-    value = there;
-  }
-  return precision;
-}
-
 double AnswerLikelihood::integral(Person& person) {
-  const Eigen::Index size = person.mode.size();
-  if (size == 0) {
+  if (spreads_.empty()) {
     return joint(person, person.mode);
   }
-  const MatrixXd precision = find_mode(person);
-  // z = mode + √2 L t with L Lᵀ the inverse of the precision.
-  const MatrixXd lower = Eigen::LLT<MatrixXd>(precision.inverse()).matrixL();
-  const HermiteRule& rule = rule_for(size);
-  const double top = joint(person, person.mode);
-  double sum = 0.0;
-  std::vector<Eigen::Index> digits(static_cast<std::size_t>(size), 0);
-  while (true) {
-    VectorXd t(size);
-    double weight = 1.0;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const Eigen::Index node = digits[static_cast<std::size_t>(i)];
-      t[i] = rule.nodes[node];
-      weight *= rule.weights[node];
-    }
-    const double at = joint(person, person.mode + std::numbers::sqrt2 * (lower * t));
-    sum += weight * std::exp(at - top + t.squaredNorm());
-    std::size_t place = 0;
-    while (place < digits.size() && ++digits[place] == rule.nodes.size()) {
-      digits[place++] = 0;
-    }
-    if (place == digits.size()) {
-      break;
-    }
-  }
-  // (2π)^(−n/2) |√2 L| of the change of variables
-  const double scale = static_cast<double>(size) * -0.5 * std::log(std::numbers::pi) +
-                       lower.diagonal().array().log().sum();
-  return top + std::log(sum) + scale;
+  const auto joint_at = [&](const VectorXd& z) { return joint(person, z); };
+  return logarithm_of_integral(joint_at, person.mode) -
+         0.5 * static_cast<double>(spreads_.size()) * std::log(2.0 * std::numbers::pi);
 }
 
 std::vector<double> AnswerLikelihood::logarithms() {
@@ -413,29 +306,20 @@ std::vector<double> AnswerLikelihood::logarithms() {
   }
   const bool judges = !traits_change_seen_ && must_judge();
   std::vector<double> all(people_.size());
-  for_each_person([&](std::size_t i) {
+  const auto of_person = [&](std::size_t i) {
     if (judges) {
       judge(people_[i]);
     }
     all[i] = integral(people_[i]);
-  });
-  return all;
-}
-
-/// Where clicks are explained a person takes a millisecond: people are shared among threads.
-void AnswerLikelihood::for_each_person(const std::function<void(std::size_t)>& one) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t jobs = model_->outcomes != nullptr ? std::min(cores, people_.size()) : 1;
-  const auto every_nth = [&](std::size_t first) {
-    for (std::size_t i = first; i < people_.size(); i += jobs) {
-      one(i);
-    }
   };
-  std::vector<std::jthread> threads;
-  for (std::size_t job = 1; job < jobs; ++job) {
-    threads.emplace_back(every_nth, job);
+  if (judges && model_->outcomes != nullptr) {
+    do_side_by_side(people_.size(), of_person);  // clicks take a millisecond to explain
+    return all;
   }
-  every_nth(0);
+  for (std::size_t i = 0; i < people_.size(); ++i) {
+    of_person(i);
+  }
+  return all;
 }
 
 double AnswerLikelihood::logarithm() {

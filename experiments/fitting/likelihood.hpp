@@ -4,13 +4,11 @@
 //   a group        Σ over people of log ∫ P(answers of one | traits) φ(traits) d traits
 //
 // Traits (a participant's threshold, intercept, slope) are standard normal: their spreads are
-// parameters. Each person's integral is taken by adaptive Gauss–Hermite quadrature, about the
-// traits that explain that person best (Pinheiro and Bates 1995; Liu and Pierce 1994).
+// parameters. Each person's integral is taken about the traits that explain that person best.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,9 +92,7 @@ class AnswerLikelihood {
   void judge(Person& person) const;
   [[nodiscard]] Traits traits(const Eigen::VectorXd& z) const;
   [[nodiscard]] double joint(Person& person, const Eigen::VectorXd& z);
-  [[nodiscard]] Eigen::MatrixXd find_mode(Person& person);
   [[nodiscard]] double integral(Person& person);
-  void for_each_person(const std::function<void(std::size_t)>& one);
 
   const AnswerModel* model_;
   std::shared_ptr<RatingParameters> parameters_;

@@ -2,12 +2,10 @@
 #include "experiments/commands/films/ffmpeg_program.hpp"
 
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <stdexcept>
 #include <utility>
@@ -36,12 +34,10 @@ std::string end_words(int status) {
 
 FfmpegProgram::FfmpegProgram(const std::vector<std::string>& words)
     : said_(memfd_create("ffmpeg", MFD_CLOEXEC)) {
-  // A socket and no pipe: who writes to an ffmpeg that ended is told so, and gets no signal.
-  std::array<int, 2> ends{-1, -1};
-  if (said_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    close(said_);
-    throw std::runtime_error("no socket could be made");
+  if (said_ < 0) {
+    throw std::runtime_error("no file could be made for what ffmpeg says");
   }
+  const std::array<int, 2> ends = socket_ends();
   input_ = ends[0];
   std::vector<std::string> all{"ffmpeg", "-hide_banner", "-loglevel", "error", "-xerror"};
   all.insert(all.end(), words.begin(), words.end());
@@ -73,19 +69,7 @@ void FfmpegProgram::close_input() {
   }
 }
 
-bool FfmpegProgram::take(std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t sent = send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) {
-      continue;
-    }
-    if (sent < 0) {
-      return false;
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(sent));
-  }
-  return true;
-}
+bool FfmpegProgram::take(std::span<const std::uint8_t> bytes) { return send_all(input_, bytes); }
 
 std::string FfmpegProgram::await() {
   close_input();

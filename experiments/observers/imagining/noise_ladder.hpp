@@ -2,7 +2,7 @@
 // tell how unsteady what they imagine is.
 //
 //   share        x                  one stream of draws for all rungs, so that the shares
-//     |      x       x  x           differ by the noise alone; a line between two rungs
+//     |      x       x  x           differ by the noise alone; a smooth curve through the rungs
 //     |   x                x
 //     +---.25-.35-.5 ... 8 deg
 // SPDX-License-Identifier: MIT
@@ -14,7 +14,8 @@
 
 namespace impetus::inline observers {
 
-/// The share at each rung, as `share` has it of who imagines with that noise.
+/// The share at each rung, as `share` has it of who imagines with that noise; called from several
+/// threads at a time.
 Percept shares_by_noise(
     const ImaginingParameters& own,
     const std::function<double(const Imagination& by, RandomStream& draws)>& share);

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <vector>
 
 #include "experiments/fitting/fit.hpp"
 #include "experiments/observers/imagining/noise_ladder.hpp"
@@ -21,19 +25,52 @@ TEST(NoiseLadder, ReadsBetweenItsRungsAndNotBeyondThem) {
   EXPECT_EQ(share_at_noise(shares, 80.0), 0.0);
 }
 
+// A ladder of one step goes through every rung, and has no corner there: its slope is the same on
+// both sides.
+TEST(NoiseLadder, IsSmoothAtARung) {
+  const Percept shares{1.0, 1.0, 1.0, 1.0, 0.8, 0.3, 0.1, 0.0, 0.0, 0.0, 0.0};
+  const auto at_rung = [&](double rung) {
+    return share_at_noise(shares, 0.25 * std::exp2(rung / 2.0));
+  };
+  for (int rung = 1; rung < 10; ++rung) {
+    constexpr double kNear = 1e-5;
+    EXPECT_NEAR(at_rung(rung), shares[static_cast<std::size_t>(rung)], 1e-9) << rung;
+    const double slope_below = (at_rung(rung) - at_rung(rung - kNear)) / kNear;
+    const double slope_above = (at_rung(rung + kNear) - at_rung(rung)) / kNear;
+    EXPECT_NEAR(slope_below, slope_above, 1e-3) << rung;
+  }
+  EXPECT_EQ(at_rung(2.5), 1.0);  // no swing before a fall
+}
+
 TEST(NoiseLadder, AsksForEachRungWithTheSameDraws) {
-  std::vector<double> noises;
-  std::vector<double> draws_of;
+  std::mutex mutex;
+  std::map<double, std::vector<double>> draws_by_noise;
   const Percept shares =
       shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& draws) {
-        noises.push_back(by.heading_noise_deg);
-        draws_of.push_back(draws.uniform());
-        return by.heading_noise_deg;
+        const std::lock_guard lock(mutex);
+        draws_by_noise[by.heading_noise_deg].push_back(draws.uniform());
+        return 0.1 * by.heading_noise_deg;
       });
-  EXPECT_NEAR(noises.front(), 0.25, 1e-12);
-  EXPECT_NEAR(noises.back(), 8.0, 1e-12);
-  EXPECT_EQ(draws_of, std::vector(draws_of.size(), draws_of.front()));
-  EXPECT_EQ(shares, noises);
+  ASSERT_EQ(draws_by_noise.size(), shares.size());
+  EXPECT_NEAR(draws_by_noise.begin()->first, 0.25, 1e-12);
+  EXPECT_NEAR(draws_by_noise.rbegin()->first, 8.0, 1e-12);
+  std::size_t rung = 0;
+  for (const auto& [noise, draws] : draws_by_noise) {
+    EXPECT_EQ(draws, draws_by_noise.begin()->second) << noise;
+    EXPECT_NEAR(shares[rung++], 0.1 * noise, 1e-12);
+  }
+}
+
+TEST(NoiseLadder, WhereTheFirstRunsEndAlikeNoMoreAreMade) {
+  std::atomic<std::int64_t> runs{0};
+  const Percept shares =
+      shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& /*none*/) {
+        runs += by.runs;
+        return by.heading_noise_deg > 7.0 ? 0.5 : 1.0;
+      });
+  EXPECT_EQ(runs, 10 * 500 + 3000);
+  EXPECT_EQ(shares.front(), 1.0);
+  EXPECT_EQ(shares.back(), 0.5);
 }
 
 /// A clip that gets through by a distance, in degrees of heading: where the noise is as large, it
