@@ -135,6 +135,7 @@ Imagination imagination_of(const Protocol& protocol, const fs::path& file,
                      observer.kind->name);
   }
   Imagination by = static_cast<const CounterfactualParameters&>(*observer.parameters).imagination();
+  by.in_pairs = true;
   by.runs = options.runs;
   return by;
 }

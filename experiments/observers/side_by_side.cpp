@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
+#include <future>
 #include <thread>
 #include <vector>
 
@@ -13,29 +13,18 @@ void do_side_by_side(std::size_t count, const std::function<void(std::size_t)>& 
   const std::size_t jobs =
       std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count);
   std::atomic<std::size_t> next{0};
-  std::vector<std::exception_ptr> thrown(jobs);
-  const auto work = [&](std::size_t job) {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) {
-        piece(i);
-      }
-    } catch (...) {
-      thrown[job] = std::current_exception();
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      piece(i);
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t job = 1; job < jobs; ++job) {
-      threads.emplace_back(work, job);
-    }
-    if (jobs > 0) {
-      work(0);
-    }
+  std::vector<std::future<void>> others;  // waited for, also where this thread throws
+  for (std::size_t job = 1; job < jobs; ++job) {
+    others.push_back(std::async(std::launch::async, work));
   }
-  for (const std::exception_ptr& one : thrown) {
-    if (one) {
-      std::rethrow_exception(one);
-    }
+  work();
+  for (std::future<void>& other : others) {
+    other.get();
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include "experiments/commands/r_program.hpp"
@@ -32,10 +33,12 @@ std::string line_of(const VectorXd& numbers) {
 
 VectorXd numbers_of(std::istringstream& words, std::size_t size) {
   VectorXd numbers(static_cast<Index>(size));
+  std::string word;
   for (double& number : numbers) {
-    if (!(words >> number)) {
+    if (!(words >> word)) {
       throw InputError(kFailed);
     }
+    number = std::strtod(word.c_str(), nullptr);  // takes R's Inf, too
   }
   return numbers;
 }

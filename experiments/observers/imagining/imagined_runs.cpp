@@ -99,11 +99,12 @@ double share_of_runs(const HasHappened& has_happened, World start, double time_s
   };
   std::int64_t happened = 0;
   for (std::int64_t run = 0; run < by.runs; ++run) {
-    sign = run % 2 == 0 ? 1.0 : -1.0;
-    if (run % 2 == 0) {
-      of_pair = draws;
-    } else {
+    const bool is_second = by.in_pairs && run % 2 == 1;
+    sign = is_second ? -1.0 : 1.0;
+    if (is_second) {
       draws = of_pair;
+    } else {
+      of_pair = draws;
     }
     World world = start;
     happened += course.leads_to(has_happened, world, steps, turn_headings) ? 1 : 0;

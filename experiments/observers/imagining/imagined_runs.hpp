@@ -28,6 +28,9 @@ struct Imagination {
   double step_hz{50.0};
   int level{kUnlimitedLevel};  ///< of refinement, at most
   std::int64_t tests_per_step{kUnlimitedTests};
+  /// Every second run turns the other way in each step than the run before it (antithetic draws),
+  /// which steadies a share that is asked for; a person's runs know nothing of each other.
+  bool in_pairs{true};
 };
 
 /// A scene's bodies at some time from onset.
@@ -53,8 +56,7 @@ std::optional<Meeting> first_meeting(const StagedScene& scene);
 bool gets_through(const StagedScene& scene, std::optional<std::size_t> without = {});
 
 /// In how many of the imagined runs it gets through from the meeting on, without the other: a
-/// share. The same precondition; the same draws give the same share. Every second run turns the
-/// other way in each step than the run before it (antithetic draws), which steadies the share.
+/// share. The same precondition; the same draws give the same share.
 double imagined_share(const StagedScene& scene, const Meeting& from, const Imagination& by,
                       RandomStream& draws);
 

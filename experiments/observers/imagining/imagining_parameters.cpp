@@ -5,6 +5,7 @@ namespace impetus::inline observers {
 
 Imagination ImaginingParameters::imagination() const {
   Imagination by{static_cast<std::int64_t>(runs), heading_noise_deg, step_hz};
+  by.in_pairs = false;
   if (level >= 0.0) {
     by.level = static_cast<int>(level);
   }

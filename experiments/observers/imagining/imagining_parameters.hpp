@@ -17,6 +17,7 @@ struct ImaginingParameters : RatingParameters {
   double level{-1.0};           ///< −1: as deep as the scene goes
   double tests_per_step{-1.0};  ///< −1: no limit
 
+  /// Of one person.
   [[nodiscard]] Imagination imagination() const;
 };
 

@@ -31,6 +31,7 @@ Percept shares_by_noise(
   Percept shares(kRungs);
   do_side_by_side(shares.size(), [&](std::size_t rung) {
     Imagination by = own.imagination();
+    by.in_pairs = true;
     by.heading_noise_deg = kLeastDeg * std::exp2(static_cast<double>(rung) / kRungsPerDoubling);
     RandomStream draws(1, "fit/imagination");
     by.runs = kFirstRuns;
