@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -110,22 +111,21 @@ std::vector<QuestionResiduals> residuals(AnswerLikelihood& likelihood,
   };
   const Expected mark = [&](const AnsweredTrial& trial,
                             const Traits& own) -> std::optional<Expectation> {
-    constexpr int kParts = 100;  // between the line's ends, where a chance is a density
     if (!trial.mark) {
       return std::nullopt;
     }
     AnsweredTrial alone = asked_alone(trial);
     const Mark& line = *trial.mark;
-    const double length = line.most - line.least;
+    alone.mark = line;
+    const auto marks = std::lround((line.most - line.least) / line.grain);
     Expectation expected{0.0, 0.0, line.value};
     double squares = 0.0;
-    for (int part = 0; part <= kParts + 1; ++part) {
-      const double at = std::clamp((part - 0.5) / kParts, 0.0, 1.0);
-      alone.mark = Mark{line.least + at * length, line.least, line.most};
-      const bool is_end = part == 0 || part == kParts + 1;
-      const double chance = likelihood.chance(alone, own) * (is_end ? 1.0 : length / kParts);
-      expected.mean += chance * alone.mark->value;
-      squares += chance * alone.mark->value * alone.mark->value;
+    for (std::int64_t at = 0; at <= marks; ++at) {
+      const double value = line.least + line.grain * static_cast<double>(at);
+      alone.mark->value = value;
+      const double chance = likelihood.chance(alone, own);
+      expected.mean += chance * value;
+      squares += chance * value * value;
     }
     expected.variance = squares - expected.mean * expected.mean;
     return expected;

@@ -44,6 +44,7 @@ struct Mark {
   double value{0.0};
   double least{0.0};
   double most{1.0};
+  double grain{0.01};  ///< marks are rounded to it, from `least` on
   bool operator==(const Mark&) const = default;
 };
 
@@ -70,8 +71,7 @@ struct AnswerModel {
   /// The chance of the point so many steps from the good end of a scale.
   double (*rating)(const RatingParameters& parameters, const Traits& traits, double seen,
                    std::size_t steps, std::size_t points){nullptr};
-  /// How probable a mark on a line is: a chance at its ends, a density between them. Null: a kind
-  /// that marks no lines.
+  /// The chance of a mark on a line. Null: a kind that marks no lines.
   double (*mark)(const RatingParameters& parameters, double seen, const Mark& mark){nullptr};
   /// What happened in the stimulus, in the terms of what is seen: a mark on a line from the
   /// contrary, -1 to 1, is this less what is seen. Null: a kind that marks no such lines.
@@ -98,5 +98,12 @@ double yes_chance(const RatingParameters& parameters, double seen);
 
 /// That the first of two intervals is chosen.
 double first_chance(const RatingParameters& parameters, double seen_first, double seen_second);
+
+/// The chance of a mark where `meant` is meant, with noise of that standard deviation, which is cut
+/// at the line's ends.
+double mark_chance(const Mark& mark, double meant, double sd);
+
+/// The chance of a mark that is set anywhere.
+double mark_chance_anywhere(const Mark& mark);
 
 }  // namespace impetus::inline observers

@@ -8,7 +8,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "experiments/observers/observer_kinds.hpp"
@@ -73,14 +72,9 @@ double seen_launch(const RatingParameters& parameters, const Traits& traits,
   return 1.0 - (1.0 - late) * (1.0 - apart);
 }
 
-/// The mark that is meant is the impression; noise that leads over an end is cut there.
+/// The mark that is meant is the impression.
 double launching_mark(const RatingParameters& parameters, double seen, const Mark& mark) {
-  const double sd = std::max(static_cast<const LaunchingParameters&>(parameters).mark_sd, 1e-6);
-  const double z = (mark.value - (1.0 - seen)) / sd;
-  if (mark.value <= mark.least || mark.value >= mark.most) {
-    return normal_cdf(mark.value <= mark.least ? z : -z);
-  }
-  return std::exp(-0.5 * z * z) / (sd * std::sqrt(2.0 * std::numbers::pi));
+  return mark_chance(mark, 1.0 - seen, static_cast<const LaunchingParameters&>(parameters).mark_sd);
 }
 
 AnswerModel launching_answers() {

@@ -118,13 +118,15 @@ bool has_any(const AnsweredTrial& trial) {
 }
 
 /// Where the mark is between the ends of its scale, 0 and 1; of a scale with two sides, −1 and 1.
+/// It is a whole number of the scale.
 Mark mark_on_line(const StoredResponse& response) {
   const json detail = json::parse(response.detail);
   const double value = detail["value"];
   const double least = detail["minimum"];
   const double most = detail["maximum"];
   const double side = least < 0.0 ? -1.0 : 0.0;
-  return {side + (1.0 - side) * (value - least) / (most - least), side, 1.0};
+  const double unit = (1.0 - side) / (most - least);
+  return {side + unit * (value - least), side, 1.0, unit};
 }
 
 /// What an observer goes by in a trial, and what happened in it; none: it marks no two-sided line.
@@ -142,7 +144,7 @@ std::optional<Mark> in_terms_of_seen(const Mark& mark, const Perceived& perceive
     return std::nullopt;
   }
   const double happened = *perceived.happened;
-  return Mark{happened - mark.value, happened - mark.most, happened - mark.least};
+  return Mark{happened - mark.value, happened - mark.most, happened - mark.least, mark.grain};
 }
 
 /// What an observer goes by in trials: found once for scenes that begin alike, where that is all it

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "engine/dynamics/state_hash.hpp"
 #include "experiments/observers/imagining/noise_ladder.hpp"
 
 namespace impetus::inline observers {
@@ -57,30 +57,25 @@ class CounterfactualObserver final : public RatingObserver {
   Foresight foreseen_;
 };
 
-/// As marked() draws it: the share of this participant's own runs, the hand's noise, which is cut
-/// at the line's ends, and lapses.
-double mark_chance(const RatingParameters& parameters, double seen, const Mark& mark) {
+/// As marked() draws it: the share of this participant's own runs, the hand's noise, and lapses.
+double counterfactual_mark(const RatingParameters& parameters, double seen, const Mark& mark) {
   const auto& own = static_cast<const CounterfactualParameters&>(parameters);
-  const double sd = std::sqrt(own.mark_sd * own.mark_sd + seen * (1.0 - seen) / own.runs + 1e-12);
-  const double z = (mark.value - seen) / sd;
-  const bool is_least = mark.value <= mark.least;
-  const bool is_end = is_least || mark.value >= mark.most;
-  const double meant = is_end ? normal_cdf(is_least ? z : -z)
-                              : std::exp(-0.5 * z * z) / (sd * std::sqrt(2.0 * std::numbers::pi));
-  const double anywhere = (is_end ? 0.005 : 1.0) / (mark.most - mark.least);
-  return (1.0 - own.lapse_rate) * meant + own.lapse_rate * anywhere;
+  const double sd = std::sqrt(own.mark_sd * own.mark_sd + seen * (1.0 - seen) / own.runs);
+  return (1.0 - own.lapse_rate) * mark_chance(mark, seen, sd) +
+         own.lapse_rate * mark_chance_anywhere(mark);
 }
 
 AnswerModel counterfactual_answers() {
   AnswerModel answers = imagining_answers<CounterfactualParameters, counterfactual_entries>();
   answers.fitted.emplace_back("mark_sd");
-  answers.mark = mark_chance;
+  answers.mark = counterfactual_mark;
   answers.happened = [](const StagedScene& scene) {
     return scene.goal && gets_through(scene) ? 1.0 : 0.0;
   };
   answers.percept = [](const RatingParameters& parameters, const AttemptRecord& /*shown*/,
                        const StagedScene& scene) {
     return shares_by_noise(static_cast<const CounterfactualParameters&>(parameters),
+                           hash_state(scene.start).hash,
                            [&](const Imagination& by, RandomStream& draws) {
                              return scene.goal ? foresee(scene, by, draws).without : 0.0;
                            });

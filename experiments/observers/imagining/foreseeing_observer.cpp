@@ -5,6 +5,7 @@
 //
 // Whoever flashed is who is asked about; where no two did, nothing is seen.
 // SPDX-License-Identifier: MIT
+#include "engine/dynamics/state_hash.hpp"
 #include "experiments/observers/imagining/noise_ladder.hpp"
 
 namespace impetus::inline observers {
@@ -49,6 +50,7 @@ AnswerModel foreseeing_answers() {
   answers.percept = [](const RatingParameters& parameters, const AttemptRecord& /*shown*/,
                        const StagedScene& scene) {
     return shares_by_noise(static_cast<const ImaginingParameters&>(parameters),
+                           hash_state(scene.start).hash,
                            [&](const Imagination& by, RandomStream& draws) {
                              return foreseen_share(scene, by, draws);
                            });

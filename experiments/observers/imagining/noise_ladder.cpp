@@ -26,14 +26,14 @@ double slope_between(double before, double after) {
 }  // namespace
 
 Percept shares_by_noise(
-    const ImaginingParameters& own,
+    const ImaginingParameters& own, std::uint64_t clip,
     const std::function<double(const Imagination& by, RandomStream& draws)>& share) {
   Percept shares(kRungs);
   do_side_by_side(shares.size(), [&](std::size_t rung) {
     Imagination by = own.imagination();
     by.in_pairs = true;
     by.heading_noise_deg = kLeastDeg * std::exp2(static_cast<double>(rung) / kRungsPerDoubling);
-    RandomStream draws(1, "fit/imagination");
+    RandomStream draws(clip, "fit/imagination");
     by.runs = kFirstRuns;
     const double first = share(by, draws);
     shares[rung] = first;

@@ -74,6 +74,9 @@ struct PlantedStudy {
   StagedScene scene{two_balls()};
 };
 
+/// As a slider from 0 to 100 keeps it.
+inline Mark rounded_mark(double value) { return {std::round(100.0 * value) / 100.0}; }
+
 /// A participant's trials with the answers of a simulated one.
 inline AnsweringPerson answering_person(const ObserverFile& file, const PlantedStudy& study,
                                         std::uint64_t seed, const std::string& code) {
@@ -91,7 +94,7 @@ inline AnsweringPerson answering_person(const ObserverFile& file, const PlantedS
       trial.percepts.push_back(file.kind->answers.percept(*file.parameters, shown, study.scene));
     }
     if (study.question == "slider") {
-      trial.mark = Mark{observer->mark()};
+      trial.mark = rounded_mark(observer->mark());
       continue;
     }
     const std::size_t choice = observer->ask(page).choice;

@@ -46,7 +46,7 @@ TEST(NoiseLadder, AsksForEachRungWithTheSameDraws) {
   std::mutex mutex;
   std::map<double, std::vector<double>> draws_by_noise;
   const Percept shares =
-      shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& draws) {
+      shares_by_noise(ImaginingParameters{}, 1, [&](const Imagination& by, RandomStream& draws) {
         const std::lock_guard lock(mutex);
         draws_by_noise[by.heading_noise_deg].push_back(draws.uniform());
         return 0.1 * by.heading_noise_deg;
@@ -64,7 +64,7 @@ TEST(NoiseLadder, AsksForEachRungWithTheSameDraws) {
 TEST(NoiseLadder, WhereTheFirstRunsEndAlikeNoMoreAreMade) {
   std::atomic<std::int64_t> runs{0};
   const Percept shares =
-      shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& /*none*/) {
+      shares_by_noise(ImaginingParameters{}, 1, [&](const Imagination& by, RandomStream& /*none*/) {
         runs += by.runs;
         return by.heading_noise_deg > 7.0 ? 0.5 : 1.0;
       });
@@ -73,12 +73,41 @@ TEST(NoiseLadder, WhereTheFirstRunsEndAlikeNoMoreAreMade) {
   EXPECT_EQ(shares.back(), 0.5);
 }
 
+// What is meant, with the hand's noise, cut at the line's ends and rounded as a slider rounds it.
+TEST(MarkChance, IsThatOfDrawnMarks) {
+  constexpr int kMarks = 200000;
+  RandomStream stream(7, "marks");
+  for (const double meant : {0.0, 0.03, 0.5, 1.0}) {
+    std::vector<int> drawn(101);
+    for (int i = 0; i < kMarks; ++i) {
+      const double value = std::clamp(meant + 0.1 * draw_normal(stream), 0.0, 1.0);
+      ++drawn[static_cast<std::size_t>(std::lround(100.0 * value))];
+    }
+    double sum = 0.0;
+    for (int at = 0; at <= 100; ++at) {
+      const double chance = mark_chance(Mark{0.01 * at}, meant, 0.1);
+      const double share = static_cast<double>(drawn[static_cast<std::size_t>(at)]) / kMarks;
+      EXPECT_NEAR(share, chance, 5.0 * std::sqrt(chance / kMarks) + 1e-5) << meant << " " << at;
+      sum += chance;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+  }
+  EXPECT_GT(mark_chance(Mark{0.99}, 0.0, 0.1), 0.0);  // ten deviations off, and still some chance
+}
+
+TEST(MarkChance, AnywhereAnEndIsHalfAsProbableAsAPlaceBetween) {
+  EXPECT_NEAR(mark_chance_anywhere(Mark{0.0}), 0.005, 1e-12);
+  EXPECT_NEAR(mark_chance_anywhere(Mark{0.4}), 0.01, 1e-12);
+  EXPECT_NEAR(mark_chance_anywhere(Mark{1.0, -1.0, 1.0}), 0.0025, 1e-12);
+}
+
 /// A clip that gets through by a distance, in degrees of heading: where the noise is as large, it
 /// does in 84 % of runs.
 Percept clip(double distance_deg) {
-  return shares_by_noise(ImaginingParameters{}, [&](const Imagination& by, RandomStream& /*none*/) {
-    return normal_cdf(distance_deg / by.heading_noise_deg);
-  });
+  return shares_by_noise(ImaginingParameters{}, 1,
+                         [&](const Imagination& by, RandomStream& /*none*/) {
+                           return normal_cdf(distance_deg / by.heading_noise_deg);
+                         });
 }
 
 /// What people who imagine with a noise are asked for.
@@ -95,11 +124,12 @@ std::vector<AnsweringPerson> people_with(double noise_deg, Asked asked, std::uin
       trial.percepts = {clip(distance_deg)};
       const double share = share_at_noise(trial.percepts[0], noise_deg);
       if (asked == Asked::kMark) {
-        trial.mark = Mark{std::clamp(share + 0.1 * draw_normal(stream), 0.0, 1.0)};
+        trial.mark = rounded_mark(std::clamp(share + 0.1 * draw_normal(stream), 0.0, 1.0));
       } else if (asked == Asked::kTwoSidedMark) {
         const double happened = i % 2;
-        const double mark = std::clamp(happened - share + 0.1 * draw_normal(stream), -1.0, 1.0);
-        trial.mark = Mark{happened - mark, happened - 1.0, happened + 1.0};
+        const Mark mark =
+            rounded_mark(std::clamp(happened - share + 0.1 * draw_normal(stream), -1.0, 1.0));
+        trial.mark = Mark{happened - mark.value, happened - 1.0, happened + 1.0};
       } else {
         trial.yes = stream.uniform() < 0.01 + 0.98 * share;
       }

@@ -50,7 +50,7 @@ TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
         observer->witnessed(shown, scenes[clip]);
         AnsweredTrial& trial = person.trials.emplace_back();
         trial.percepts = {percepts[clip]};
-        trial.mark = Mark{std::round(100.0 * observer->mark()) / 100.0};
+        trial.mark = rounded_mark(observer->mark());
       }
     }
     FitWish wish;

@@ -68,11 +68,11 @@ class LaunchesByLevel {
       shown.frames[0].interval = 1;
       for (std::size_t at = 0; at < scenes_.size(); ++at) {
         observer->witnessed(shown, scenes_[at]);
-        const double mark = std::round(100.0 * observer->mark()) / 100.0;
+        const Mark mark = rounded_mark(observer->mark());
         for (int by = 0; by < kLevels; ++by) {
           AnsweredTrial& trial = all[by].people.back().trials.emplace_back();
           trial.percepts = {percepts_[by][at]};
-          trial.mark = Mark{mark};
+          trial.mark = mark;
         }
       }
     }
