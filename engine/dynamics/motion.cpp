@@ -14,29 +14,9 @@
 namespace impetus::inline dynamics {
 namespace {
 
-Quaternion sum_normalised(const Quaternion& p, const Quaternion& q) {
-  return Quaternion(Eigen::Vector4d(p.coeffs() + q.coeffs())).normalized();
-}
-
 /// The rotation by the Cayley map of `turn` (radians about its own direction, to second order).
 Quaternion cayley(const Vector3& turn) {
   return Quaternion(1.0, 0.5 * turn.x(), 0.5 * turn.y(), 0.5 * turn.z()).normalized();
-}
-
-/// Implicit midpoint: ω = R_mid I⁻¹ R_midᵀ L with R_mid half way between the old and new rotation.
-Quaternion rotated(const BodyModel& model, const BodyState& state, double dt_s) {
-  constexpr int kIterations = 4;
-  const Quaternion start = state.pose.orientation;
-  Quaternion middle = start;
-  Quaternion end = start;
-  for (int iteration = 0; iteration <= kIterations; ++iteration) {
-    const Matrix3 rotation = middle.toRotationMatrix();
-    const Vector3 spin =
-        rotation * (model.inverse_inertia * Vector3(rotation.transpose() * state.angular_momentum));
-    end = (cayley(spin * dt_s) * start).normalized();
-    middle = sum_normalised(start, end);
-  }
-  return end;
 }
 
 /// The momentum as the body sees it turns against it: Π' = C(−ω dt) Π with ω = I⁻¹ (Π + Π') / 2, in
@@ -262,6 +242,46 @@ class FarTurn {
   int reference_{2};
 };
 
+/// How long a body moved in a step (seconds), and how far its centre went (metres).
+struct Way {
+  double moving_s;
+  double length_m;
+};
+
+/// Everything of a step but the turn.
+Way go(const BodyModel& model, BodyState& state, double dt_s, const Fall& fall) {
+  const double waiting_s = std::min(state.held_s, dt_s);
+  const double moving_s = dt_s - waiting_s;
+  state.held_s -= waiting_s;
+  state.held_fraction = dt_s > 0.0 ? waiting_s / dt_s : 0.0;
+
+  Vector3 step = moving_s * velocity(model, state);
+  if (model.inverse_mass > 0.0 && !fall.gravity_m_s2.isZero(0.0)) {
+    step = with_fall(step, moving_s, fall);
+    state.linear_momentum += moving_s / model.inverse_mass * fall.gravity_m_s2;
+  }
+  state.pose.position += step;
+  return {moving_s, step.norm()};
+}
+
+/// Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
+bool turns_in(double moving_s, const BodyModel& model, const BodyState& state) {
+  return moving_s > 0.0 && !state.angular_momentum.isZero(0.0) &&
+         !model.inverse_inertia.isZero(0.0);
+}
+
+bool is_by_midpoint(Rotation rotation, const BodyModel& model, const BodyState& state,
+                    double dt_s) {
+  return rotation == Rotation::kMidpoint && !turns_far(model, state, dt_s);
+}
+
+/// The orientation after a turn otherwise than by the midpoint rule.
+Quaternion turned(const BodyModel& model, const BodyState& state, double dt_s, Rotation rotation) {
+  return rotation == Rotation::kMidpoint || turns_far(model, state, dt_s)
+             ? turned_far(model, state, dt_s)
+             : rotated_keeping_energy(model, state, dt_s);
+}
+
 }  // namespace
 
 Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
@@ -276,25 +296,29 @@ Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
 
 double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation,
                const Fall& fall) {
-  const double waiting_s = std::min(state.held_s, dt_s);
-  const double moving_s = dt_s - waiting_s;
-  state.held_s -= waiting_s;
-  state.held_fraction = dt_s > 0.0 ? waiting_s / dt_s : 0.0;
+  const Way way = go(model, state, dt_s, fall);
+  if (turns_in(way.moving_s, model, state)) {
+    state.pose.orientation = is_by_midpoint(rotation, model, state, way.moving_s)
+                                 ? rotated_by_midpoint(model, state, way.moving_s)
+                                 : turned(model, state, way.moving_s, rotation);
+  }
+  return way.length_m;
+}
 
-  Vector3 step = moving_s * velocity(model, state);
-  if (model.inverse_mass > 0.0 && !fall.gravity_m_s2.isZero(0.0)) {
-    step = with_fall(step, moving_s, fall);
-    state.linear_momentum += moving_s / model.inverse_mass * fall.gravity_m_s2;
+double AdvancingBodies::take(const BodyModel& model, BodyState& state, double dt_s,
+                             Rotation rotation, const Fall& fall) {
+  const Way way = go(model, state, dt_s, fall);
+  if (turns_in(way.moving_s, model, state)) {
+    if (!is_by_midpoint(rotation, model, state, way.moving_s)) {
+      state.pose.orientation = turned(model, state, way.moving_s, rotation);
+    } else {
+      turning_.put(model, state, way.moving_s);
+      if (turning_.is_full()) {
+        turning_.turn();
+      }
+    }
   }
-  state.pose.position += step;
-  // Without inverse inertia (an imposed manipulation) nothing spins, whatever the momentum.
-  if (moving_s > 0.0 && !state.angular_momentum.isZero(0.0) && !model.inverse_inertia.isZero(0.0)) {
-    state.pose.orientation = turns_far(model, state, moving_s) ? turned_far(model, state, moving_s)
-                             : rotation == Rotation::kMidpoint
-                                 ? rotated(model, state, moving_s)
-                                 : rotated_keeping_energy(model, state, moving_s);
-  }
-  return step.norm();
+  return way.length_m;
 }
 
 Pose between(const BodyState& before, const BodyState& after, double fraction) {

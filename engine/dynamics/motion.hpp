@@ -24,6 +24,7 @@
 #pragma once
 
 #include "engine/dynamics/body.hpp"
+#include "engine/dynamics/midpoint_rotation.hpp"
 
 namespace impetus::inline dynamics {
 
@@ -60,6 +61,20 @@ Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
 /// a body is taken to go straight, which its parabola leaves by at most g dt²/8.
 double advance(const BodyModel& model, BodyState& state, double dt_s,
                Rotation rotation = Rotation::kMidpoint, const Fall& fall = {});
+
+/// Moves many bodies as advance() moves each, to the bit, in half of the time.
+class AdvancingBodies {
+ public:
+  /// A body's centre is where it goes to; its orientation, at finish() at the latest. The state
+  /// must stay where it is until then. Returns what advance() does.
+  double take(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation,
+              const Fall& fall);
+
+  void finish() { turning_.turn(); }
+
+ private:
+  TurningBodies turning_;
+};
 
 /// The pose at `fraction` of the step from `before` to `after`, for drawing alone.
 Pose between(const BodyState& before, const BodyState& after, double fraction);

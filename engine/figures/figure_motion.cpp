@@ -244,10 +244,12 @@ void FigureMotion::arrive_together(const Parts& parts, double dt_s, PhaseWork& w
 double FigureMotion::arrive(const Parts& parts, double dt_s) {
   std::copy(start_.begin(), start_.end(), parts.states.begin());
   solver_.push_parts(impulses_, parts.states);
+  AdvancingBodies advancing;
   for (std::size_t i = 0; i < parts.states.size(); ++i) {
-    impetus::advance(parts.models[i], parts.states[i], dt_s, parts.rotation,
-                     parts.falls.empty() ? Fall{} : swaying(parts.falls[i]));
+    static_cast<void>(advancing.take(parts.models[i], parts.states[i], dt_s, parts.rotation,
+                                     parts.falls.empty() ? Fall{} : swaying(parts.falls[i])));
   }
+  advancing.finish();
   return note_errors(parts, dt_s);
 }
 

@@ -44,6 +44,11 @@ inline LaneWidth widest_lanes() {
 template <int kWidth>
 struct Vectors;
 template <>
+struct Vectors<1> {
+  using Numbers = double;
+  using Bits = std::int64_t;
+};
+template <>
 struct Vectors<2> {
   using Numbers = double __attribute__((vector_size(16)));
   using Bits = std::int64_t __attribute__((vector_size(16)));

@@ -30,20 +30,39 @@ void find_falls(const Step& step) {
   }
 }
 
-/// Moves a body; the parts of figures have moved already. Returns how far its centre went (metres).
-double move_body(const Step& step, std::size_t body) {
+/// Moves every body but the parts of figures, which have moved already, and notes how far each
+/// centre went.
+void move_each(const Step& step) {
   WorldState& world = step.world;
   const std::vector<Fall>& falls = step.memory.falls;
-  if (world.figures && world.figures->has_part(body)) {
-    return (world.states[body].pose.position - world.finite.before()[body].pose.position).norm();
+  AdvancingBodies advancing;
+  for (std::size_t body = 0; body < world.models.size(); ++body) {
+    BodyState& state = world.states[body];
+    double& travelled_m = step.memory.bounds[body].travelled_m;
+    if (world.figures && world.figures->has_part(body)) {
+      travelled_m = (state.pose.position - world.finite.before()[body].pose.position).norm();
+    } else if (world.finite.is_out(body)) {
+      travelled_m = 0.0;
+    } else {
+      travelled_m = advancing.take(world.models[body], state, step.input.dt_s,
+                                   step.settings.rotation, falls.empty() ? Fall{} : falls[body]);
+    }
   }
-  if (world.finite.is_out(body)) {
-    return 0.0;
+  advancing.finish();
+}
+
+/// Where a body is now, unless it is out, and whether it can move.
+void note_bound(const Step& step, std::size_t body) {
+  WorldState& world = step.world;
+  if (!(world.figures && world.figures->has_part(body)) && !world.finite.is_out(body)) {
+    world.finite.check(body, world.states[body], step.memory.report.not_finite);
   }
-  const double travelled_m = advance(world.models[body], world.states[body], step.input.dt_s,
-                                     step.settings.rotation, falls.empty() ? Fall{} : falls[body]);
-  world.finite.check(body, world.states[body], step.memory.report.not_finite);
-  return travelled_m;
+  const BodyModel& model = world.models[body];
+  MovedBound& moved = step.memory.bounds[body];
+  moved.bound = {world.states[body].pose.position, model.tree->bounding_radius_m()};
+  const bool takes_part = !world.finite.is_out(body);
+  moved.travelled_m = takes_part ? moved.travelled_m : 0.0;
+  moved.movable = takes_part && model.inverse_mass > 0.0;
 }
 
 }  // namespace
@@ -61,14 +80,10 @@ void move_bodies(const Step& step) {
                            memory.report.not_finite, world.states);
     memory.report.degradations |= work.refused() ? kMotionCut : 0U;
   }
-  memory.bounds.clear();
+  memory.bounds.resize(world.models.size());
+  move_each(step);
   for (std::size_t body = 0; body < world.models.size(); ++body) {
-    const double travelled_m = move_body(step, body);
-    const BodyModel& model = world.models[body];
-    const bool takes_part = !world.finite.is_out(body);
-    const Sphere bound{world.states[body].pose.position, model.tree->bounding_radius_m()};
-    memory.bounds.push_back(
-        {bound, takes_part ? travelled_m : 0.0, takes_part && model.inverse_mass > 0.0});
+    note_bound(step, body);
   }
 }
 
