@@ -109,8 +109,10 @@ class Fitting {
 
   void hold_what_is_not_asked() {
     constexpr double kNothing = 1e-7;
-    const double as_assumed = likelihood_.logarithm();
     for (std::size_t i = 0; i < assumed_.size(); ++i) {
+      // Anew each time: a person's most probable traits, once they have moved, come back a little
+      // elsewhere.
+      const double as_assumed = likelihood_.logarithm();
       const MovableParameter& one = likelihood_.movable()[i];
       const double x = one.on_scale(assumed_[i]);
       bool depends = false;
@@ -152,7 +154,9 @@ class Fitting {
   void search_again() {
     best_ = find_minimum(cost_function(), best_.at, kTolerance,
                          inverse_of_curvature(curvature_at(cost_function(), best_.at)));
-    inverse_ = inverse_of_curvature(curvature_at(cost_function(), best_.at));
+    if (wish_.intervals) {
+      inverse_ = inverse_of_curvature(curvature_at(cost_function(), best_.at));
+    }
   }
 
   // ---- 3: intervals

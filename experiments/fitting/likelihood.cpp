@@ -153,6 +153,15 @@ bool AnswerLikelihood::can_be() const {
 
 // ---------------------------------------------------------------- one trial
 
+/// Of all that was shown, as Judge::clearest(); where chance does not decide it.
+double AnswerLikelihood::clearest(const AnsweredTrial& trial, const Traits& traits) const {
+  double clearest = 0.0;
+  for (const Percept& percept : trial.percepts) {
+    clearest = std::max(clearest, model_->seen(*parameters_, traits, percept));
+  }
+  return clearest;
+}
+
 /// What may have been seen, and the logarithm of the probability of the clicks.
 double AnswerLikelihood::look(const AnsweredTrial& trial, const Traits& traits,
                               std::vector<Outcome>& outcomes) const {
@@ -160,11 +169,7 @@ double AnswerLikelihood::look(const AnsweredTrial& trial, const Traits& traits,
     return model_->outcomes(*parameters_, trial.percepts.front(),
                             trial.clicks_s ? &*trial.clicks_s : nullptr, outcomes);
   }
-  double clearest = 0.0;  // as Judge::clearest()
-  for (const Percept& percept : trial.percepts) {
-    clearest = std::max(clearest, model_->seen(*parameters_, traits, percept));
-  }
-  outcomes.assign(1, {1.0, clearest});
+  outcomes.assign(1, {1.0, clearest(trial, traits)});
   return 0.0;
 }
 
@@ -192,18 +197,27 @@ double AnswerLikelihood::choice_chance(const AnsweredTrial& trial, const Traits&
   return *trial.first ? first : 1.0 - first;
 }
 
-double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits) {
-  const double logarithm = look(trial, traits, scratch_);
-  double sum = 0.0;
-  for (const Outcome& outcome : scratch_) {
-    double all = outcome.probability * unrated_chance(trial, outcome.seen);
-    if (trial.rating_steps) {
-      all *= model_->rating(*parameters_, traits, outcome.seen, *trial.rating_steps,
-                            trial.rating_points);
-    }
-    sum += all;
+/// Of all answers but a choice of an interval, where so much was seen.
+double AnswerLikelihood::answered_chance(const AnsweredTrial& trial, const Traits& traits,
+                                         double seen) const {
+  const double unrated = unrated_chance(trial, seen);
+  return trial.rating_steps ? unrated * model_->rating(*parameters_, traits, seen,
+                                                       *trial.rating_steps, trial.rating_points)
+                            : unrated;
+}
+
+double AnswerLikelihood::chance(const AnsweredTrial& trial, const Traits& traits) const {
+  const double choice = choice_chance(trial, traits);
+  if (model_->outcomes == nullptr) {
+    return choice * answered_chance(trial, traits, clearest(trial, traits));
   }
-  return std::exp(logarithm) * sum * choice_chance(trial, traits);
+  std::vector<Outcome> outcomes;
+  const double logarithm = look(trial, traits, outcomes);
+  double sum = 0.0;
+  for (const Outcome& outcome : outcomes) {
+    sum += outcome.probability * answered_chance(trial, traits, outcome.seen);
+  }
+  return std::exp(logarithm) * sum * choice;
 }
 
 // ---------------------------------------------------------------- one person
@@ -312,8 +326,8 @@ std::vector<double> AnswerLikelihood::logarithms() {
     }
     all[i] = integral(people_[i]);
   };
-  if (judges && model_->outcomes != nullptr) {
-    do_side_by_side(people_.size(), of_person);  // clicks take a millisecond to explain
+  if (traits_change_seen_ || (judges && model_->outcomes != nullptr)) {
+    do_side_by_side(people_.size(), of_person);  // a person takes a millisecond
     return all;
   }
   for (std::size_t i = 0; i < people_.size(); ++i) {

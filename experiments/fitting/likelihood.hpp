@@ -49,7 +49,7 @@ class AnswerLikelihood {
     return model_->copy(*parameters_);
   }
   /// The chance of a trial's answers for a participant with these traits.
-  [[nodiscard]] double chance(const AnsweredTrial& trial, const Traits& traits);
+  [[nodiscard]] double chance(const AnsweredTrial& trial, const Traits& traits) const;
   /// The traits that explain a person best.
   [[nodiscard]] std::vector<Traits> likely_traits();
 
@@ -84,9 +84,12 @@ class AnswerLikelihood {
   void list_spreads(bool as_group);
   void forget_modes();
   [[nodiscard]] bool can_be() const;
+  [[nodiscard]] double clearest(const AnsweredTrial& trial, const Traits& traits) const;
   [[nodiscard]] double look(const AnsweredTrial& trial, const Traits& traits,
                             std::vector<Outcome>& outcomes) const;
   [[nodiscard]] double unrated_chance(const AnsweredTrial& trial, double seen) const;
+  [[nodiscard]] double answered_chance(const AnsweredTrial& trial, const Traits& traits,
+                                       double seen) const;
   [[nodiscard]] double choice_chance(const AnsweredTrial& trial, const Traits& traits) const;
   [[nodiscard]] bool must_judge();
   void judge(Person& person) const;
@@ -101,7 +104,6 @@ class AnswerLikelihood {
   bool traits_change_seen_{false};
   std::vector<Person> people_;
   std::optional<std::vector<double>> judged_by_;  ///< what all but ratings go by; none: not yet
-  std::vector<Outcome> scratch_;
 };
 
 }  // namespace impetus::inline fitting

@@ -174,6 +174,22 @@ TEST(Fit, MarksOnALineTellThresholdWidthAndTheirOwnNoise) {
   EXPECT_FALSE(found(fit, "delay_threshold_ms").is_fitted()) << "nothing was late";
 }
 
+// People differ in a threshold, which moves what is most probable of them; what only ratings go by
+// is held all the same.
+TEST(Fit, OfMarksAloneLooksForNothingThatRatingsGoBy) {
+  const ObserverFile file = shipped_observer("odd-shapes");
+  PlantedStudy study = delays_study(20, {33.3, 66.7});
+  study.question = "slider";
+  const auto people = answering_group(file, study, 6, /*seed=*/4);
+  const ObserverFit fit =
+      fit_observer(*file.kind, *file.parameters, people, {.starts = 1, .intervals = false});
+  for (const char* name : {"effect", "cut_1_2", "lapse_rate", "intercept_sd"}) {
+    EXPECT_EQ(found(fit, name).held_because, kNotAsked) << name;
+  }
+  EXPECT_TRUE(found(fit, "delay_threshold_ms").is_fitted());
+  EXPECT_TRUE(found(fit, "delay_threshold_sd_ms").is_fitted());
+}
+
 TEST(Fit, IsTheSameEachTime) {
   const ObserverFile file = shipped_observer("causality-thresholds");
   const auto people = answering_group(file, delays_study(5), 5, /*seed=*/9);
