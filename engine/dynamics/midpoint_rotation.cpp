@@ -183,13 +183,6 @@ void turn_rows(Rows& rows, int count, [[maybe_unused]] LaneWidth width) {
 
 }  // namespace
 
-Quaternion rotated_by_midpoint(const BodyModel& model, const BodyState& state, double dt_s) {
-  Rows rows;
-  write(rows, 0, model, state, dt_s);
-  Lanes<1>::turn(rows, 0);
-  return orientation_of(rows, 0);
-}
-
 void TurningBodies::put(const BodyModel& model, BodyState& state, double dt_s) {
   assert(!is_full());
   write(rows_, count_, model, state, dt_s);

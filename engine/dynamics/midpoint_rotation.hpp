@@ -16,9 +16,6 @@
 
 namespace impetus::inline dynamics {
 
-/// The orientation after `dt_s` seconds.
-Quaternion rotated_by_midpoint(const BodyModel& model, const BodyState& state, double dt_s);
-
 /// Bodies that wait for their turn; each number of theirs is a row of lanes.
 class TurningBodies {
  public:
@@ -30,6 +27,7 @@ class TurningBodies {
   /// Turns all that were put, and waits for others.
   void turn(LaneWidth width = widest_lanes());
 
+  /// What they turn by.
   struct Rows {
     double orientation[4][kLanes];  ///< x, y, z, w
     double momentum[3][kLanes];

@@ -270,18 +270,6 @@ bool turns_in(double moving_s, const BodyModel& model, const BodyState& state) {
          !model.inverse_inertia.isZero(0.0);
 }
 
-bool is_by_midpoint(Rotation rotation, const BodyModel& model, const BodyState& state,
-                    double dt_s) {
-  return rotation == Rotation::kMidpoint && !turns_far(model, state, dt_s);
-}
-
-/// The orientation after a turn otherwise than by the midpoint rule.
-Quaternion turned(const BodyModel& model, const BodyState& state, double dt_s, Rotation rotation) {
-  return rotation == Rotation::kMidpoint || turns_far(model, state, dt_s)
-             ? turned_far(model, state, dt_s)
-             : rotated_keeping_energy(model, state, dt_s);
-}
-
 }  // namespace
 
 Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
@@ -294,31 +282,31 @@ Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
   return fall;
 }
 
-double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation,
-               const Fall& fall) {
+double AdvancingBodies::take(const BodyModel& model, BodyState& state, double dt_s,
+                             Rotation rotation, const Fall& fall) {
   const Way way = go(model, state, dt_s, fall);
-  if (turns_in(way.moving_s, model, state)) {
-    state.pose.orientation = is_by_midpoint(rotation, model, state, way.moving_s)
-                                 ? rotated_by_midpoint(model, state, way.moving_s)
-                                 : turned(model, state, way.moving_s, rotation);
+  if (!turns_in(way.moving_s, model, state)) {
+    return way.length_m;
+  }
+  if (turns_far(model, state, way.moving_s)) {
+    state.pose.orientation = turned_far(model, state, way.moving_s);
+  } else if (rotation == Rotation::kEnergyKept) {
+    state.pose.orientation = rotated_keeping_energy(model, state, way.moving_s);
+  } else {
+    turning_.put(model, state, way.moving_s);
+    if (turning_.is_full()) {
+      turning_.turn();
+    }
   }
   return way.length_m;
 }
 
-double AdvancingBodies::take(const BodyModel& model, BodyState& state, double dt_s,
-                             Rotation rotation, const Fall& fall) {
-  const Way way = go(model, state, dt_s, fall);
-  if (turns_in(way.moving_s, model, state)) {
-    if (!is_by_midpoint(rotation, model, state, way.moving_s)) {
-      state.pose.orientation = turned(model, state, way.moving_s, rotation);
-    } else {
-      turning_.put(model, state, way.moving_s);
-      if (turning_.is_full()) {
-        turning_.turn();
-      }
-    }
-  }
-  return way.length_m;
+double advance(const BodyModel& model, BodyState& state, double dt_s, Rotation rotation,
+               const Fall& fall) {
+  AdvancingBodies alone;
+  const double way_m = alone.take(model, state, dt_s, rotation, fall);
+  alone.finish();
+  return way_m;
 }
 
 Pose between(const BodyState& before, const BodyState& after, double fraction) {

@@ -49,6 +49,14 @@ Turning random_turning(RandomStream& random) {
   return one;
 }
 
+/// As it turns alone.
+Quaternion alone(Turning one, double dt_s) {
+  TurningBodies turning;
+  turning.put(one.model, one.state, dt_s);
+  turning.turn();
+  return one.state.pose.orientation;
+}
+
 void expect_same(const Quaternion& found, const Quaternion& expected) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(found.coeffs()[i], expected.coeffs()[i]) << i;
@@ -60,8 +68,7 @@ TEST(MidpointRotation, OfOneHasTheBitsOfEigen) {
   for (int trial = 0; trial < 2'000; ++trial) {
     const Turning one = random_turning(random);
     const double dt_s = uniform_in(random, 0.001, 0.1);
-    expect_same(rotated_by_midpoint(one.model, one.state, dt_s),
-                by_eigen(one.model, one.state, dt_s));
+    expect_same(alone(one, dt_s), by_eigen(one.model, one.state, dt_s));
   }
 }
 
@@ -80,7 +87,7 @@ TEST(MidpointRotation, OfManyHasTheBitsOfEachAlone) {
       }
       for (Turning& one : all) {
         const double dt_s = uniform_in(random, 0.001, 0.1);
-        expected.push_back(rotated_by_midpoint(one.model, one.state, dt_s));
+        expected.push_back(alone(one, dt_s));
         turning.put(one.model, one.state, dt_s);
       }
       EXPECT_EQ(turning.is_full(), count == kLanes);
@@ -104,7 +111,7 @@ TEST(MidpointRotation, OneThatIsNotFiniteLeavesTheOthersAsTheyWere) {
   std::vector<Quaternion> expected;
   TurningBodies turning;
   for (Turning& one : all) {
-    expected.push_back(rotated_by_midpoint(one.model, one.state, 0.1));
+    expected.push_back(alone(one, 0.1));
     turning.put(one.model, one.state, 0.1);
   }
   turning.turn();
@@ -131,19 +138,19 @@ TEST(AdvancingBodies, MoveAsEachDoesAlone) {
         one.model.inverse_inertia.setZero();
       }
     }
-    std::vector<Turning> alone = all;
+    std::vector<Turning> apart = all;
     AdvancingBodies advancing;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Fall fall{i % 3 == 0 ? Vector3(0.0, -9.81, 0.0) : Vector3(0.0, 0.0, 0.0)};
-      const double way_m = advance(alone[i].model, alone[i].state, 0.05, rotation, fall);
+      const double way_m = advance(apart[i].model, apart[i].state, 0.05, rotation, fall);
       EXPECT_EQ(advancing.take(all[i].model, all[i].state, 0.05, rotation, fall), way_m);
     }
     advancing.finish();
     for (std::size_t i = 0; i < all.size(); ++i) {
-      EXPECT_EQ(all[i].state.pose.position, alone[i].state.pose.position);
-      EXPECT_EQ(all[i].state.linear_momentum, alone[i].state.linear_momentum);
-      EXPECT_EQ(all[i].state.held_s, alone[i].state.held_s);
-      expect_same(all[i].state.pose.orientation, alone[i].state.pose.orientation);
+      EXPECT_EQ(all[i].state.pose.position, apart[i].state.pose.position);
+      EXPECT_EQ(all[i].state.linear_momentum, apart[i].state.linear_momentum);
+      EXPECT_EQ(all[i].state.held_s, apart[i].state.held_s);
+      expect_same(all[i].state.pose.orientation, apart[i].state.pose.orientation);
     }
   }
 }
