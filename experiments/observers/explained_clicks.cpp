@@ -17,6 +17,7 @@ constexpr double kDone = 1e-12;    ///< who waits for its click less probably ha
 struct Follow {
   double at_s;
   double waits;
+  std::size_t group;  ///< of alternatives
   double clicked{0.0};
   double longer{1.0};  ///< the share of clicks that come later than now
 };
@@ -26,7 +27,8 @@ class Explanation {
  public:
   Explanation(const ClickHabit& habit, const std::vector<PossibleEvent>& events) : habit_(habit) {
     for (const PossibleEvent& event : events) {
-      follows_.push_back({event.at_s, event.chance});
+      groups_ += follows_.empty() || !event.is_alternative ? 1 : 0;
+      follows_.push_back({event.at_s, event.chance, groups_ - 1});
     }
   }
 
@@ -36,14 +38,16 @@ class Explanation {
       return;
     }
     logarithm_ -= habit_.false_per_s * (to_s - now_s_);
+    of_groups_.assign(groups_, 0.0);
     for (Follow& one : follows_) {
-      if (is_idle(one, to_s)) {
-        continue;
-      }
-      const double still = pass(one, to_s);
-      const double silent = std::max(1.0 - one.waits * (1.0 - still), kLeast);
-      logarithm_ += std::log(silent);
-      one.waits *= still / silent;
+      of_groups_[one.group] += clicks_until(to_s, one);
+    }
+    for (double& clicks : of_groups_) {
+      logarithm_ += clicks > 0.0 ? std::log(std::max(1.0 - clicks, kLeast)) : 0.0;
+    }
+    for (Follow& one : follows_) {
+      const double silent = std::max(1.0 - of_groups_[one.group], kLeast);
+      one.waits /= silent;
       one.clicked /= silent;
     }
     now_s_ = to_s;
@@ -55,12 +59,7 @@ class Explanation {
       return;
     }
     for (Follow& one : follows_) {
-      if (is_idle(one, to_s)) {
-        continue;
-      }
-      const double clicks = one.waits * (1.0 - pass(one, to_s));
-      one.waits -= clicks;
-      one.clicked += clicks;
+      one.clicked += clicks_until(to_s, one);
     }
     now_s_ = to_s;
   }
@@ -74,10 +73,18 @@ class Explanation {
       all += hazards_.back();
     }
     logarithm_ += std::log(std::max(all, kLeast));
-    for (std::size_t i = 0; i < follows_.size() && all > 0.0; ++i) {
-      const double its = hazards_[i] / all;
-      follows_[i].waits *= 1.0 - its;
-      follows_[i].clicked = its + (1.0 - its) * follows_[i].clicked;
+    if (!(all > 0.0)) {
+      return;
+    }
+    of_groups_.assign(groups_, 0.0);
+    for (std::size_t i = 0; i < follows_.size(); ++i) {
+      of_groups_[follows_[i].group] += hazards_[i] / all;
+    }
+    for (std::size_t i = 0; i < follows_.size(); ++i) {
+      Follow& one = follows_[i];
+      const double not_its_groups = 1.0 - of_groups_[one.group];
+      one.waits *= not_its_groups;
+      one.clicked = hazards_[i] / all + not_its_groups * one.clicked;
     }
   }
 
@@ -95,12 +102,16 @@ class Explanation {
   [[nodiscard]] double z(double waited_s) const {
     return std::log(waited_s / habit_.median_s) / habit_.sigma_log;
   }
-  /// Of those who wait now, the share that does at `to_s`, which is now from now on.
-  double pass(Follow& one, double to_s) const {
+  /// The chance that it clicks until `to_s`, which is now from now on; it waits no more then.
+  double clicks_until(double to_s, Follow& one) const {
+    if (is_idle(one, to_s)) {
+      return 0.0;
+    }
     const double longer = normal_cdf(-z(to_s - one.at_s));
-    const double still = one.longer > 0.0 ? longer / one.longer : 0.0;
+    const double clicks = one.longer > 0.0 ? one.waits * (1.0 - longer / one.longer) : one.waits;
     one.longer = longer;
-    return still;
+    one.waits -= clicks;
+    return clicks;
   }
   [[nodiscard]] double hazard(const Follow& one) const {
     const double waited_s = now_s_ - one.at_s;
@@ -112,7 +123,9 @@ class Explanation {
 
   ClickHabit habit_;
   std::vector<Follow> follows_;
+  std::size_t groups_{0};
   std::vector<double> hazards_;
+  std::vector<double> of_groups_;
   double now_s_{0.0};
   double logarithm_{0.0};
 };
@@ -136,12 +149,17 @@ double explain_clicks(const ClickHabit& habit, const std::vector<double>& clicks
 
 std::vector<double> chances_of_count(const std::vector<PossibleEvent>& events) {
   std::vector<double> chances{1.0};
-  for (const PossibleEvent& event : events) {
+  for (std::size_t first = 0; first < events.size();) {
+    double chance = events[first++].chance;
+    while (first < events.size() && events[first].is_alternative) {
+      chance += events[first++].chance;
+    }
+    chance = std::min(chance, 1.0);
     chances.push_back(0.0);
     for (std::size_t count = chances.size() - 1; count > 0; --count) {
-      chances[count] = chances[count] * (1.0 - event.chance) + chances[count - 1] * event.chance;
+      chances[count] = chances[count] * (1.0 - chance) + chances[count - 1] * chance;
     }
-    chances[0] *= 1.0 - event.chance;
+    chances[0] *= 1.0 - chance;
   }
   return chances;
 }

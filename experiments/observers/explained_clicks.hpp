@@ -1,8 +1,9 @@
 // How probable clicks are when each event is followed by one with a certain probability, after a
 // lognormal time, among false ones: what a simulated participant draws, the other way round.
 //
-//   event ──(seen?)── waiting ──click──>        each event is followed on its own:
-//                        │                      waiting, or has clicked, or was never seen
+//   event ──(seen?)── waiting ──click──>        each event is followed on its own, or with those
+//                        │                      of which one at most was seen: waiting, or has
+//                        │                      clicked, or was never seen
 //   silence: who waits becomes less likely      (assumed-density filtering, Maybeck 1982)
 //   a click: one of those who wait, or a false one, each by its hazard
 //   after it, for a while: clicks come unnoticed
@@ -20,6 +21,7 @@ namespace impetus::inline observers {
 struct PossibleEvent {
   double at_s{0.0};
   double chance{0.0};
+  bool is_alternative{false};  ///< of it and those before it, back to one that is not, one at most
 };
 
 /// How clicks follow events.
@@ -36,7 +38,7 @@ struct ClickHabit {
 double explain_clicks(const ClickHabit& habit, const std::vector<double>& clicks_s,
                       double stimulus_s, std::vector<PossibleEvent>& events);
 
-/// The chance that 0, 1, 2, ... of the events were seen, each on its own.
+/// The chance that 0, 1, 2, ... of the events were seen: each on its own, of alternatives one.
 std::vector<double> chances_of_count(const std::vector<PossibleEvent>& events);
 
 }  // namespace impetus::inline observers

@@ -199,13 +199,15 @@ Percept shown_collisions(const RatingParameters& parameters, const AttemptRecord
 }
 
 /// Where each collision of a percept, which has them in order of time, begins an event, and how
-/// probably: when it is seen and none was within the time in which two count as one.
+/// probably: when it is seen and none was within the time in which two count as one; so of those
+/// that are no further apart than that, one at most does.
 std::vector<PossibleEvent> possible_events(const GazeObserverParameters& own,
                                            const Percept& percept) {
   constexpr double kNegligible = 1e-10;
   std::vector<PossibleEvent> seen;
   std::vector<PossibleEvent> events;
   std::size_t first_near = 0;  // of those seen
+  double group_s = 0.0;        // when the first of the alternatives begins
   for (std::size_t at = 2; at < percept.size(); at += 4) {
     const double at_s = percept[at];
     const double chance =
@@ -222,7 +224,9 @@ std::vector<PossibleEvent> possible_events(const GazeObserverParameters& own,
     }
     seen.push_back({at_s, chance});
     if (begins > kNegligible) {
-      events.push_back({at_s, begins});
+      const bool is_alternative = !events.empty() && at_s - group_s < own.merge_ms / 1e3;
+      group_s = is_alternative ? group_s : at_s;
+      events.push_back({at_s, begins, is_alternative});
     }
   }
   return events;

@@ -33,6 +33,21 @@ TEST(ExplainedClicks, OfOneEventAreTheClosedForm) {
               0.7 * (1.0 - lognormal_share(0.5)) / (1.0 - 0.7 * lognormal_share(0.5)), 1e-9);
 }
 
+// Of two of which one at most was seen: log(p f(t) + q g(t)), and log(1 − p F − q G).
+TEST(ExplainedClicks, OfAlternativesAreTheClosedForm) {
+  const std::vector<PossibleEvent> both{{1.0, 0.5}, {1.05, 0.3, true}};
+  std::vector<PossibleEvent> events = both;
+  const double first = 0.5 * lognormal_density(0.6);
+  const double second = 0.3 * lognormal_density(0.55);
+  EXPECT_NEAR(explain_clicks(kHabit, {1.6}, 10.0, events), std::log(first + second), 1e-9);
+  EXPECT_NEAR(events[0].chance, first / (first + second), 1e-9);
+  EXPECT_NEAR(events[1].chance, second / (first + second), 1e-9);
+  events = both;
+  const double silent = 1.0 - 0.5 * lognormal_share(0.5) - 0.3 * lognormal_share(0.45);
+  EXPECT_NEAR(explain_clicks(kHabit, {}, 1.5, events), std::log(silent), 1e-9);
+  EXPECT_NEAR(events[1].chance, 0.3 * (1.0 - lognormal_share(0.45)) / silent, 1e-9);
+}
+
 // Over all that one event and false clicks can do there is a probability of 1: none, or the first
 // at t, in the time before another could be made.
 TEST(ExplainedClicks, DensitiesOfNoneAndOfTheFirstAddUpToOne) {
@@ -63,6 +78,15 @@ TEST(ExplainedClicks, CountsOfEventsAreBinomialWhereChancesAreEqual) {
   EXPECT_NEAR(chances[1], 0.441, 1e-12);
   EXPECT_NEAR(chances[2], 0.189, 1e-12);
   EXPECT_NEAR(chances[3], 0.027, 1e-12);
+}
+
+TEST(ExplainedClicks, OfAlternativesOneCountsAtMost) {
+  const std::vector<double> chances =
+      chances_of_count({{0.0, 0.3}, {0.05, 0.2, true}, {0.08, 0.1, true}, {1.0, 0.5}});
+  ASSERT_EQ(chances.size(), 3U);
+  EXPECT_NEAR(chances[0], 0.2, 1e-12);
+  EXPECT_NEAR(chances[1], 0.5, 1e-12);
+  EXPECT_NEAR(chances[2], 0.3, 1e-12);
 }
 
 }  // namespace impetus::explained_clicks_test
