@@ -15,17 +15,16 @@ double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 /// What is rounded to a mark; at an end of the line, all beyond it too.
 struct RoundedTo {
-  explicit RoundedTo(const Mark& mark)
-      : is_least(mark.value - 0.5 * mark.grain < mark.least),
-        is_most(mark.value + 0.5 * mark.grain > mark.most),
-        from(is_least ? -std::numeric_limits<double>::infinity() : mark.value - 0.5 * mark.grain),
-        to(is_most ? std::numeric_limits<double>::infinity() : mark.value + 0.5 * mark.grain) {}
-
-  bool is_least;
-  bool is_most;
   double from;
   double to;
 };
+
+RoundedTo rounded_to(const Mark& mark) {
+  constexpr double kBeyond = std::numeric_limits<double>::infinity();
+  const double from = mark.value - 0.5 * mark.grain;
+  const double to = mark.value + 0.5 * mark.grain;
+  return {from < mark.least ? -kBeyond : from, to > mark.most ? kBeyond : to};
+}
 
 }  // namespace
 
@@ -51,14 +50,14 @@ double first_chance(const RatingParameters& parameters, double seen_first, doubl
 
 double mark_chance(const Mark& mark, double meant, double sd) {
   constexpr double kLeastSd = 1e-6;
-  const RoundedTo rounded(mark);
+  const RoundedTo rounded = rounded_to(mark);
   const double unit = mark.value > meant ? -std::max(sd, kLeastSd) : std::max(sd, kLeastSd);
   return std::abs(normal_cdf((rounded.to - meant) / unit) -  // in the lower tail, where it is exact
                   normal_cdf((rounded.from - meant) / unit));
 }
 
 double mark_chance_anywhere(const Mark& mark) {
-  const RoundedTo rounded(mark);
+  const RoundedTo rounded = rounded_to(mark);
   return (std::min(rounded.to, mark.most) - std::max(rounded.from, mark.least)) /
          (mark.most - mark.least);
 }

@@ -21,7 +21,9 @@ namespace impetus::inline observers {
 struct PossibleEvent {
   double at_s{0.0};
   double chance{0.0};
-  bool is_alternative{false};  ///< of it and those before it, back to one that is not, one at most
+  /// To the event before it: of a run of alternatives, and the event that it follows, one at most
+  /// was seen.
+  bool is_alternative{false};
 };
 
 /// How clicks follow events.

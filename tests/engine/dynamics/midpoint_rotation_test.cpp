@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 #include "engine/dynamics/motion.hpp"
@@ -106,8 +107,7 @@ TEST(MidpointRotation, OneThatIsNotFiniteLeavesTheOthersAsTheyWere) {
   for (int i = 0; i < kLanes; ++i) {
     all.push_back(random_turning(random));
   }
-  all[3].state.angular_momentum.x() = 1e300;
-  all[3].state.angular_momentum.y() = -1e300;
+  all[3].state.angular_momentum.x() = std::numeric_limits<double>::infinity();
   std::vector<Quaternion> expected;
   TurningBodies turning;
   for (Turning& one : all) {
@@ -116,7 +116,9 @@ TEST(MidpointRotation, OneThatIsNotFiniteLeavesTheOthersAsTheyWere) {
   }
   turning.turn();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i != 3) {
+    if (i == 3) {
+      EXPECT_FALSE(all[i].state.pose.orientation.coeffs().allFinite());
+    } else {
       expect_same(all[i].state.pose.orientation, expected[i]);
     }
   }

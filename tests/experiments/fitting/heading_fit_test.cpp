@@ -61,6 +61,18 @@ TEST(NoiseLadder, AsksForEachRungWithTheSameDraws) {
   }
 }
 
+// One stream for all clips would leave the same chance in the shares of each.
+TEST(NoiseLadder, AsksForEachClipWithItsOwnDraws) {
+  const auto first_draw = [](std::uint64_t clip) {
+    return shares_by_noise(
+               ImaginingParameters{}, clip,
+               [](const Imagination& /*any*/, RandomStream& draws) { return draws.uniform(); })
+        .front();
+  };
+  EXPECT_EQ(first_draw(1), first_draw(1));
+  EXPECT_NE(first_draw(1), first_draw(2));
+}
+
 TEST(NoiseLadder, WhereTheFirstRunsEndAlikeNoMoreAreMade) {
   std::atomic<std::int64_t> runs{0};
   const Percept shares =

@@ -309,4 +309,27 @@ TEST(GazeObserver, ItsEyeIsTheOneThatOthersHave) {
   EXPECT_EQ(static_cast<const EyeParameters&>(shipped()), usual_eye());
 }
 
+// As they are drawn: the second of two begins an event only where the first was not seen.
+TEST(GazeOutcomes, OfTwoCollisionsThatCountAsOneEventThereIsOneAtMost) {
+  const ObserverFile file = shipped_file();
+  const auto chances_at = [&](double apart_s) {
+    const double gap_arcmin = shipped().threshold_arcmin;
+    const Percept percept{kStimulus_s, 2.0,           1.0,        gap_arcmin, 0.0,
+                          0.0,         1.0 + apart_s, gap_arcmin, 0.0,        0.0};
+    std::vector<Outcome> outcomes;
+    file.kind->answers.outcomes(*file.parameters, percept, nullptr, outcomes);
+    std::vector<double> chances;
+    for (const Outcome& outcome : outcomes) {
+      chances.push_back(outcome.probability);
+    }
+    return chances;
+  };
+  const double unseen = 1.0 - 0.5 * (1.0 - shipped().miss_rate);
+  const std::vector<double> near = chances_at(0.05);
+  ASSERT_EQ(near.size(), 2U);
+  EXPECT_NEAR(near[0], unseen * unseen, 1e-9);
+  EXPECT_NEAR(near[1], 1.0 - unseen * unseen, 1e-9);
+  EXPECT_EQ(chances_at(0.2).size(), 3U);
+}
+
 }  // namespace impetus::gaze_observer_test
