@@ -62,7 +62,7 @@ Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
 double advance(const BodyModel& model, BodyState& state, double dt_s,
                Rotation rotation = Rotation::kMidpoint, const Fall& fall = {});
 
-/// Moves many bodies as advance() moves each, to the bit, in half of the time.
+/// Moves many bodies as advance() moves each, to the bit, and sooner.
 class AdvancingBodies {
  public:
   /// A body's centre is where it goes to; its orientation, at finish() at the latest. The state
