@@ -67,8 +67,8 @@ await_exit() {
   [ "$status" -eq "$1" ] || fail "expected exit status $1, got $status"
 }
 
-# leave_by ACTION: repeats the action until the program has ended well. A page that is not on the
-# screen yet does not hear the first.
+# leave_by ACTION: repeats the action until the program has ended well. A page or a window that is not
+# on the screen yet, as on a busy machine, does not hear the first.
 leave_by() {
   for _ in $(seq 100); do
     kill -0 "$session" 2>/dev/null || break
