@@ -28,8 +28,6 @@ constexpr double kMostSlice_ns = 20'000.0;
 /// Of the budget, kept free for what nobody measures.
 constexpr double kMargin = 0.015;
 
-constexpr double kFall = 0.1;
-
 /// A slice is at most so many times as many units as the one before: what is known of a phase may
 /// be of other steps.
 constexpr std::int64_t kMostGrowth = 2;
@@ -41,16 +39,28 @@ constexpr double kMostRise = 2.0;
 constexpr std::int64_t kFewPairs = 4096;
 constexpr double kMostGrowthOfPairs = 1.25;
 
+/// The same of modelling: a unit takes so many times as long where none was before.
+constexpr double kNewMemory = 20.0;
+
 bool can_be_interrupted(WorkPhase phase) {
   return phase != WorkPhase::kPairs && phase != WorkPhase::kModel;
+}
+
+/// With the ways of all bodies, or the order of all contacts.
+bool begins_at_once(WorkPhase phase) {
+  return phase == WorkPhase::kEntry || phase == WorkPhase::kVisible;
+}
+
+std::int64_t units_in(double time_ns, double unit_ns) {
+  return static_cast<std::int64_t>(std::max(0.0, time_ns / unit_ns));
 }
 
 std::size_t index_of(WorkPhase phase) { return static_cast<std::size_t>(phase); }
 
 template <std::size_t count>
-std::array<LearnedTime, count> guesses(const double (&ns)[count]) {
+std::array<LearnedTime, count> guesses(const double (&ns)[count], double fall) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array<LearnedTime, count>{LearnedTime(ns[i])...};
+    return std::array<LearnedTime, count>{LearnedTime(ns[i], fall)...};
   }
   (std::make_index_sequence<count>{});
 }
@@ -62,14 +72,15 @@ void LearnedTime::learn(double elapsed_ns, double units) {
     return;
   }
   const double found_ns = elapsed_ns / units;
-  ns_ = found_ns > ns_ ? std::min(found_ns, kMostRise * ns_) : ns_ + kFall * (found_ns - ns_);
+  ns_ = found_ns > ns_ ? std::min(found_ns, kMostRise * ns_) : ns_ + fall_ * (found_ns - ns_);
 }
 
 DeadlineWork::DeadlineWork(const WorkClock& clock, std::int64_t ns_per_step)
     : clock_(&clock),
       ns_per_step_(ns_per_step),
-      unit_times_(guesses(kNsPerUnit)),
-      part_times_(guesses(kNsPerThing)) {}
+      unit_times_(guesses(kNsPerUnit, LearnedTime::kFastFall)),
+      times_at_once_(guesses(kNsPerUnit, LearnedTime::kFastFall)),
+      part_times_(guesses(kNsPerThing, LearnedTime::kSlowFall)) {}
 
 void DeadlineWork::start_step() {
   end_ns_ = clock_->now_ns() + ns_per_step_ -
@@ -121,12 +132,23 @@ void DeadlineWork::learn_before(StepPart part, std::int64_t now_ns) {
   }
   const Granting& model = granting(WorkPhase::kModel);
   if (part == StepPart::kRespond) {
-    const std::int64_t others = std::min(model.asked, model.granted);
-    LearnedTime& time = others > 0 ? unit_time(WorkPhase::kModel) : part_time(StepPart::kModel);
-    time.learn(since(part_began_ns_), static_cast<double>(others > 0 ? others : part_units_));
+    const auto others = static_cast<double>(std::min(model.asked, model.granted));
+    learn_modelling(since(part_began_ns_), static_cast<double>(part_units_), others);
   }
   if (part == StepPart::kRemember && !model.refused && !granting(WorkPhase::kResponse).refused) {
     reserved_unit_time_.learn(since(later_began_ns_), static_cast<double>(reserved_));
+  }
+}
+
+/// What is modelled in any case, and other units that were granted, took that long together: each
+/// its share of it, by what was known of them.
+void DeadlineWork::learn_modelling(double elapsed_ns, double in_any_case, double others) {
+  const double share_ns = part_ns(StepPart::kModel) * in_any_case;
+  const double expected_ns = share_ns + unit_time(WorkPhase::kModel).ns() * others;
+  if (expected_ns > 0.0) {
+    const double scale = elapsed_ns / expected_ns;
+    part_time(StepPart::kModel).learn(scale * share_ns, in_any_case);
+    unit_time(WorkPhase::kModel).learn(scale * (expected_ns - share_ns), others);
   }
 }
 
@@ -160,9 +182,9 @@ std::int64_t DeadlineWork::request(WorkPhase phase, std::int64_t total, std::int
   const std::int64_t now_ns = clock_->now_ns();
   if (!granting.begun) {
     begin_phase(phase, now_ns, granting);
+    granting.at_once = begins_at_once(phase) ? total : 0;
   } else {
-    unit_time(phase).learn(static_cast<double>(now_ns - granting.looked_ns),
-                           static_cast<double>(total - granting.asked));
+    learn_since_look(phase, total, now_ns, granting);
   }
   granting.asked = total;
   reserved_ = phase == WorkPhase::kTests ? reserved : reserved_;
@@ -200,6 +222,18 @@ void DeadlineWork::begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& g
   }
 }
 
+/// What was done since the last look. After the first, it was what the phase began with.
+void DeadlineWork::learn_since_look(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
+                                    Granting& granting) {
+  const auto elapsed_ns = static_cast<double>(now_ns - granting.looked_ns);
+  if (granting.at_once > 0) {
+    time_at_once(phase).learn(elapsed_ns, static_cast<double>(granting.at_once));
+    granting.at_once = 0;
+  } else {
+    unit_time(phase).learn(elapsed_ns, static_cast<double>(total - granting.asked));
+  }
+}
+
 /// When the phase's time is up: it has a share of what is not due to others, whatever is granted.
 std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const {
   const auto pairs = static_cast<double>(pairs_);
@@ -217,24 +251,35 @@ std::int64_t DeadlineWork::until_ns(WorkPhase phase, std::int64_t now_ns) const 
 
 void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
                                    Granting& granting) {
-  const double unit_ns = phase == WorkPhase::kPairs
-                             ? left_entry_time_.ns() + part_ns(StepPart::kRefine)
-                             : unit_times_[index_of(phase)].ns();
-  const auto fitting = [&](double time_ns) {
-    return static_cast<std::int64_t>(std::max(0.0, time_ns / unit_ns));
-  };
   const auto left_ns = static_cast<double>(granting.until_ns - now_ns);
-  granting.granted = std::min(total, fitting(left_ns));
   if (phase == WorkPhase::kPairs) {
     const auto most =
         static_cast<std::int64_t>(kMostGrowthOfPairs * static_cast<double>(most_pairs_));
-    granting.granted = std::min(granting.granted, std::max(kFewPairs, most));
+    granting.granted =
+        std::min({total, units_in(left_ns, left_entry_time_.ns() + part_ns(StepPart::kRefine)),
+                  std::max(kFewPairs, most)});
     most_pairs_ = std::max(most_pairs_, granting.granted);
+  } else {
+    granting.granted = std::min(total, modelled_in(left_ns));
+    if (granting.granted < total) {  // who comes first is found out before
+      granting.granted =
+          std::min(granting.granted,
+                   modelled_in(left_ns - ordering_time_.ns() * static_cast<double>(pairs_)));
+    }
+    most_modelled_ = std::max(most_modelled_, granting.granted);
   }
   granting.refused = granting.granted < total;
-  if (granting.refused && phase == WorkPhase::kModel) {  // who comes first is found out before
-    granting.granted = fitting(left_ns - ordering_time_.ns() * static_cast<double>(pairs_));
+}
+
+/// Units of modelling for which there is time: more of them than ever touch new memory.
+std::int64_t DeadlineWork::modelled_in(double time_ns) const {
+  const double unit_ns = unit_times_[index_of(WorkPhase::kModel)].ns();
+  const std::int64_t known = units_in(time_ns, unit_ns);
+  if (known <= most_modelled_) {
+    return known;
   }
+  return most_modelled_ +
+         units_in(time_ns - unit_ns * static_cast<double>(most_modelled_), kNewMemory * unit_ns);
 }
 
 std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total,
@@ -254,7 +299,11 @@ std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total
 
 void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns,
                                Granting& granting) {
-  if (left_ns <= 0) {
+  const double needed_ns = time_at_once(phase).ns() * static_cast<double>(granting.at_once);
+  if (left_ns <= 0 || needed_ns > static_cast<double>(left_ns)) {
+    if (left_ns > 0) {
+      time_at_once(phase).doubt();
+    }
     granting.refused = true;
     return;
   }

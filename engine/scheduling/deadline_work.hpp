@@ -6,8 +6,9 @@
 // A phase may use a share of the time that is left when it begins, besides what those that follow
 // take in any case. How long things take is learned while steps are made: a pair that is looked at,
 // a node that is modelled, a body that is remembered. A phase that cannot be interrupted is granted
-// as much as fits by what was learned; the others look at the clock between slices, so what is
-// learned wrongly costs quality and not time.
+// as much as fits by what was learned, and what is done in any case is remembered at its longest;
+// the others look at the clock between slices, so what is learned wrongly costs quality and not
+// time, but for what two of them begin with at once.
 //
 // The clock decides only how much is granted. That, logged, replays the step with FixedWork.
 // (Dingliana 2002, sec. 3.3.1; eq. 3.9)
@@ -33,16 +34,28 @@ class WorkClock {
 /// What one thing takes, as learned from many: rises at once, and falls slowly.
 class LearnedTime {
  public:
-  explicit LearnedTime(double first_guess_ns) : ns_(first_guess_ns) {}
+  /// Of what looks at the clock on its way: what it took lately.
+  static constexpr double kFastFall = 0.1;
+  /// Of what nothing interrupts: the longest of some fifty steps.
+  static constexpr double kSlowFall = 0.02;
+
+  /// `fall`: how much of the way down to a shorter time each one goes.
+  explicit LearnedTime(double first_guess_ns, double fall = kSlowFall)
+      : ns_(first_guess_ns), fall_(fall) {}
 
   /// `units` things took `elapsed_ns`. A time far above what is known may be an interruption of the
   /// program, so a single one at most doubles it.
   void learn(double elapsed_ns, double units);
 
+  /// Nothing was done, because it would have taken too long by what is known: so that it is tried
+  /// again.
+  void doubt() { ns_ -= fall_ * ns_; }
+
   [[nodiscard]] double ns() const { return ns_; }
 
  private:
   double ns_;
+  double fall_;
 };
 
 /// Grants work until a step's time is up, by a clock.
@@ -66,20 +79,28 @@ class DeadlineWork final : public WorkMeter {
     std::int64_t asked{0};      ///< at the last look at the clock
     std::int64_t slice{0};      ///< units that were granted then, beyond
     std::int64_t looked_ns{0};  ///< when that was
+    std::int64_t at_once{0};    ///< units that it began with
     std::int64_t until_ns{0};   ///< when its time is up
     bool begun{false};
     bool refused{false};
   };
 
   void learn_before(StepPart part, std::int64_t now_ns);
+  void learn_modelling(double elapsed_ns, double in_any_case, double others);
   void begin_phase(WorkPhase phase, std::int64_t now_ns, Granting& granting);
   [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
   void grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
                        Granting& granting);
+  [[nodiscard]] std::int64_t modelled_in(double time_ns) const;
   [[nodiscard]] std::int64_t kept_for_later_ns(WorkPhase phase, std::int64_t total,
                                                std::int64_t reserved) const;
   void grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns, Granting& granting);
+  void learn_since_look(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
+                        Granting& granting);
 
+  LearnedTime& time_at_once(WorkPhase phase) {
+    return times_at_once_[static_cast<std::size_t>(phase)];
+  }
   LearnedTime& unit_time(WorkPhase phase) { return unit_times_[static_cast<std::size_t>(phase)]; }
   LearnedTime& part_time(StepPart part) { return part_times_[static_cast<std::size_t>(part)]; }
   [[nodiscard]] double part_ns(StepPart part) const {
@@ -110,8 +131,10 @@ class DeadlineWork final : public WorkMeter {
 
   // Learned.
   std::array<LearnedTime, kWorkPhases> unit_times_;
+  std::array<LearnedTime, kWorkPhases> times_at_once_;  ///< of units that a phase begins with
   std::array<LearnedTime, kStepParts> part_times_;
-  std::int64_t most_pairs_{0};  ///< granted in a step so far
+  std::int64_t most_pairs_{0};     ///< granted in a step so far
+  std::int64_t most_modelled_{0};  ///< the same of units of modelling
   LearnedTime reserved_unit_time_{4.0};
   LearnedTime left_motion_time_{2'500.0};  ///< of a body, once the motion of figures was refused
   LearnedTime left_entry_time_{300.0};     ///< of a pair, once the search for entries was refused

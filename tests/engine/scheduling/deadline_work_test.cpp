@@ -172,6 +172,94 @@ TEST(DeadlineWork, TimeForContactsWithWallsIsKeptFree) {
   EXPECT_TRUE(step_with_walls(clock, meter, 450)) << "which is told anew in each step";
 }
 
+TEST(DeadlineWork, WhatNothingInterruptsIsRememberedAtItsLongest) {
+  const auto after_a_long_one = [](double fall) {
+    LearnedTime time(100.0, fall);
+    time.learn(200.0, 1.0);
+    for (int step = 0; step < 10; ++step) {
+      time.learn(100.0, 1.0);
+    }
+    return time.ns();
+  };
+  EXPECT_GT(after_a_long_one(LearnedTime::kSlowFall), 180.0);
+  EXPECT_LT(after_a_long_one(LearnedTime::kFastFall), 140.0);
+}
+
+TEST(DeadlineWork, WallsAreLearnedBesideWhatElseIsModelled) {
+  StandingClock clock;
+  DeadlineWork meter(clock, 4'000'000);
+  int modelled = 0;
+  const auto step = [&](std::int64_t walls) {
+    meter.start_step();
+    meter.begin(StepPart::kMove, 1);
+    meter.begin(StepPart::kRefine, walls);
+    meter.expect_at_walls(walls);
+    const bool granted = ask(meter, 1) >= 1;
+    meter.begin(StepPart::kModel, walls);
+    modelled += meter.request(WorkPhase::kModel, 100, 0) >= 100 ? 1 : 0;
+    clock.now += 8'000 * walls;
+    meter.begin(StepPart::kRespond, walls);
+    meter.finish();
+    return granted;
+  };
+  for (int steps = 0; steps < 10; ++steps) {
+    EXPECT_TRUE(step(100)) << "they take a fifth of the time";
+  }
+  EXPECT_EQ(modelled, 10);
+  EXPECT_FALSE(step(600)) << "as learned, they take more than there is";
+}
+
+/// A step whose search for entries begins with 10,000 units at once, `unit_ns` each, and asks for
+/// one more; returns whether it began.
+bool step_with_entries(StandingClock& clock, DeadlineWork& meter, std::int64_t unit_ns) {
+  constexpr std::int64_t kUnits = 10'000;
+  meter.start_step();
+  meter.begin(StepPart::kMove, 1);
+  const bool began = meter.request(WorkPhase::kEntry, kUnits, 0) >= kUnits;
+  clock.now += began ? unit_ns * kUnits : 0;
+  meter.request(WorkPhase::kEntry, kUnits + 1'000'000, 0);
+  meter.finish();
+  return began;
+}
+
+TEST(DeadlineWork, WhatAPhaseBeginsWithMustFitAsLearnedAndIsTriedAgain) {
+  StandingClock clock;
+  DeadlineWork meter(clock, 1'000'000);
+  int began = 0;
+  for (int step = 0; step < 10; ++step) {
+    began += step_with_entries(clock, meter, /*unit_ns=*/100) ? 1 : 0;
+  }
+  EXPECT_GT(began, 0);
+  EXPECT_LT(began, 5) << "it takes as long as there is for the whole step";
+  began = 0;
+  for (int step = 0; step < 20; ++step) {
+    began += step_with_entries(clock, meter, /*unit_ns=*/10) ? 1 : 0;
+  }
+  EXPECT_GT(began, 10) << "a quarter of the time that a search may take";
+}
+
+TEST(DeadlineWork, MoreIsModelledThanEverOnlyAsFarAsNewMemoryAllows) {
+  StandingClock clock;
+  DeadlineWork meter(clock, 1'000'000);
+  std::int64_t before = 0;
+  for (int step = 0; step < 5; ++step) {
+    meter.start_step();
+    meter.begin(StepPart::kMove, 1);
+    meter.begin(StepPart::kModel, 0);
+    const std::int64_t granted = meter.request(WorkPhase::kModel, 1'000'000, 0);
+    EXPECT_GT(granted, before);
+    // What is new takes twenty times as long as the rest, and the step holds.
+    clock.now += 8 * before + 160 * (granted - before);
+    meter.begin(StepPart::kRespond, 0);
+    EXPECT_LT(clock.now, 1'000'000 * (step + 1));
+    clock.now = 1'000'000 * (step + 1);
+    before = granted;
+    if (step == 0) {
+      EXPECT_LT(granted, 1'000'000 / 160);
+    }
+  }
+}
+
 TEST(DeadlineWork, TimeForWhatFiguresMoveInAnyCaseIsKeptFree) {
   // Once it is refused, what remains of the motion takes half of the time.
   StandingClock clock;
