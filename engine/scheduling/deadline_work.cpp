@@ -24,6 +24,7 @@ constexpr double kLeastShareOfRefinement = 0.3;
 constexpr double kShareOfSlice = 0.2;
 constexpr double kLeastSlice_ns = 1'500.0;
 constexpr double kMostSlice_ns = 20'000.0;
+constexpr double kMostSliceOfBudget = 0.01;  // where that is more
 
 /// Of the budget, kept free for what nobody measures.
 constexpr double kMargin = 0.015;
@@ -34,13 +35,10 @@ constexpr std::int64_t kMostGrowth = 2;
 constexpr std::int64_t kFirstSlice = 8;
 constexpr double kMostRise = 2.0;
 
-/// So many pairs are looked at if they fit by what is known; of more, at most so many times as many
-/// as ever were: memory that is touched for the first time takes far longer than it does later.
-constexpr std::int64_t kFewPairs = 4096;
-constexpr double kMostGrowthOfPairs = 1.25;
-
-/// The same of modelling: a unit takes so many times as long where none was before.
-constexpr double kNewMemory = 20.0;
+/// What a pair and a unit of modelling take besides where there never were as many in a step:
+/// memory that is touched for the first time.
+constexpr double kNewPair_ns = 1'000.0;
+constexpr double kNewModelled_ns = 150.0;
 
 bool can_be_interrupted(WorkPhase phase) {
   return phase != WorkPhase::kPairs && phase != WorkPhase::kModel;
@@ -51,8 +49,13 @@ bool begins_at_once(WorkPhase phase) {
   return phase == WorkPhase::kEntry || phase == WorkPhase::kVisible;
 }
 
-std::int64_t units_in(double time_ns, double unit_ns) {
-  return static_cast<std::int64_t>(std::max(0.0, time_ns / unit_ns));
+/// How many things fit into the time, of which there were `most` in a step so far.
+std::int64_t fitting(double time_ns, double thing_ns, std::int64_t most, double new_thing_ns) {
+  const double known_ns = thing_ns * static_cast<double>(most);
+  const double things = time_ns > known_ns ? static_cast<double>(most) +
+                                                 (time_ns - known_ns) / (thing_ns + new_thing_ns)
+                                           : time_ns / thing_ns;
+  return static_cast<std::int64_t>(std::max(0.0, things));
 }
 
 std::size_t index_of(WorkPhase phase) { return static_cast<std::size_t>(phase); }
@@ -253,33 +256,20 @@ void DeadlineWork::grant_what_fits(WorkPhase phase, std::int64_t total, std::int
                                    Granting& granting) {
   const auto left_ns = static_cast<double>(granting.until_ns - now_ns);
   if (phase == WorkPhase::kPairs) {
-    const auto most =
-        static_cast<std::int64_t>(kMostGrowthOfPairs * static_cast<double>(most_pairs_));
-    granting.granted =
-        std::min({total, units_in(left_ns, left_entry_time_.ns() + part_ns(StepPart::kRefine)),
-                  std::max(kFewPairs, most)});
+    const double pair_ns = left_entry_time_.ns() + part_ns(StepPart::kRefine);
+    granting.granted = std::min(total, fitting(left_ns, pair_ns, most_pairs_, kNewPair_ns));
     most_pairs_ = std::max(most_pairs_, granting.granted);
   } else {
+    const auto modelled_in = [&](double time_ns) {
+      return fitting(time_ns, unit_time(phase).ns(), most_modelled_, kNewModelled_ns);
+    };
     granting.granted = std::min(total, modelled_in(left_ns));
     if (granting.granted < total) {  // who comes first is found out before
-      granting.granted =
-          std::min(granting.granted,
-                   modelled_in(left_ns - ordering_time_.ns() * static_cast<double>(pairs_)));
+      granting.granted = modelled_in(left_ns - ordering_time_.ns() * static_cast<double>(pairs_));
     }
     most_modelled_ = std::max(most_modelled_, granting.granted);
   }
   granting.refused = granting.granted < total;
-}
-
-/// Units of modelling for which there is time: more of them than ever touch new memory.
-std::int64_t DeadlineWork::modelled_in(double time_ns) const {
-  const double unit_ns = unit_times_[index_of(WorkPhase::kModel)].ns();
-  const std::int64_t known = units_in(time_ns, unit_ns);
-  if (known <= most_modelled_) {
-    return known;
-  }
-  return most_modelled_ +
-         units_in(time_ns - unit_ns * static_cast<double>(most_modelled_), kNewMemory * unit_ns);
 }
 
 std::int64_t DeadlineWork::kept_for_later_ns(WorkPhase phase, std::int64_t total,
@@ -307,8 +297,10 @@ void DeadlineWork::grant_slice(WorkPhase phase, std::int64_t total, std::int64_t
     granting.refused = true;
     return;
   }
+  const double most_ns =
+      std::max(kMostSlice_ns, kMostSliceOfBudget * static_cast<double>(ns_per_step_));
   const double slice_ns =
-      std::clamp(kShareOfSlice * static_cast<double>(left_ns), kLeastSlice_ns, kMostSlice_ns);
+      std::clamp(kShareOfSlice * static_cast<double>(left_ns), kLeastSlice_ns, most_ns);
   granting.slice = std::min(static_cast<std::int64_t>(slice_ns / unit_time(phase).ns()),
                             std::max(kFirstSlice, kMostGrowth * granting.slice));
   granting.granted = total + granting.slice;

@@ -91,7 +91,6 @@ class DeadlineWork final : public WorkMeter {
   [[nodiscard]] std::int64_t until_ns(WorkPhase phase, std::int64_t now_ns) const;
   void grant_what_fits(WorkPhase phase, std::int64_t total, std::int64_t now_ns,
                        Granting& granting);
-  [[nodiscard]] std::int64_t modelled_in(double time_ns) const;
   [[nodiscard]] std::int64_t kept_for_later_ns(WorkPhase phase, std::int64_t total,
                                                std::int64_t reserved) const;
   void grant_slice(WorkPhase phase, std::int64_t total, std::int64_t left_ns, Granting& granting);

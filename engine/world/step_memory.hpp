@@ -85,9 +85,10 @@ class RefinedPairs {
 
   /// Room for `pairs`, so far beyond it in a world of `bodies` that it is rarely moved later.
   void expect(std::size_t pairs, std::size_t bodies) {
-    constexpr std::size_t kPairsOfABody = 16;
+    constexpr std::size_t kPairsOfABody = 32;
     if (pairs > pairs_.capacity()) {
-      pairs_.reserve(std::max(2 * pairs, kPairsOfABody * bodies));
+      const std::size_t all_there_are = bodies * (bodies + 1) / 2;  // with walls
+      pairs_.reserve(std::max(2 * pairs, std::min(kPairsOfABody * bodies, all_there_are)));
     }
   }
 

@@ -22,7 +22,7 @@ std::vector<StagedScene> clips() {
   return scenes;
 }
 
-// Of 200 intervals that hold it with a probability of .95, 180 to 198 do in 99.6 % of cases.
+// 93 to 97 % of 200. The draws are fixed, so that it is one number: 189, when it was written down.
 TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
   constexpr int kStudies = 200;
   constexpr int kPeople = 8;
@@ -62,8 +62,8 @@ TEST(HeadingCoverage, IntervalsHoldThePlantedNoise) {
   }
   RecordProperty("within", within);
   std::printf("the planted noise of heading is within %d of %d intervals\n", within, kStudies);
-  EXPECT_GE(within, 180);
-  EXPECT_LE(within, 198);
+  EXPECT_GE(within, 186);
+  EXPECT_LE(within, 194);
 }
 
 }  // namespace impetus::heading_coverage_slow_test
