@@ -34,9 +34,9 @@ class WorkClock {
 /// What one thing takes, as learned from many: rises at once, and falls slowly.
 class LearnedTime {
  public:
-  /// Of what looks at the clock on its way: what it took lately.
+  /// Of the units that a phase is granted: what they took lately.
   static constexpr double kFastFall = 0.1;
-  /// Of what nothing interrupts: the longest of some fifty steps.
+  /// Of what is done whatever is granted: the longest of some fifty steps.
   static constexpr double kSlowFall = 0.02;
 
   /// `fall`: how much of the way down to a shorter time each one goes.
