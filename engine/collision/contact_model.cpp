@@ -2,6 +2,7 @@
 #include "engine/collision/contact_model.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace impetus::inline collision {
 namespace {
@@ -125,8 +126,6 @@ void ContactModelling::add_contacts_of_spheres(const PairRefinement& pair, const
   NodePair nodes[kLanes];
   NodeContact contact;
   int lanes = 0;
-  const SphereLanes of_a = a.tree.world_lanes_of_visited();
-  const SphereLanes of_b = b.tree.world_lanes_of_visited();
   const auto add_lanes = [&] {
     touches_of_pairs(spheres, fallback, touches);
     if (terms == 0) {
@@ -139,13 +138,20 @@ void ContactModelling::add_contacts_of_spheres(const PairRefinement& pair, const
     }
     lanes = 0;
   };
-  pair.overlapping().for_each([&](std::int32_t node_a, std::int32_t node_b) {
-    spheres.put(lanes, of_a, node_a, of_b, node_b);
-    nodes[lanes] = {node_a, node_b};
-    if (++lanes == kLanes) {
-      add_lanes();
+  for (const NodeBlock& block : pair.overlapping().blocks()) {
+    const SphereLanes of_a = a.tree.world_lanes(block.first.a);
+    const SphereLanes of_b = b.tree.world_lanes(block.first.b);
+    for (std::uint64_t bits = block.bits; bits != 0; bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const int row = bit / kLanes;
+      const int column = bit % kLanes;
+      spheres.put(lanes, of_a, row, of_b, column);
+      nodes[lanes] = {block.first.a + row, block.first.b + column};
+      if (++lanes == kLanes) {
+        add_lanes();
+      }
     }
-  });
+  }
   if (lanes > 0) {
     add_lanes();
   }

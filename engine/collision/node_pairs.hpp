@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -138,17 +139,8 @@ class NodePairs {
   [[nodiscard]] Iterator begin() const { return {*this, first()}; }
   [[nodiscard]] Iterator end() const { return {*this, past_the_end()}; }
 
-  /// The same as a loop over them, sooner.
-  template <typename Visit>
-  void for_each(const Visit& visit) const {
-    for (std::size_t block = 0; block < count_; ++block) {
-      const NodePair first = blocks_[block].first;
-      for (std::uint64_t bits = blocks_[block].bits; bits != 0; bits &= bits - 1) {
-        const int bit = std::countr_zero(bits);
-        visit(first.a + bit / kLanes, first.b + bit % kLanes);
-      }
-    }
-  }
+  /// Their blocks, in the same order.
+  [[nodiscard]] std::span<const NodeBlock> blocks() const { return {blocks_.data(), count_}; }
 
   void clear() {
     count_ = 0;

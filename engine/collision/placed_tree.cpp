@@ -8,14 +8,10 @@ namespace impetus::inline collision {
 PlacedTree::PlacedTree(const VolumeTree& tree)
     : tree_(&tree),
       own_spheres_(tree.volumes().all_spheres().empty() ? nullptr : &tree.volumes().all_spheres()),
-      placed_in_(static_cast<std::size_t>(tree.node_count()), 0) {
-  if (of_spheres()) {
-    const std::size_t writable = placed_in_.size() + kLanes - 1;
-    x_.resize(writable);
-    y_.resize(writable);
-    z_.resize(writable);
-  } else {
-    volumes_.resize(placed_in_.size());
+      blocks_(tree.blocks().count()) {
+  if (!of_spheres()) {
+    volumes_.resize(at(tree.node_count()));
+    placed_in_.resize(volumes_.size());
   }
   constexpr double kRounding = 1e-9;
   for (std::int32_t node = 0; node < tree.node_count(); ++node) {
@@ -24,19 +20,22 @@ PlacedTree::PlacedTree(const VolumeTree& tree)
   }
 }
 
-void PlacedTree::place(std::size_t first, std::size_t count) {
-  for (std::size_t block = first; block < first + count; block += kLanes) {
-    place_block(own_spheres_->lanes(block), pose_, {&x_[block], &y_[block], &z_[block]});
+const PlacedBlock& PlacedTree::place(std::int32_t first, std::int32_t count) {
+  const SiblingBlocks& siblings = tree_->blocks();
+  for (std::int32_t node = first; node < first + count; node += kLanes) {
+    PlacedBlock& placed = blocks_.place(siblings.block_of(node));
+    const std::size_t first_of_block = at(node) - siblings.lane_of(node);
+    place_block(own_spheres_->lanes(first_of_block), pose_, {placed.x, placed.y, placed.z});
   }
-  std::fill_n(placed_in_.begin() + static_cast<std::ptrdiff_t>(first), count, step_);
-  transformed_ += static_cast<std::int64_t>(count);
+  transformed_ += count;
+  return *blocks_.find(siblings.block_of(first));
 }
 
 const Volume& PlacedTree::placed_volume(std::int32_t node) {
-  const auto slot = static_cast<std::size_t>(node);
-  if (placed_in_[slot] != step_) {
+  const std::size_t slot = at(node);
+  if (placed_in_[slot] != blocks_.pose()) {
     volumes_[slot] = placed(tree_->volume(node), pose_);
-    placed_in_[slot] = step_;
+    placed_in_[slot] = blocks_.pose();
     ++transformed_;
   }
   return volumes_[slot];

@@ -1,7 +1,7 @@
 // A volume tree placed in the world for one step: nodes are transformed when first visited.
 //
-// Trees of spheres alone, the commonest, are placed a block of siblings at a time, into arrays that
-// a block is tested from (sphere_lanes.hpp).
+// Trees of spheres alone, the commonest, are placed a block of siblings at a time, in memory that a
+// world lends (placed_blocks.hpp), from which a block is tested (sphere_lanes.hpp).
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/collision/placed_blocks.hpp"
 #include "engine/trees/volume_tree.hpp"
 #include "engine/volumes/enclosure.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
@@ -22,10 +23,13 @@ class PlacedTree {
   /// `tree` must outlive this.
   explicit PlacedTree(const VolumeTree& tree);
 
+  /// Nothing is placed now, and from now on in memory of `store` (placed_blocks.hpp).
+  void take_memory_from(BlockStore& store) { blocks_.borrow(store); }
+
   /// Moves the tree to `pose`; every node placed before is stale.
   void move_to(const Pose& pose) {
     pose_ = pose;
-    ++step_;
+    blocks_.move();
   }
 
   [[nodiscard]] const VolumeTree& tree() const { return *tree_; }
@@ -40,22 +44,26 @@ class PlacedTree {
   /// The node's sphere in world coordinates. Precondition: of_spheres().
   [[nodiscard]] Sphere world_sphere(std::int32_t node) const {
     assert(of_spheres());
-    const auto slot = static_cast<std::size_t>(node);
-    const Sphere own = own_spheres_->at(slot);
-    return placed_in_[slot] == step_ ? Sphere{{x_[slot], y_[slot], z_[slot]}, own.radius_m}
-                                     : placed(own, pose_);
+    const Sphere own = own_spheres_->at(at(node));
+    const PlacedBlock* block = blocks_.find(tree_->blocks().block_of(node));
+    const std::uint32_t lane = tree_->blocks().lane_of(node);
+    return block != nullptr ? Sphere{{block->x[lane], block->y[lane], block->z[lane]}, own.radius_m}
+                            : placed(own, pose_);
   }
 
-  /// The spheres of `first` and the nodes after it, in world coordinates, transformed at most once
-  /// per step. `count` nodes from `first` are all the children of one node, or one of them after
-  /// all were placed, or the root. Precondition: of_spheres().
-  SphereLanes world_lanes(std::int32_t first, std::int32_t count) {
+  /// The spheres of `first` and the nodes after it in its block, in world coordinates, transformed
+  /// at most once per step. `count` nodes from `first` are all the children of one node, all of
+  /// which are placed, or one of them after all were placed, or the root. Precondition:
+  /// of_spheres().
+  SphereLanes world_lanes(std::int32_t first, std::int32_t count = 1) {
     assert(of_spheres());
-    const auto slot = static_cast<std::size_t>(first);
-    if (placed_in_[slot] != step_) {
-      place(slot, static_cast<std::size_t>(count));
+    const PlacedBlock* block = blocks_.find(tree_->blocks().block_of(first));
+    if (block == nullptr) {
+      block = &place(first, count);
     }
-    return {&x_[slot], &y_[slot], &z_[slot], own_spheres_->lanes(slot).radius_m};
+    const std::uint32_t lane = tree_->blocks().lane_of(first);
+    return {block->x + lane, block->y + lane, block->z + lane,
+            own_spheres_->lanes(at(first)).radius_m};
   }
 
   /// Places the nodes as world_lanes() does, for whoever asks for one after the other; of any other
@@ -64,12 +72,6 @@ class PlacedTree {
     if (of_spheres()) {
       static_cast<void>(world_lanes(first, count));
     }
-  }
-
-  /// From node 0 on: the spheres of nodes that a descent has visited since the tree was moved,
-  /// whose world_lanes() were asked for; others mean nothing. Precondition: of_spheres().
-  [[nodiscard]] SphereLanes world_lanes_of_visited() const {
-    return {x_.data(), y_.data(), z_.data(), own_spheres_->lanes(0).radius_m};
   }
 
   /// How many nodes were transformed into the world since the tree was first placed.
@@ -81,19 +83,17 @@ class PlacedTree {
   }
 
  private:
-  void place(std::size_t first, std::size_t count);
+  /// The block that `first` is in, once all are placed.
+  const PlacedBlock& place(std::int32_t first, std::int32_t count);
   const Volume& placed_volume(std::int32_t node);
 
   const VolumeTree* tree_;
   const SphereArrays* own_spheres_;  ///< null unless all nodes are spheres
-  double reach_m_{0.0};
+  PlacedBlocks blocks_;              ///< of a tree of spheres; also counts the poses of any other
   Pose pose_;
-  std::uint64_t step_{1};
-  std::vector<double> x_;  ///< of the centres of a tree of spheres, empty for any other
-  std::vector<double> y_;
-  std::vector<double> z_;
-  std::vector<Volume> volumes_;  ///< empty for a tree of spheres
-  std::vector<std::uint64_t> placed_in_;
+  double reach_m_{0.0};
+  std::vector<Volume> volumes_;           ///< of any other, by node
+  std::vector<std::uint64_t> placed_in_;  ///< likewise: the pose
   std::int64_t transformed_{0};
 };
 

@@ -57,13 +57,10 @@ void for_each_block_below(PlacedTree& a, PlacedTree& b, const NodePair& nodes, c
     visit(SphereBlock{first, rows, of_a.child_count, columns, of_b.child_count});
     return;
   }
-  const auto from = [](const SphereLanes& lanes, std::int32_t index) {
-    return SphereLanes{lanes.x + index, lanes.y + index, lanes.z + index, lanes.radius_m + index};
-  };
-  for (std::int32_t i = 0; i < of_a.child_count; ++i) {
+  for (std::int32_t i = first.a; i < first.a + of_a.child_count; ++i) {
     for (std::int32_t j = 0; j < of_b.child_count; j += kLanes) {
       const int count = std::min(of_b.child_count - j, kLanes);
-      visit(SphereBlock{{first.a + i, first.b + j}, from(rows, i), 1, from(columns, j), count});
+      visit(SphereBlock{{i, first.b + j}, a.world_lanes(i), 1, b.world_lanes(first.b + j), count});
     }
   }
 }

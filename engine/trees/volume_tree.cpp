@@ -177,6 +177,9 @@ VolumeTree::VolumeTree(NodeVolumes volumes, std::vector<NodeLinks> links,
   if (volumes_.size() != node_count() || surfaces_.size() != links_.size()) {
     throw std::invalid_argument("volume tree: expected a volume and a surface for every node");
   }
+  if (!volumes_.all_spheres().empty()) {
+    blocks_ = SiblingBlocks(links_);
+  }
   measure_half_thicknesses();
   double of_leaves = 0.0;
   for (int level = 0; level < level_count(); ++level) {
@@ -232,7 +235,7 @@ double VolumeTree::least_half_thickness_m(int level) const {
 }
 
 std::size_t VolumeTree::bytes() const {
-  return volumes_.bytes() + links_.size() * sizeof(NodeLinks) +
+  return volumes_.bytes() + links_.size() * sizeof(NodeLinks) + blocks_.bytes() +
          surfaces_.size() * sizeof(NodeSurface) + level_starts_.size() * sizeof(std::int32_t) +
          (fit_errors_m_.size() + half_thicknesses_m_.size()) * sizeof(double);
 }

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "engine/numerics/at.hpp"
+#include "engine/trees/sibling_blocks.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 #include "engine/volumes/volume.hpp"
 
@@ -159,6 +160,8 @@ class VolumeTree {
   /// In the body's frame, from its centre of mass.
   [[nodiscard]] Volume volume(std::int32_t node) const { return volumes_.at(node); }
   [[nodiscard]] const NodeVolumes& volumes() const { return volumes_; }
+  /// Of a tree of spheres; of any other there are none.
+  [[nodiscard]] const SiblingBlocks& blocks() const { return blocks_; }
   [[nodiscard]] const NodeSurface& surface(std::int32_t node) const { return surfaces_[at(node)]; }
 
   /// The nodes that stand for the whole object at `level`: those of the level, and those without
@@ -183,6 +186,7 @@ class VolumeTree {
   void measure_half_thicknesses();
   NodeVolumes volumes_;
   std::vector<NodeLinks> links_;
+  SiblingBlocks blocks_;
   std::vector<NodeSurface> surfaces_;
   std::vector<std::int32_t> level_starts_;
   std::vector<double> fit_errors_m_;        ///< by level

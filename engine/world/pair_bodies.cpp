@@ -26,6 +26,14 @@ namespace {
 /// So few are sooner all tested against each other than put in order; the pairs are the same.
 constexpr std::size_t kFewBodies = 24;
 
+/// What was placed in the step before is forgotten.
+void lend_memory_to_trees(const Step& step) {
+  step.memory.placed.clear();
+  for (PlacedTree& tree : step.world.placed) {
+    tree.take_memory_from(step.memory.placed);
+  }
+}
+
 /// Finds whose bounds touched on the way; whether all was granted that this takes.
 bool find_pairs(const Step& step, std::vector<BodyPair>& found) {
   WorldState& world = step.world;
@@ -162,6 +170,7 @@ void add_wall_candidates(const Enclosure& enclosure, const std::vector<BodyModel
 
 void pair_bodies(const Step& step) {
   WorldState& world = step.world;
+  lend_memory_to_trees(step);
   step.meter.begin(StepPart::kPair, static_cast<std::int64_t>(world.models.size()));
   find_candidates(step);
   step.meter.begin(StepPart::kEnter, static_cast<std::int64_t>(step.memory.candidates.size()));

@@ -15,6 +15,7 @@
 
 #include "engine/collision/broad_phase.hpp"
 #include "engine/collision/budgeted_refinement.hpp"
+#include "engine/collision/placed_blocks.hpp"
 #include "engine/dynamics/motion.hpp"
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
@@ -149,6 +150,7 @@ struct StepMemory {
   std::vector<Fall> falls;  ///< by body; none without gravity
   std::vector<MovedBound> bounds;
   // pair
+  BlockStore placed;  ///< lent to all trees anew, step by step
   std::vector<BodyPair> found;    ///< whose bounds touched on the way
   std::vector<PairDepth> depths;  ///< means nothing between steps
   std::vector<PairBounds> candidates;

@@ -8,9 +8,9 @@
 
 namespace impetus::inline run {
 
-/// The longest step of the floor, in milliseconds by `clock`, of the scene's first second or two.
-/// The same steps are taken three times, and the shortest time of each counts, so that what else
-/// the machine does is hardly in it.
+/// The longest step of the floor, in milliseconds by `clock`, of the scene's first 300. The same
+/// steps are taken three times, and the middle time of each counts: the longest is often what else
+/// the machine did, and the shortest is less than a budget must have room for.
 [[nodiscard]] double floor_ms(const StagedScene& scene, const WorkClock& clock);
 
 }  // namespace impetus::inline run

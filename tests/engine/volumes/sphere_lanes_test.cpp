@@ -151,9 +151,15 @@ TEST(NodePairs, KeepTheOrderInWhichTheyWereFound) {
     }
     ASSERT_EQ(pairs.size(), expected.size());
     ASSERT_TRUE(std::equal(pairs.begin(), pairs.end(), expected.begin(), expected.end()));
-    std::vector<NodePair> visited;
-    pairs.for_each([&](std::int32_t a, std::int32_t b) { visited.push_back({a, b}); });
-    ASSERT_EQ(visited, expected);
+    std::vector<NodePair> of_blocks;
+    for (const NodeBlock& block : pairs.blocks()) {
+      for (int bit = 0; bit < kLanes * kLanes; ++bit) {
+        if ((block.bits >> bit & 1) != 0) {
+          of_blocks.push_back({block.first.a + bit / kLanes, block.first.b + bit % kLanes});
+        }
+      }
+    }
+    ASSERT_EQ(of_blocks, expected);
     std::vector<NodePair> stepped;
     for (NodePairs::Place place = pairs.first(); !pairs.is_end(place); place = pairs.after(place)) {
       stepped.push_back(pairs.at(place));

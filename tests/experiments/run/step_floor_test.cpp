@@ -23,8 +23,27 @@ class InterruptedClock final : public WorkClock {
   mutable std::int64_t now_ns_{0};
 };
 
+/// A clock of which looks take a microsecond in the first 300 steps, two in the next and then three.
+class SlowerEachTime final : public WorkClock {
+ public:
+  [[nodiscard]] std::int64_t now_ns() const override {
+    constexpr std::int64_t kLooksOfARun = 600;
+    now_ns_ += 1'000 * (1 + looks_ / kLooksOfARun);
+    ++looks_;
+    return now_ns_;
+  }
+
+ private:
+  mutable std::int64_t looks_{0};
+  mutable std::int64_t now_ns_{0};
+};
+
 TEST(StepFloor, IsTheLongestStepAndNoInterruption) {
   EXPECT_DOUBLE_EQ(floor_ms(built(free_scene()), InterruptedClock()), 1e-3);
+}
+
+TEST(StepFloor, IsNotTheLuckiestOfThreeTries) {
+  EXPECT_DOUBLE_EQ(floor_ms(built(free_scene()), SlowerEachTime()), 2e-3);
 }
 
 }  // namespace impetus::step_floor_test
