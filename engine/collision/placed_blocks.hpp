@@ -42,7 +42,7 @@ class BlockStore {
   }
 
  private:
-  static constexpr std::size_t kChunk = 16;
+  static constexpr std::size_t kChunk = 8;
 
   /// By half of what there is, so that a scene that is fuller than ever before rarely asks again.
   /// Behind the last block of a chunk there is one to be read.

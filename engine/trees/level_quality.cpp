@@ -161,13 +161,15 @@ double mean_protrusion_m(const std::vector<Volume>& volumes, const SurfaceDistan
 constexpr int kDivisions = 128;
 constexpr int kSurfaceSamples = 6'000;
 
-/// What one node takes of the arrays that hold volumes.
+/// What one node takes of the arrays that hold volumes. A sphere has a place in a block, and one of
+/// several kinds in its kind's array.
 std::size_t volume_bytes(const VolumeTree& tree, std::int32_t node, bool several_kinds) {
   if (tree.volumes().are_voxels()) {
     return sizeof(std::uint32_t);
   }
+  const bool has_place = several_kinds || tree.blocks().count() > 0;
   return std::visit([](const auto& kind) { return sizeof(kind); }, tree.volume(node)) +
-         (several_kinds ? sizeof(std::uint32_t) : 0);
+         (has_place ? sizeof(std::uint32_t) : 0);
 }
 
 bool has_several_kinds(const VolumeTree& tree) {

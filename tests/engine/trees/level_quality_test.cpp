@@ -33,7 +33,8 @@ TEST(LevelQuality, OfASphereRoundACubeIsItsClosedForm) {
   EXPECT_EQ(quality.uncovered_area_m2, 0.0);
   EXPECT_NEAR(quality.outside_ratio, 4.0 / 3.0 * kPi * std::pow(radius, 3.0) - 1.0, 0.01);
   EXPECT_NEAR(quality.largest_node_m, 2.0 * radius, 1e-15);
-  EXPECT_EQ(quality.bytes, sizeof(Sphere) + sizeof(NodeLinks) + sizeof(NodeSurface));
+  EXPECT_EQ(quality.bytes,
+            sizeof(Sphere) + sizeof(NodeLinks) + sizeof(NodeSurface) + sizeof(std::uint32_t));
 }
 
 TEST(LevelQuality, OfABoxOfItselfIsNothingBeyond) {
