@@ -184,6 +184,20 @@ TEST(Phases, RememberKeepsWhoTouchesAndTellsWhoFellToACoarserLevel) {
   EXPECT_NEAR(pop.size_deg, 2.0 * std::atan(0.05 * grown_m) * 180.0 / std::numbers::pi, 1e-12);
 }
 
+// Else a crowd that grows within a step moves all of them to memory never touched, which takes
+// milliseconds.
+TEST(RefinedPairs, StayWhereTheyAreUntilThereAreThirtyTwoABody) {
+  constexpr std::size_t kBodies = 100;
+  RefinedPairs pairs;
+  pairs.expect(/*pairs=*/1, kBodies);
+  const RefinedPair* first = &pairs.add();
+  for (std::size_t i = 1; i < 32 * kBodies; ++i) {
+    pairs.add();
+  }
+  pairs.expect(pairs.all().size(), kBodies);
+  EXPECT_EQ(&pairs.all().front(), first);
+}
+
 TEST(Phases, AllSevenInTurnAreAStep) {
   RandomStream random(7, "phases");
   for (int trial = 0; trial < 10; ++trial) {
