@@ -150,7 +150,7 @@ struct StepMemory {
   std::vector<Fall> falls;  ///< by body; none without gravity
   std::vector<MovedBound> bounds;
   // pair
-  BlockStore placed;  ///< lent to all trees anew, step by step
+  BlockStore placed;              ///< lent to all trees anew, step by step
   std::vector<BodyPair> found;    ///< whose bounds touched on the way
   std::vector<PairDepth> depths;  ///< means nothing between steps
   std::vector<PairBounds> candidates;
