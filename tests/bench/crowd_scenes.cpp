@@ -176,19 +176,23 @@ void print_pit(const CrowdShape& shape, const BenchOptions& options) {
 }
 
 void print_growth(const CrowdShape& shape, const BenchOptions& options) {
-  constexpr std::array kCounts{10, 20, 50, 100, 200, 500, 1000, 2000};
-  std::printf(
-      "\ngrowth, closed cube, 30 %% full, ~64 leaves, restitution 1   goal: linear within 20 %%\n");
-  std::printf("  %8s %10s %12s %14s %14s %16s\n", "bodies", "ms", "us/body", "pairs/body",
-              "work/body", "ns/unit of work");
-  for (const int bodies : kCounts) {
-    CrowdPlan plan{/*fine=*/false};
-    plan.steps = options.steps_of(120);
-    const CrowdOutcome outcome = run_crowd(shape, flying(shape, bodies, kFill), plan);
-    std::printf("  %8d %10.4f %12.3f %14.3f %14.1f %16.2f\n", bodies, outcome.step_ms.median,
-                1e3 * outcome.step_ms.median / bodies, outcome.touching_pairs / bodies,
-                outcome.tests / bodies, 1e6 * outcome.step_ms.mean / outcome.tests);
-    std::fflush(stdout);
+  constexpr std::array kCounts{10, 20, 50, 100, 200, 500, 1000, 2000, 10'000};
+  for (const bool fine : {false, true}) {
+    std::printf(
+        "\ngrowth, closed cube, 30 %% full, ~%d leaves, restitution 1   goal: linear within 20 "
+        "%%\n",
+        fine ? 500 : 64);
+    std::printf("  %8s %10s %12s %14s %14s %16s\n", "bodies", "ms", "us/body", "pairs/body",
+                "work/body", "ns/unit of work");
+    for (const int bodies : kCounts) {
+      CrowdPlan plan{fine};
+      plan.steps = options.steps_of(120);
+      const CrowdOutcome outcome = run_crowd(shape, flying(shape, bodies, kFill), plan);
+      std::printf("  %8d %10.4f %12.3f %14.3f %14.1f %16.2f\n", bodies, outcome.step_ms.median,
+                  1e3 * outcome.step_ms.median / bodies, outcome.touching_pairs / bodies,
+                  outcome.tests / bodies, 1e6 * outcome.step_ms.mean / outcome.tests);
+      std::fflush(stdout);
+    }
   }
 }
 

@@ -27,7 +27,7 @@ void print_thousand(const CrowdShape& shape, const BenchOptions& options);
 /// 250 bodies that fall into a pit and pile up there.
 void print_pit(const CrowdShape& shape, const BenchOptions& options);
 
-/// 10 to 2,000 bodies at 30 %: how the cost of a step grows.
+/// 10 to 10,000 bodies at 30 %, with 64 leaves and 510: how the cost of a step grows.
 void print_growth(const CrowdShape& shape, const BenchOptions& options);
 
 }  // namespace impetus

@@ -23,7 +23,8 @@ class InterruptedClock final : public WorkClock {
   mutable std::int64_t now_ns_{0};
 };
 
-/// A clock of which looks take a microsecond in the first 300 steps, two in the next and then three.
+/// A clock of which looks take a microsecond in the first 300 steps, two in the next and then
+/// three.
 class SlowerEachTime final : public WorkClock {
  public:
   [[nodiscard]] std::int64_t now_ns() const override {
