@@ -6,7 +6,7 @@ follows from n alone; the tracker's clock is SHIFT_S ahead. Of 50 samples one is
 off the screen. Every SET is answered, as Gazepoint does; no record is sent before the client asks for
 it, and then it comes as TCP may cut it: a line in two parts, two lines at once, an answer or a line of
 a calibration between them. With "drops" it closes the connection after 60 samples, and takes none for
-300 ms.
+300 ms. It says "heard" when a client has asked for records.
 """
 import socket
 import sys
@@ -38,6 +38,7 @@ def serve(client, shift_s, most):
     for needed in (b"ENABLE_SEND_TIME", b"ENABLE_SEND_POG_BEST"):
         if needed not in asked:
             return
+    print("heard", flush=True)
     first = n = int(time.monotonic() / STEP_S) + 1
     held = ""
     while most is None or n < first + most:

@@ -4,7 +4,8 @@
 pupil_stand_in.py PORT [SHIFT_S [drops]]: sample n is taken at n * 5 ms of CLOCK_MONOTONIC, on a path that
 follows from n alone, so that whoever reads it knows when and where it was; the tracker's clock is
 SHIFT_S ahead. Of 50 samples one is unsure and one is off the surface. Samples come six at a time,
-as those of a frame of the world camera do, among gaze in its image and on another surface. With "drops" it goes for 300 ms whenever somebody has
+as those of a frame of the world camera do, among gaze in its image and on another surface. It says "heard"
+when somebody asks it something for the first time. With "drops" it goes for 300 ms whenever somebody has
 asked it something and 150 ms have passed; each tenth time it comes back at another port.
 """
 import sys
@@ -79,7 +80,9 @@ def main():
                 remote.send_string(repr(time.monotonic() + shift_s))
             else:
                 remote.send_string("Unknown command.")
-            heard_s = heard_s or time.monotonic()
+            if heard_s is None:
+                print("heard", flush=True)
+                heard_s = time.monotonic()
         if goes and heard_s and time.monotonic() - heard_s > 0.15:
             remote.close()
             published.close()
