@@ -68,8 +68,8 @@ class PlacedBlocks {
   PlacedBlocks& operator=(PlacedBlocks&&) noexcept = default;
   ~PlacedBlocks() = default;
 
-  /// Nothing is placed now. `store` must stay as long as blocks are asked for, and nothing that was
-  /// taken from it is kept when it is cleared but by borrowing anew.
+  /// Nothing is placed now. `store` must stay as long as blocks are asked for; when it is cleared,
+  /// it is to be borrowed anew.
   void borrow(BlockStore& store) {
     lent_ = &store;
     before_lent_ = pose_++;

@@ -6,7 +6,8 @@ follows from n alone; the tracker's clock is SHIFT_S ahead. Of 50 samples one is
 off the screen. Every SET is answered, as Gazepoint does; no record is sent before the client asks for
 it, and then it comes as TCP may cut it: a line in two parts, two lines at once, an answer or a line of
 a calibration between them. With "drops" it closes the connection after 60 samples, and takes none for
-300 ms. It says "heard" when a client has asked for records.
+300 ms. It says "heard" when a client has asked for records, and "late" where the machine let it sleep
+50 ms too long.
 """
 import socket
 import sys
@@ -43,6 +44,8 @@ def serve(client, shift_s, most):
     held = ""
     while most is None or n < first + most:
         time.sleep(max(0, n * STEP_S - time.monotonic()))
+        if time.monotonic() - n * STEP_S > 0.05:
+            print("late", flush=True)
         text = held + record(n, shift_s)
         if n % 40 == 0:
             text += '<CAL ID="CALIB_START_PT" PT="1" CALX="0.5" CALY="0.5" />\r\n'
