@@ -13,6 +13,7 @@
 #include <string>
 
 #include "engine/collision/contact_patches.hpp"
+#include "engine/numerics/elementary_functions.hpp"
 #include "tests/engine/builders.hpp"
 #include "tests/engine/deepest_contact.hpp"
 #include "tests/places/places.hpp"
@@ -173,6 +174,34 @@ TEST(ContactReduction, ThePatchesOfACornerAreOneAndFarOrOtherwiseFacingOnesStayA
   expect_contact(left[0], {0.075, 0, 0}, kY, 0.2);
   expect_contact(left[1], far.touch.point, kY, 0.1);
   expect_contact(left[2], across.touch.point, kX, 0.1);
+}
+
+TEST(ContactReduction, TwoNormalsOfOneGroupAreOneSurfaceUpTo120DegreesApart) {
+  for (const double apart_deg : {60.0, 119.0, 121.0, 175.0}) {
+    const auto [sine, cosine] = sine_cosine_deg(apart_deg);
+    const NodeContact turned = at({1, 0, 0}, {sine, cosine, 0.0}, 0.2);
+    EXPECT_EQ(reduced("groups", {at({0, 0, 0}, kY, 0.1), turned}).size(), apart_deg < 120 ? 1U : 2U)
+        << apart_deg;
+  }
+}
+
+TEST(ContactReduction, PatchesAreOneUpToTwiceTheGreaterNodeBeyondTheirLengths) {
+  // An even row of four, .1 apart, is √15 · .1 long beside its middle's nodes.
+  const auto count_with = [](double x, double node_m) {
+    std::vector<NodeContact> contacts;
+    for (int i = 0; i < 4; ++i) {
+      contacts.push_back(on_groups(at({0.1 * i, 0, 0}, kY, 0.1), 1, 7));
+    }
+    contacts.push_back(on_groups(at({x, 0, 0}, kY, 0.1), 2, 7));
+    contacts.back().node_m = node_m;
+    return reduced("groups", contacts).size();
+  };
+  const double end_m = 0.15 + 0.05 * std::sqrt(15.0);
+  EXPECT_EQ(count_with(end_m + 0.199, 0.1), 1U);
+  EXPECT_EQ(count_with(end_m + 0.201, 0.1), 2U);
+  EXPECT_EQ(count_with(end_m + 0.201, 0.05), 2U) << "the greater node counts";
+  EXPECT_EQ(count_with(end_m + 0.399, 0.2), 1U);
+  EXPECT_EQ(count_with(end_m + 0.401, 0.2), 2U);
 }
 
 TEST(ContactReduction, WeightedWeighsByInterpenetrationAndOccupancies) {

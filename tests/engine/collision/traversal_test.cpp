@@ -323,6 +323,27 @@ TEST(Traversal, TheDeepestOverlapIsNeverLessThanThatOfTheDeepestNodes) {
   EXPECT_LT(sum_m, 1.5 * exact_m) << "and no more than needed";
 }
 
+TEST(Traversal, TheDeepestReachBeyondAWallIsThatOfTheNodeFurthestOut) {
+  int overlapping = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    RandomPairs random(seed);
+    PairRefinement& pair = random.pairs.back().refinement;
+    while (!pair.resolved() && pair.level() < 2) {
+      pair.refine_one_block();
+    }
+    double furthest_m = 0.0;
+    for (const NodePair& nodes : pair.overlapping()) {
+      for (int wall = 0; wall < kWallCount; ++wall) {
+        furthest_m = std::max(furthest_m,
+                              touch_of_wall(random.placed[0], nodes.a, random.walls, wall).depth_m);
+      }
+    }
+    EXPECT_NEAR(pair.deepest_overlap_m(), furthest_m, 1e-12) << seed;
+    overlapping += furthest_m > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(overlapping, 10);
+}
+
 TEST(Traversal, WaitingPairsComeAsASortWouldHaveThem) {
   RandomStream random(kSeed, "queue");
   for (int trial = 0; trial < 200; ++trial) {

@@ -35,7 +35,7 @@ fs::path left_by_a_killed_program(const fs::path& target, Kind kind) {
     _exit(is_told ? 0 : 1);
   }
   char path[1000];
-  const ssize_t size = read(pipe_ends[0], path, sizeof path);
+  const ssize_t size = ::read(pipe_ends[0], path, sizeof path);
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   close(pipe_ends[0]);
