@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,35 @@ TEST(ResponseLimit, OfALargeIslandIsFoundInTurnWhicheverTheMethod) {
   EXPECT_EQ(together, in_turn);
   const auto [of_few, of_few_in_turn] = impulses_of_row(20);
   EXPECT_NE(of_few, of_few_in_turn) << "a small island is not";
+}
+
+TEST(ResponseLimit, EveryIslandThatIsRefusedIsTakenUpByVisibility) {
+  for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
+    ResponseProblem pairs = newtons_cradle(6);
+    pairs.contacts = {pairs.contacts[0], pairs.contacts[2], pairs.contacts[4]};
+    pairs.restitutions.resize(3);
+    for (std::size_t ball = 0; ball < 6; ++ball) {
+      pairs.states[ball].linear_momentum.x() = ball % 2 == 0 ? 1.0 : -1.0;
+    }
+    WorkGrants grants;
+    grants.of(WorkPhase::kResponse) = 0;
+    FixedWork meter(grants);
+    WorkGrants refused;
+    const std::vector<std::size_t> by_visibility{2, 0, 1};
+    ResponseWork work{{meter, WorkPhase::kResponse, refused},
+                      {meter, WorkPhase::kVisible, refused},
+                      [&] { return std::span(by_visibility); }};
+    ResponseRules rules;
+    rules.method = method;
+    rules.work = &work;
+    const ResponseResult result =
+        Responder().respond(pairs.contacts, pairs.restitutions, rules, pairs.models, pairs.states);
+    EXPECT_EQ(refused, grants);
+    EXPECT_EQ(result.residual_approach_m_s, 0.0);
+    for (const double impulse_Ns : result.impulse_Ns) {
+      EXPECT_GT(impulse_Ns, 0.0);
+    }
+  }
 }
 
 TEST(Resting, ApproachesSlowerThanTheLimitAreGivenNothingBack) {
