@@ -233,43 +233,59 @@ TEST(Tunnelling, AConvoyThatRunsIntoAPlateStaysOneBehindTheOther) {
   }
 }
 
+/// Who stops in a step of a second, and where the bodies are then.
+std::pair<std::vector<StoppedAtEntry>, std::vector<BodyState>> stopped(const Bodies& bodies,
+                                                                       int most_stops) {
+  std::vector<BodyState> states = bodies.states;
+  std::vector<MovedBound> bounds;
+  std::vector<PlacedTree> placed;
+  for (std::size_t body = 0; body < states.size(); ++body) {
+    const BodyModel& model = bodies.models[body];
+    const double way_m = advance(model, states[body], 1.0);
+    bounds.push_back({{states[body].pose.position, model.tree->bounding_radius_m()},
+                      way_m,
+                      model.inverse_mass > 0.0});
+    placed.emplace_back(*model.tree);
+  }
+  const std::vector<PairBounds> candidates = candidate_pairs(bounds);
+  const Stopping result =
+      stop_at_entry({1.0, bodies.models, bodies.states, candidates, kUnlimitedLevel, WorkCosts{},
+                     Rotation::kMidpoint, most_stops},
+                    states, placed);
+  return {result.stopped, states};
+}
+
 TEST(Tunnelling, BodiesThatMayStopNoMoreStopTogetherAtTheFirstEntry) {
   RandomStream random(kSeed, "together");
   for (int trial = 0; trial < 20; ++trial) {
     const Bodies bodies = convoy(random, 6, uniform_in(random, 0.1, 30.0));
-    std::vector<BodyState> states = bodies.states;
-    std::vector<MovedBound> bounds;
-    std::vector<PlacedTree> placed;
-    for (std::size_t body = 0; body < states.size(); ++body) {
-      const BodyModel& model = bodies.models[body];
-      const double way_m = advance(model, states[body], 1.0);
-      bounds.push_back({{states[body].pose.position, model.tree->bounding_radius_m()},
-                        way_m,
-                        model.inverse_mass > 0.0});
-      placed.emplace_back(*model.tree);
-    }
-    const std::vector<PairBounds> candidates = candidate_pairs(bounds);
-    const auto stop = [&](int most_stops) {
-      std::vector<BodyState> stopping = states;
-      const Stopping result =
-          stop_at_entry({1.0, bodies.models, bodies.states, candidates, kUnlimitedLevel,
-                         WorkCosts{}, Rotation::kMidpoint, most_stops},
-                        stopping, placed);
-      return std::pair(result.stopped, stopping);
-    };
-    const auto [stopped, together] = stop(0);
-    ASSERT_EQ(stopped.size(), 1U);
-    EXPECT_EQ(stopped[0].bodies, (BodyPair{0, 1}));
+    const auto [first, together] = stopped(bodies, 0);
+    ASSERT_EQ(first.size(), 1U);
+    EXPECT_EQ(first[0].bodies, (BodyPair{0, 1}));
     EXPECT_TRUE(in_order(together));
-    for (std::size_t body = 1; body < states.size(); ++body) {
-      const Vector3 way = states[body].pose.position - bodies.states[body].pose.position;
+    for (std::size_t body = 1; body < together.size(); ++body) {
+      BodyState whole = bodies.states[body];
+      advance(bodies.models[body], whole, 1.0);
+      const Vector3 way = whole.pose.position - bodies.states[body].pose.position;
       const Vector3 taken = together[body].pose.position - bodies.states[body].pose.position;
-      EXPECT_LT((taken - stopped[0].fraction * way).norm(), 1e-14 * way.norm());
+      EXPECT_LT((taken - first[0].fraction * way).norm(), 1e-14 * way.norm());
     }
-    const auto [one_by_one, settled] = stop(kMostStops);
-    EXPECT_EQ(one_by_one.at(0).fraction, stopped[0].fraction);
+    const auto [one_by_one, settled] = stopped(bodies, kMostStops);
+    EXPECT_EQ(one_by_one.at(0).fraction, first[0].fraction);
     EXPECT_TRUE(in_order(settled));
   }
+}
+
+TEST(Tunnelling, BodiesThatAFixedOneAloneConnectsStopEachAtItsOwnEntry) {
+  const BodyModel model = bullet();
+  const Bodies bodies{{plate("box", false), model, model},
+                      {{},
+                       moving(model, {-0.04, 0.0, 0.02}, {0.0, 0.0, -0.03}),
+                       moving(model, {0.04, 0.0, 0.03}, {0.0, 0.0, -0.03})}};
+  const auto [first, together] = stopped(bodies, 0);
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_NEAR(first[1].fraction - first[0].fraction, 1.0 / 3.0, 0.05);
+  EXPECT_NEAR(together[1].pose.position.z(), together[2].pose.position.z(), 0.002);
 }
 
 TEST(Tunnelling, ABodyCannotLeaveItsWallsHoweverFast) {
