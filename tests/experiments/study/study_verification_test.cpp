@@ -175,6 +175,11 @@ TEST(Verify, WhateverWasChangedIsNamed) {
       {"DELETE FROM study",
        "order: the study has lost the row that says when and by which build it was made"},
       {"DROP VIEW rated_trial", "schema: the view rated_trial is missing"},
+      {"DROP VIEW rated_trial; CREATE VIEW rated_trial AS SELECT 1 AS rating",
+       "schema: the view rated_trial is not as this build makes it"},
+      {"PRAGMA writable_schema = ON; "
+       "UPDATE sqlite_master SET sql = replace(sql, ''' ''', '''  ''') WHERE name = 'excluded'",
+       "schema: the view excluded is not as this build makes it"},
       {"CREATE TRIGGER quiet AFTER INSERT ON rating BEGIN DELETE FROM rating; END",
        "schema: the trigger quiet is none of a study's"},
       {"ALTER TABLE step ADD COLUMN mine TEXT",
