@@ -90,6 +90,8 @@ TEST(StudyWriter, AStepIsKeptBitForBit) {
   attempt.steps[6].work_granted = std::numeric_limits<std::int64_t>::max();
   attempt.steps[7].cut_work.of(WorkPhase::kEntry) = 1'200;
   attempt.steps[7].cut_work.of(WorkPhase::kVisible) = 0;
+  attempt.steps[8].shown_frame = -1;
+  attempt.steps[9].shown_frame = 12;
   {
     EnrolledStudy at(path);
     StudyWriter writer(at.study, at.enrolment, facts());
@@ -108,6 +110,14 @@ TEST(StudyWriter, AStepIsKeptBitForBit) {
     EXPECT_EQ(steps[i].state.hash, attempt.steps[i].state.hash);
     EXPECT_EQ(steps[i].state.bodies, attempt.steps[i].state.bodies);
   }
+  const auto shown_in = [&](const char* step) {
+    return study.database()
+        .execAndGet(std::string("SELECT ifnull(shown_frame, 'none') FROM step WHERE step = ") +
+                    step)
+        .getString();
+  };
+  EXPECT_EQ(shown_in("8"), "none");
+  EXPECT_EQ(shown_in("9"), "12");
 }
 
 TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
