@@ -186,7 +186,7 @@ TEST(ContactReduction, TwoNormalsOfOneGroupAreOneSurfaceUpTo120DegreesApart) {
 }
 
 TEST(ContactReduction, PatchesAreOneUpToTwiceTheGreaterNodeBeyondTheirLengths) {
-  // An even row of four, .1 apart, is √15 · .1 long beside its middle's nodes.
+  // An even row of four, .1 apart, goes √15 · .05 to each side of its middle, by its variance.
   const auto count_with = [](double x, double node_m) {
     std::vector<NodeContact> contacts;
     for (int i = 0; i < 4; ++i) {

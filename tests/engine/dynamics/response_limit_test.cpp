@@ -101,8 +101,7 @@ TEST(ResponseLimit, KeepsTheEnergyOfElasticBodies) {
   EXPECT_NEAR(cradle.states[3].linear_momentum.x(), 1.0, 1e-14);
 }
 
-/// What either method gives a row of balls that all move, in so few passes that some still
-/// approach.
+/// What either method gives a row of balls in so few passes that some still approach.
 std::array<std::vector<double>, 2> impulses_of_row(int balls) {
   RandomStream random(kSeed, "row");
   ResponseProblem together = newtons_cradle(balls);
