@@ -284,8 +284,9 @@ TEST(Tunnelling, BodiesThatAFixedOneAloneConnectsStopEachAtItsOwnEntry) {
                        moving(model, {0.04, 0.0, 0.03}, {0.0, 0.0, -0.03})}};
   const auto [first, together] = stopped(bodies, 0);
   ASSERT_EQ(first.size(), 2U);
-  EXPECT_NEAR(first[1].fraction - first[0].fraction, 1.0 / 3.0, 0.05);
-  EXPECT_NEAR(together[1].pose.position.z(), together[2].pose.position.z(), 0.002);
+  const double hair_m = 0.009 / 8.0;  // that either may stop before it touches
+  EXPECT_NEAR(first[1].fraction - first[0].fraction, 1.0 / 3.0, hair_m / 0.03);
+  EXPECT_NEAR(together[1].pose.position.z(), together[2].pose.position.z(), hair_m);
 }
 
 TEST(Tunnelling, ABodyCannotLeaveItsWallsHoweverFast) {
