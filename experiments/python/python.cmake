@@ -5,7 +5,7 @@ find_package(pybind11 REQUIRED)
 set(package ${CMAKE_BINARY_DIR}/python/impetus)
 file(GLOB python_sources CONFIGURE_DEPENDS python/*.cpp)
 pybind11_add_module(impetus_python NO_EXTRAS ${python_sources})
-set_target_properties(impetus_python PROPERTIES OUTPUT_NAME _impetus UNITY_BUILD OFF
+set_target_properties(impetus_python PROPERTIES OUTPUT_NAME _impetus
   LIBRARY_OUTPUT_DIRECTORY ${package})
 target_link_libraries(impetus_python PRIVATE impetus_flags impetus_files impetus_store impetus_study
   impetus_observers impetus_exports impetus_provenance)
