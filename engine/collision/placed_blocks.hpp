@@ -75,6 +75,9 @@ class PlacedBlocks {
     before_lent_ = pose_++;
   }
 
+  /// Room for so many blocks, with what there is.
+  void expect(std::uint32_t count) { blocks_.resize(std::max<std::size_t>(blocks_.size(), count)); }
+
   /// The tree moved: nothing is placed.
   void move() { ++pose_; }
 

@@ -20,6 +20,16 @@ PlacedTree::PlacedTree(const VolumeTree& tree)
   }
 }
 
+void PlacedTree::take_tree_of(const PlacedTree& other) {
+  tree_ = other.tree_;
+  own_spheres_ = other.own_spheres_;
+  reach_m_ = other.reach_m_;
+  blocks_.expect(tree_->blocks().count());
+  blocks_.move();
+  volumes_.resize(std::max(volumes_.size(), other.volumes_.size()));
+  placed_in_.resize(volumes_.size());
+}
+
 const PlacedBlock& PlacedTree::place(std::int32_t first, std::int32_t count) {
   const SiblingBlocks& siblings = tree_->blocks();
   for (std::int32_t node = first; node < first + count; node += kLanes) {

@@ -26,6 +26,9 @@ class PlacedTree {
   /// Nothing is placed now, and from now on in memory of `store` (placed_blocks.hpp).
   void take_memory_from(BlockStore& store) { blocks_.borrow(store); }
 
+  /// Becomes the tree that `other` has, of which nothing is placed, in the memory that this has.
+  void take_tree_of(const PlacedTree& other);
+
   /// Moves the tree to `pose`; every node placed before is stale.
   void move_to(const Pose& pose) {
     pose_ = pose;

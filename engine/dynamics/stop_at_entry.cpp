@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 
+#include "engine/dynamics/entry_searches.hpp"
 #include "engine/numerics/at.hpp"
 #include "engine/numerics/disjoint_sets.hpp"
 
 namespace impetus::inline dynamics {
 namespace {
 
-/// Of slow_way_m: bodies one of which was stopped are looked at when they move further than this,
-/// since stops can bring the same two together step after step.
-constexpr double kShareOnceStopped = 0.125;
-/// Of a way that was not asked for yet.
-constexpr double kUnknown = -1.0;
-/// What it takes to look whether a pair is fast, and to stop two bodies, beside a test of nodes.
-constexpr std::int64_t kLookUnits = 6;
+/// What it takes to stop two bodies, and to find the way of a body, beside a test of nodes.
 constexpr std::int64_t kStopUnits = 60;
-/// To find the way of a body.
 constexpr std::int64_t kWayUnits = 6;
 
 bool comes_before(const BodyPair& x, const BodyPair& y) {
@@ -29,8 +25,12 @@ bool comes_before(const BodyPair& x, const BodyPair& y) {
 class StopsInOrder {
  public:
   StopsInOrder(const StepMade& step, std::vector<BodyState>& states,
-               std::vector<PlacedTree>& placed, EntryMemory& memory)
-      : step_(step), states_(states), placed_(placed), memory_(memory), result_(memory.result) {
+               const std::vector<PlacedTree>& placed, EntryMemory& memory)
+      : step_(step),
+        states_(states),
+        memory_(memory),
+        result_(memory.result),
+        searches_(step, states, placed, memory) {
     result_.stopped.clear();
     result_.unsearched.clear();
     result_.work = 0;
@@ -39,24 +39,21 @@ class StopsInOrder {
   }
 
   void run() {
-    memory_.farthest_m.assign(states_.size(), kUnknown);
-    if (all_are_slow()) {
+    if (searches_.all_are_slow()) {
       return;
     }
-    if (!has_work(kWayUnits * static_cast<std::int64_t>(states_.size()))) {
-      leave_fast_pairs();
+    if (!searches_.has_work(kWayUnits * static_cast<std::int64_t>(states_.size()))) {
+      searches_.leave_fast_pairs();
+      sort_unsearched();
       return;
     }
-    begin();
-    for (std::size_t pair = 0; pair < memory_.pending.size(); ++pair) {
-      look_at(pair);
-    }
+    look_at_all();
     memory_.first = memory_.pending;
     if (!memory_.found.empty()) {
       list_candidates_of_bodies();
     }
     while (const std::optional<std::size_t> next = earliest()) {
-      if (!has_work(kStopUnits)) {
+      if (!searches_.has_work(kStopUnits)) {
         leave_entries();
         break;
       }
@@ -75,94 +72,19 @@ class StopsInOrder {
 
   [[nodiscard]] bool moves(std::size_t body) const { return step_.models[body].inverse_mass > 0.0; }
 
-  /// That any point of the body goes on its whole way: found when it is first asked for, and at the
-  /// latest before anybody is stopped.
-  double farthest_of(std::size_t body) {
-    double& known_m = memory_.farthest_m[body];
-    if (known_m == kUnknown) {
-      known_m = farthest_m(way_of(body, 1.0), step_.models[body].tree->bounding_radius_m());
-    }
-    return known_m;
-  }
-
-  [[nodiscard]] bool all_are_slow() {
-    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
-      if (!is_slow(pair, 1.0)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void begin() {
-    memory_.whole_ways.clear();
-    for (std::size_t body = 0; body < states_.size(); ++body) {
-      memory_.whole_ways.push_back(way_of(body, 1.0));
-      static_cast<void>(farthest_of(body));
-    }
-    memory_.ways = memory_.whole_ways;
-    memory_.stops.assign(states_.size(), 0);
+  void look_at_all() {
+    searches_.find_whole_ways();
     memory_.pending.assign(step_.candidates.size(), std::nullopt);
     memory_.last.assign(step_.candidates.size(), std::nullopt);
     memory_.found.clear();
+    memory_.looked_at.resize(step_.candidates.size());
+    std::iota(memory_.looked_at.begin(), memory_.looked_at.end(), 0U);
+    look_at(memory_.looked_at);
   }
 
-  [[nodiscard]] bool has_work(std::int64_t units) {
-    return step_.work == nullptr || step_.work->spend(units);
-  }
-
-  /// Of a body that takes `share` of the step: its state is where it stops.
-  [[nodiscard]] BodyPath way_of(std::size_t body, double share) const {
-    const double waiting_s = std::min(step_.before[body].held_s, share * step_.dt_s);
-    BodyPath way;
-    way.start = step_.before[body].pose;
-    way.end = states_[body].pose;
-    way.begin = step_.dt_s > 0.0 ? waiting_s / step_.dt_s : share;
-    way.stop = share;
-    return way;
-  }
-
-  /// Surely: by how far each of the bodies goes at most in the whole step.
-  [[nodiscard]] bool is_slow(std::size_t pair, double share) {
-    const auto& [a, b] = bodies(pair);
-    return farthest_of(at(a)) + farthest_of(at(b)) <= share * slow_way_m(*step_.models[at(a)].tree,
-                                                                         *step_.models[at(b)].tree,
-                                                                         step_.greatest_level);
-  }
-
-  /// Finds the entry of the pair on the bodies' present ways, if it is fast.
-  void look_at(std::size_t pair) {
-    const auto& [a, b] = bodies(pair);
-    memory_.pending[pair].reset();
-    const double share = memory_.stops[at(a)] + memory_.stops[at(b)] > 0 ? kShareOnceStopped : 1.0;
-    if (is_slow(pair, share)) {
-      return;
-    }
-    if (!has_work(kLookUnits)) {
-      result_.unsearched.push_back(bodies(pair));
-      return;
-    }
-    const PairOnTheWay on_the_way{placed_[at(a)],
-                                  placed_[at(b)],
-                                  memory_.ways[at(a)],
-                                  memory_.ways[at(b)],
-                                  step_.greatest_level,
-                                  std::min(kMostEntryTests, step_.most_tests - result_.tests),
-                                  step_.work};
-    if (!is_fast(on_the_way, share)) {
-      return;
-    }
-    if (on_the_way.most_tests < 1) {
-      result_.unsearched.push_back(bodies(pair));
-      return;
-    }
-    const Entry entry = time_of_entry(on_the_way);
-    note_entry(pair, entry.time);
-    result_.tests += entry.tests;
-    result_.ran_out |=
-        entry.refused || (entry.tests == on_the_way.most_tests && entry.tests < kMostEntryTests);
-    const bool of_spheres = placed_[at(a)].of_spheres() && placed_[at(b)].of_spheres();
-    result_.work += entry.tests * (of_spheres ? step_.costs.sphere_test : step_.costs.volume_test);
+  void look_at(std::span<const std::uint32_t> pairs) {
+    searches_.look_at(
+        pairs, [this](std::size_t pair, std::optional<double> time) { note_entry(pair, time); });
   }
 
   static bool comes_later(const FoundEntry& x, const FoundEntry& y) {
@@ -189,16 +111,6 @@ class StopsInOrder {
       memory_.found.pop_back();
     }
     return std::nullopt;
-  }
-
-  /// Nobody is searched: pairs that are not surely slow are taken for fast.
-  void leave_fast_pairs() {
-    for (std::size_t pair = 0; pair < step_.candidates.size(); ++pair) {
-      if (!is_slow(pair, 1.0)) {
-        result_.unsearched.push_back(bodies(pair));
-      }
-    }
-    sort_unsearched();
   }
 
   /// Nobody stops any more.
@@ -237,16 +149,10 @@ class StopsInOrder {
   /// Anew, at the candidates of the bodies that have stopped, in their order, each once.
   void look_at_candidates_of(std::span<const std::uint32_t> of_a,
                              std::span<const std::uint32_t> of_b) {
-    while (!of_a.empty() || !of_b.empty()) {
-      const bool a_first = of_b.empty() || (!of_a.empty() && of_a.front() <= of_b.front());
-      const std::uint32_t pair = a_first ? of_a.front() : of_b.front();
-      for (std::span<const std::uint32_t>* of : {&of_a, &of_b}) {
-        if (!of->empty() && of->front() == pair) {
-          *of = of->subspan(1);
-        }
-      }
-      look_at(pair);
-    }
+    memory_.looked_at.clear();
+    std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                   std::back_inserter(memory_.looked_at));
+    look_at(memory_.looked_at);
   }
 
   /// Stops both bodies at the pair's entry. False when one was stopped too often.
@@ -277,7 +183,7 @@ class StopsInOrder {
       return false;
     }
     move(body, share);
-    memory_.ways[body] = way_of(body, share);
+    memory_.ways[body] = searches_.way_of(body, share);
     ++memory_.stops[body];
     return true;
   }
@@ -342,15 +248,15 @@ class StopsInOrder {
 
   const StepMade& step_;
   std::vector<BodyState>& states_;
-  std::vector<PlacedTree>& placed_;
   EntryMemory& memory_;
   Stopping& result_;
+  EntrySearches searches_;
 };
 
 }  // namespace
 
 const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                              std::vector<PlacedTree>& placed, EntryMemory& memory) {
+                              const std::vector<PlacedTree>& placed, EntryMemory& memory) {
   StopsInOrder(step, states, placed, memory).run();
   return memory.result;
 }

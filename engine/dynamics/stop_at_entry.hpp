@@ -34,6 +34,7 @@
 #include "engine/dynamics/motion.hpp"
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
+#include "engine/scheduling/workers.hpp"
 
 namespace impetus::inline dynamics {
 
@@ -56,6 +57,7 @@ struct StepMade {
   std::span<const Fall> falls{};
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
   PhaseWork* work{nullptr};                  ///< of the same, where it is metered, and of stops
+  Workers* workers{nullptr};                 ///< who search at once; they change nothing
 };
 
 /// Who was stopped, and what finding it took.
@@ -76,6 +78,18 @@ struct FoundEntry {
   std::size_t pair{0};
 };
 
+/// What was found of a pair before it was its turn, within so many tests; 0: it was not searched.
+struct SearchedAhead {
+  Entry entry;
+  std::int64_t most_tests{0};
+};
+
+/// The two of whom a worker searches the entry: nobody else writes beside them.
+struct alignas(128) TreesOnTheWay {
+  PlacedTree a;
+  PlacedTree b;
+};
+
 /// What the search keeps from step to step, for the memory alone: it means nothing between them.
 struct EntryMemory {
   std::vector<BodyPath> whole_ways;  ///< of bodies that nothing stops
@@ -88,12 +102,15 @@ struct EntryMemory {
   std::vector<FoundEntry> found;               ///< a heap, the earliest first
   std::vector<std::uint32_t> first_of_body;    ///< where each body's candidates begin
   std::vector<std::uint32_t> candidates_of_body;
+  std::vector<std::uint32_t> looked_at;   ///< candidates that are searched next
+  std::vector<SearchedAhead> ahead;       ///< by candidate
+  std::vector<TreesOnTheWay> on_the_way;  ///< by worker
   Stopping result;
 };
 
 /// Puts the bodies of `states`, which are at the end of the step, back to where they must stop.
-/// Leaves `placed` anywhere. What it returns is part of `memory`.
+/// `placed` are their trees, anywhere. What it returns is part of `memory`.
 const Stopping& stop_at_entry(const StepMade& step, std::vector<BodyState>& states,
-                              std::vector<PlacedTree>& placed, EntryMemory& memory);
+                              const std::vector<PlacedTree>& placed, EntryMemory& memory);
 
 }  // namespace impetus::inline dynamics

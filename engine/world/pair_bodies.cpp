@@ -138,7 +138,7 @@ void stop_fast_pairs(const Step& step) {
   const Stopping& stopping =
       stop_at_entry({step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step),
                      greatest_level, settings.costs, settings.rotation, kMostStops, memory.falls,
-                     settings.most_entry_tests, &work},
+                     settings.most_entry_tests, &work, memory.workers.get()},
                     world.states, world.placed, memory.entries);
   for (PairBounds& pair : memory.candidates) {
     pair.a.centre = world.states[at(pair.pair.a)].pose.position;

@@ -20,6 +20,7 @@
 #include "engine/dynamics/responder.hpp"
 #include "engine/dynamics/stop_at_entry.hpp"
 #include "engine/scheduling/priority_lists.hpp"
+#include "engine/scheduling/workers.hpp"
 #include "engine/world/step.hpp"
 
 namespace impetus::inline world {
@@ -145,6 +146,8 @@ struct StepMemory {
   }
   StepMemory& operator=(StepMemory&&) = default;
   ~StepMemory() = default;
+
+  std::shared_ptr<Workers> workers;  ///< lent by whoever steps the world; none: nobody helps
 
   // move
   std::vector<Fall> falls;  ///< by body; none without gravity

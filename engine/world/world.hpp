@@ -7,9 +7,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/scheduling/work_meter.hpp"
+#include "engine/scheduling/workers.hpp"
 #include "engine/world/step.hpp"
 #include "engine/world/step_memory.hpp"
 #include "engine/world/world_settings.hpp"
@@ -50,6 +53,11 @@ class World {
   void set_response(ResponseMethod response);
   void set_rotation(Rotation rotation) { settings_.rotation = rotation; }
   void set_costs(const WorkCosts& costs);
+
+  /// Who helps with steps from now on, or nobody: the search for entries is shared among them.
+  /// Whatever a step does and reports is the same with any number, bit for bit, of the same work
+  /// granted. A copy of the world has none.
+  void share_work_with(std::shared_ptr<Workers> workers) { memory_.workers = std::move(workers); }
 
   /// Whether steps report the contacts of all overlapping nodes, for drawing: changes nothing else.
   void watch_node_contacts(bool watch) { state_.watches_node_contacts = watch; }
