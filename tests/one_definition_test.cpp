@@ -21,7 +21,7 @@ using Headers = std::map<std::string, std::string>;  ///< path and text
 /// The types that a header defines outside of others: those that begin a line.
 std::set<std::string> types_of(const std::string& text) {
   static const std::regex definition(
-      R"(^(struct|class|union|enum( class| struct)?) (\w+)[^;]*\{.*)");
+      R"(^(struct|class|union|enum( class| struct)?) (?:alignas\(\w+\) )?(\w+)[^;]*\{.*)");
   std::set<std::string> types;
   std::istringstream lines(text);
   std::smatch match;
@@ -75,9 +75,11 @@ TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
   const Headers headers{
       {"a.hpp", "class Course {\n};\nstruct Inner;\n"},
       {"b.hpp", "struct Course final : Base {\n  struct Own {\n  };\n};\nstruct Inner {};\n"},
-      {"c.hpp", "enum class Inner : int { kOne };\nstruct Course;\n  struct Own {\n"}};
+      {"c.hpp", "enum class Inner : int { kOne };\nstruct Course;\n  struct Own {\n"},
+      {"d.hpp", "struct alignas(64) Block {\n};\nstruct alignas(8) Course {\n};\n"}};
   EXPECT_EQ(shared_names(headers),
             (std::vector<std::string>{"Course is a type of a.hpp and of b.hpp",
+                                      "Course is a type of a.hpp and of d.hpp",
                                       "Inner is a type of b.hpp and of c.hpp"}));
 }
 

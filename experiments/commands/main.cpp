@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
 #include "experiments/commands/nearest_word.hpp"
 #include "experiments/provenance/build_name.hpp"
+#include "experiments/run/scene_run.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/workers/worker_pool.hpp"
 
 namespace {
+
+constexpr int kMostThreads = 64;
 
 std::string perhaps(const std::string& given, const std::vector<std::string>& words) {
   const std::string meant = impetus::nearest_word(given, words);
@@ -42,6 +47,12 @@ int main(int argc, char** argv) {
   CLI::App app{"Impetus: experiments on how believable an approximated collision looks."};
   app.require_subcommand(1);
   app.set_version_flag("--version", impetus::version_text());
+  int threads = 1;
+  app.add_option("--threads", threads,
+                 "Threads that share a step of a crowd; what it comes to stays the same")
+      ->check(CLI::Range(1, kMostThreads))
+      ->envname("IMPETUS_THREADS")
+      ->capture_default_str();
   impetus::Command chosen;
   impetus::add_run(app, chosen);
   impetus::add_check(app, chosen);
@@ -82,6 +93,9 @@ int main(int argc, char** argv) {
     return impetus::kCouldNotRun;
   }
   try {
+    if (threads > 1) {
+      impetus::SceneRun::share_work_with(std::make_shared<impetus::WorkerPool>(threads));
+    }
     return chosen();
   } catch (const std::exception& error) {
     std::fflush(stdout);

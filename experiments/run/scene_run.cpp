@@ -9,6 +9,17 @@
 #include "engine/dynamics/state_hash.hpp"
 
 namespace impetus::inline run {
+namespace {
+
+/// Of the process.
+std::shared_ptr<Workers>& helpers() {
+  static std::shared_ptr<Workers> all;
+  return all;
+}
+
+}  // namespace
+
+void SceneRun::share_work_with(std::shared_ptr<Workers> workers) { helpers() = std::move(workers); }
 
 SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock)
     : scene_(std::move(scene)),
@@ -17,6 +28,7 @@ SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock
       ends_s_(scene_.duration_s),
       before_(scene_.world.states()) {
   set_budget(scene_.budget);
+  scene_.world.share_work_with(helpers());
   if (scene_.goal) {
     is_through_ = false;
   }

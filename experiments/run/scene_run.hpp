@@ -12,10 +12,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "engine/scheduling/deadline_work.hpp"
+#include "engine/scheduling/workers.hpp"
 #include "experiments/gaze/region_source.hpp"
 #include "experiments/record/staged_scene.hpp"
 
@@ -27,6 +29,10 @@ class SceneRun {
   /// Stands at the scene's start. Random regions follow from `seed`, the trial's. `clock` times a
   /// budget in milliseconds and must outlive this; who gives each step a meter needs none.
   explicit SceneRun(StagedScene scene, std::uint64_t seed = 1, const WorkClock* clock = nullptr);
+
+  /// Who helps with the steps of all scenes that are run from now on, or nobody, as at first. It
+  /// changes how long they take, and nothing else. To be called before other threads run scenes.
+  static void share_work_with(std::shared_ptr<Workers> workers);
 
   /// The region that the scene's rule has for the next step, for a viewer who looks at `fixation`.
   /// Whoever asks for it asks exactly once before each step.

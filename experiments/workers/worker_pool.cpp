@@ -45,6 +45,17 @@ void WorkerPool::end() {
 }
 
 void WorkerPool::run(const std::function<void(int worker)>& job) {
+  const std::unique_lock asked(asked_, std::try_to_lock);
+  if (asked) {
+    share(job);
+    return;
+  }
+  for (int worker = 0; worker < count(); ++worker) {
+    job(worker);
+  }
+}
+
+void WorkerPool::share(const std::function<void(int worker)>& job) {
   job_ = &job;
   busy_ = static_cast<int>(threads_.size());
   ++round_;

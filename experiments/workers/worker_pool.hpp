@@ -4,6 +4,7 @@
 //   caller   run ─> job(0) ───────────────> all have returned ─> goes on
 //   threads  wait ─> job(1), job(2) … ─> wait: awake for a moment, then asleep
 //
+// Who asks while another does gets no help, and does all of it alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -34,11 +35,13 @@ class WorkerPool final : public Workers {
   void run(const std::function<void(int worker)>& job) override;
 
  private:
+  void share(const std::function<void(int worker)>& job);
   void serve(int worker);
   void wait_for_round_after(std::uint32_t round) const;
   void end();
 
   std::vector<std::thread> threads_;
+  std::mutex asked_;                     ///< held by who is helped
   std::atomic<std::uint32_t> round_{0};  ///< rises with each run, and once more at the end
   std::atomic<int> busy_{0};             ///< threads that have not returned from this round's job
   std::atomic<bool> ends_{false};

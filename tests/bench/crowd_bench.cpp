@@ -19,6 +19,7 @@ constexpr std::array kScenes{
     BenchScene{"thousand", print_thousand}, BenchScene{"pit", print_pit},
     BenchScene{"growth", print_growth},     BenchScene{"response", print_response},
     BenchScene{"spheres", print_spheres},   BenchScene{"hash", print_hash},
+    BenchScene{"shared", print_shared},
 };
 
 }  // namespace

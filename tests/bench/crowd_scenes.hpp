@@ -30,4 +30,8 @@ void print_pit(const CrowdShape& shape, const BenchOptions& options);
 /// 10 to 10,000 bodies at 30 %, with 64 leaves and 510: how the cost of a step grows.
 void print_growth(const CrowdShape& shape, const BenchOptions& options);
 
+/// 250 and 2,000 bodies at 30 and 100 %, fast pairs stopped at entry, as by default, and ignored:
+/// each step by one worker and by as many as there are cores. Times are what passed, of no thread.
+void print_shared(const CrowdShape& shape, const BenchOptions& options);
+
 }  // namespace impetus

@@ -77,15 +77,17 @@ inline World squeezed_crowd(RandomStream& random, const std::vector<BodyModel>& 
 /// A meter that grants in slices and refuses at random, for good once it did.
 class RefusingWork final : public WorkMeter {
  public:
-  /// Refuses each request with a chance of one in `mercy`.
-  RefusingWork(RandomStream& random, std::uint64_t mercy) : random_(&random), mercy_(mercy) {}
+  /// Refuses each request with a chance of one in `mercy`, and grants slices of less than `slice`.
+  RefusingWork(RandomStream& random, std::uint64_t mercy, std::uint64_t slice = 100)
+      : random_(&random), mercy_(mercy), slice_(slice) {}
 
   std::int64_t request(WorkPhase phase, std::int64_t total, std::int64_t /*reserved*/) override {
     Granting& granting = phases_[static_cast<std::size_t>(phase)];
     if (total > granting.granted && !granting.refused) {
       granting.refused = random_->below(mercy_) == 0;
-      granting.granted = granting.refused ? granting.granted
-                                          : total + static_cast<std::int64_t>(random_->below(100));
+      granting.granted = granting.refused
+                             ? granting.granted
+                             : total + static_cast<std::int64_t>(random_->below(slice_));
     }
     return granting.granted;
   }
@@ -98,6 +100,7 @@ class RefusingWork final : public WorkMeter {
   };
 
   std::uint64_t mercy_;
+  std::uint64_t slice_;
   std::array<Granting, kWorkPhases> phases_{};
 };
 

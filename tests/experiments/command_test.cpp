@@ -54,6 +54,7 @@ TEST(CommandLine, AWrongArgumentIsRefusedAndNoStudyIsMade) {
        causality_file() + ": expected a scene, got a protocol, whose scene is "
                           "../stimuli/two-spheres.json; impetus "
                           "check explains a protocol, impetus run shows it"},
+      {{"--threads", "0", "check", causality_file()}, "--threads: Value 0 not in range 1 to 64"},
       {simulated_run({"--participants", "0"}), "--participants: Value 0 not in range 1 to 100000"},
       {simulated_run({"--participant", "S01", "--seed", "-1"}),
        "--seed: Value -1 not in range 0 to 9223372036854775807"},
@@ -172,6 +173,16 @@ TEST(Replay, EveryTrialOfASessionIsReproduced) {
   EXPECT_EQ(result.errors, "");
   EXPECT_EQ(lines_of(result.output).size(), 1U);
   EXPECT_EQ(result.output.rfind("87 trials, ", 0), 0U) << result.output;
+  EXPECT_NE(result.output.find(" 0 divergent\n"), std::string::npos) << result.output;
+}
+
+TEST(Replay, IsTheSameWhereThreadsShareTheSteps) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(
+      folder,
+      {"--threads", "2", "replay", source_folder() + "/tests/recordings/far-and-fast.sqlite"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.errors, "");
   EXPECT_NE(result.output.find(" 0 divergent\n"), std::string::npos) << result.output;
 }
 

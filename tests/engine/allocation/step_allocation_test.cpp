@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <memory>
+#include <utility>
+
 #include "tests/engine/allocation/counted_new.hpp"
 #include "tests/engine/crowds.hpp"
 
@@ -24,11 +28,13 @@ int last_step_that_allocates(World& world, int steps) {
 
 /// A crowd that comes back to the same state over and over. What touched and what is remembered of
 /// priorities go on from round to round, so it takes a few until it is as full as it gets.
-int last_round_that_allocates(const WorldSettings& settings) {
+int last_round_that_allocates(const WorldSettings& settings,
+                              std::shared_ptr<Workers> workers = nullptr) {
   RandomStream random(kSeed, "allocations");
   const std::vector<BodyModel> kinds = bodies_of_every_tree_kind();
   World world = squeezed_crowd(random, kinds, 24, 0.16, settings);
   world.watch_pairs(true);
+  world.share_work_with(std::move(workers));
   const std::vector<BodyState> start = world.states();
   int last = -1;
   for (int round = 0; round < 6; ++round) {
@@ -40,6 +46,25 @@ int last_round_that_allocates(const WorldSettings& settings) {
 
 TEST(StepAllocation, ACrowdOfEveryKindOfTreeAllocatesNothingOnceItWasAsFull) {
   EXPECT_LT(last_round_that_allocates({}), 4);
+}
+
+/// Two, of whom one waits for the other.
+class TwoInTurn final : public Workers {
+ public:
+  [[nodiscard]] int count() const override { return 2; }
+  void run(const std::function<void(int worker)>& job) override {
+    ++asked;
+    job(1);
+    job(0);
+  }
+
+  int asked{0};
+};
+
+TEST(StepAllocation, NorDoesOneThatIsShared) {
+  const auto workers = std::make_shared<TwoInTurn>();
+  EXPECT_LT(last_round_that_allocates({}, workers), 4);
+  EXPECT_GT(workers->asked, 0);
 }
 
 TEST(StepAllocation, NorDoesAnyReduction) {
