@@ -79,8 +79,8 @@ TEST(OneDefinition, ANameOfTwoTypesIsNamedWithBothHeaders) {
       {"d.hpp", "struct alignas(64) Block {\n};\nstruct alignas(8) Course {\n};\n"}};
   EXPECT_EQ(shared_names(headers),
             (std::vector<std::string>{"Course is a type of a.hpp and of b.hpp",
-                                      "Course is a type of a.hpp and of d.hpp",
-                                      "Inner is a type of b.hpp and of c.hpp"}));
+                                      "Inner is a type of b.hpp and of c.hpp",
+                                      "Course is a type of a.hpp and of d.hpp"}));
 }
 
 /// A sentence for each namespace of a header of `engine` or `experiments` that is not its room's.
