@@ -213,11 +213,24 @@ add_exclusion <- function(path, participant, trial, reason, excluded = 1) {
 
 # An empty study file at `path`, open for writing. `schema_paths` is set by run.R.
 new_study <- function(path) {
-  unlink(path)
-  study <- DBI::dbConnect(RSQLite::SQLite(), path)
-  lines <- sub("--.*$", "", unlist(lapply(schema_paths, readLines)))
-  for (statement in strsplit(paste(lines, collapse = "\n"), ";")[[1]]) {
-    if (nzchar(trimws(statement))) DBI::dbExecute(study, statement)
-  }
-  study
+  file.copy(empty_study(), path, overwrite = TRUE)
+  DBI::dbConnect(RSQLite::SQLite(), path)
 }
+
+# A study of no participants; made once, for its statements take a while.
+empty_study <- local({
+  made <- NULL
+  function() {
+    if (is.null(made)) {
+      path <- tempfile(fileext = ".sqlite")
+      study <- DBI::dbConnect(RSQLite::SQLite(), path)
+      lines <- sub("--.*$", "", unlist(lapply(schema_paths, readLines)))
+      for (statement in strsplit(paste(lines, collapse = "\n"), ";")[[1]]) {
+        if (nzchar(trimws(statement))) DBI::dbExecute(study, statement)
+      }
+      DBI::dbDisconnect(study)
+      made <<- path
+    }
+    made
+  }
+})
