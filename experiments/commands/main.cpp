@@ -48,8 +48,10 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", impetus::version_text());
   int threads = 1;
-  app.add_option("--threads", threads,
-                 "Threads that share a step of a crowd; what it comes to stays the same")
+  app.add_option(
+         "--threads", threads,
+         "Threads that share a step of a crowd, where no budget is in milliseconds; what it "
+         "comes to stays the same")
       ->check(CLI::Range(1, kMostThreads))
       ->envname("IMPETUS_THREADS")
       ->capture_default_str();

@@ -28,7 +28,6 @@ SceneRun::SceneRun(StagedScene scene, std::uint64_t seed, const WorkClock* clock
       ends_s_(scene_.duration_s),
       before_(scene_.world.states()) {
   set_budget(scene_.budget);
-  scene_.world.share_work_with(helpers());
   if (scene_.goal) {
     is_through_ = false;
   }
@@ -41,6 +40,8 @@ void SceneRun::set_budget(const WorkBudget& budget) {
   if (budget.ns_per_step > 0 && clock_ != nullptr) {
     deadline_.emplace(*clock_, budget.ns_per_step);
   }
+  // A deadline grants a search so little at a time that two who share it find less than one.
+  scene_.world.share_work_with(deadline_ ? nullptr : helpers());
 }
 
 std::optional<GazeRegion> SceneRun::next_region(const Fixation& fixation) {

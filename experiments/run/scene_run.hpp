@@ -31,7 +31,8 @@ class SceneRun {
   explicit SceneRun(StagedScene scene, std::uint64_t seed = 1, const WorkClock* clock = nullptr);
 
   /// Who helps with the steps of all scenes that are run from now on, or nobody, as at first. It
-  /// changes how long they take, and nothing else. To be called before other threads run scenes.
+  /// changes how long they take, and nothing else. Steps within a budget in milliseconds are made
+  /// alone. To be called before other threads run scenes.
   static void share_work_with(std::shared_ptr<Workers> workers);
 
   /// The region that the scene's rule has for the next step, for a viewer who looks at `fixation`.
