@@ -17,7 +17,7 @@ source(file.path(root, "tests/analysis/synthetic_thresholds.R"))
 source(file.path(root, "tests/analysis/script_run.R"))
 
 # Packages time what they do (mcmc each chain, TMB each fit) by a function that first collects the garbage of
-# all that is loaded: a fifth of the tests' time.
+# all that is loaded: a quarter of the tests' time.
 unlockBinding("system.time", baseenv())
 assign("system.time", `formals<-`(system.time, value = alist(expr = , gcFirst = FALSE)), baseenv())
 
