@@ -70,9 +70,9 @@ struct ResponseResult {
   double residual_approach_m_s{0.0};  ///< largest approach that the passes left; 0 if negligible
 };
 
-/// The direction of the impulses' sum, unit, and their mean place; of impulses that are all zero,
-/// the deepest contact. `impulse_Ns` (along each contact's normal) is as long as `contacts`, which
-/// must not be empty.
+/// The direction of the impulses' sum, unit, and their mean place, of no depth; of impulses that
+/// are all zero, the deepest contact. `impulse_Ns` (along each contact's normal) is as long as
+/// `contacts`, which must not be empty.
 TouchPoint net_contact(const std::vector<Contact>& contacts, const std::vector<double>& impulse_Ns);
 
 }  // namespace impetus::inline dynamics

@@ -2,7 +2,7 @@
 """Stands in for Gazepoint Control: an Open Gaze server for one client after the other.
 
 gazepoint_stand_in.py PORT [SHIFT_S [drops]]: sample n is taken at n * 5 ms of CLOCK_MONOTONIC, on a path that
-follows from n alone; the tracker's clock is SHIFT_S ahead. Of 50 samples one is not valid and one is
+follows from n alone; the tracker's clock is SHIFT_S ahead. Of 100 samples one is not valid and one is
 off the screen. Every SET is answered, as Gazepoint does; no record is sent before the client asks for
 it, and then it comes as TCP may cut it: a line in two parts, two lines at once, an answer or a line of
 a calibration between them. With "drops" it closes the connection after 60 samples, and takes none for
@@ -18,9 +18,9 @@ STEP_S = 0.005
 
 def record(n, shift_s):
     x, y = (n % 200) / 200, (n // 200 % 200) / 200
-    if n % 50 == 8:
+    if n % 100 == 8:
         x = 1.25
-    valid = int(n % 50 != 7)
+    valid = int(n % 100 != 7)
     return (f'<REC TIME="{n * STEP_S + shift_s:.5f}" FPOGX="0.11111" FPOGY="0.22222" FPOGV="1" '
             f'BPOGX="{x:.5f}" BPOGY="{1 - y:.5f}" BPOGV="{valid}" />\r\n')
 

@@ -2,7 +2,7 @@
 """The other end of the Lab Streaming Layer, by the true liblsl.
 
 lsl_peer.py LIBRARY send       a stream "gaze" of four channels: sample n, taken at n * 5 ms of
-                               CLOCK_MONOTONIC, on a path that follows from n alone; of 50 samples one is
+                               CLOCK_MONOTONIC, on a path that follows from n alone; of 100 samples one is
                                not valid and one is off the screen
 lsl_peer.py LIBRARY record NAME FILE    writes "SECONDS TEXT" for each marker of the stream of that name
 """
@@ -35,8 +35,8 @@ def send(lsl):
     n = int(time.monotonic() / STEP_S) + 1
     while True:
         time.sleep(max(0, n * STEP_S - time.monotonic()))
-        x = 1.25 if n % 50 == 8 else (n % 200) / 200
-        values = (number * 4)(x, 1 - (n // 200 % 200) / 200, n, int(n % 50 != 7))
+        x = 1.25 if n % 100 == 8 else (n % 200) / 200
+        values = (number * 4)(x, 1 - (n // 200 % 200) / 200, n, int(n % 100 != 7))
         lsl.lsl_push_sample_dtp(outlet, values, n * STEP_S, 1)
         n += 1
 

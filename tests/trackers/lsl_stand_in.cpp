@@ -97,10 +97,10 @@ double lsl_pull_sample_d(void* given, double* values, std::int32_t count, double
     return 0.0;
   }
   const long n = inlet->next++;
-  values[0] = n % 50 == 8 ? 1.25 : static_cast<double>(n % 200) / 200.0;
+  values[0] = n % 100 == 8 ? 1.25 : static_cast<double>(n % 200) / 200.0;
   values[1] = 1.0 - static_cast<double>(n / 200 % 200) / 200.0;
   values[2] = static_cast<double>(n);
-  values[3] = n % 50 != 7 ? 1.0 : 0.0;
+  values[3] = n % 100 != 7 ? 1.0 : 0.0;
   return due_s + kAhead_s;
 }
 

@@ -3,7 +3,7 @@
 
 pupil_stand_in.py PORT [SHIFT_S [drops]]: sample n is taken at n * 5 ms of CLOCK_MONOTONIC, on a path that
 follows from n alone, so that whoever reads it knows when and where it was; the tracker's clock is
-SHIFT_S ahead. Of 50 samples one is unsure and one is off the surface. Samples come six at a time,
+SHIFT_S ahead. Of 100 samples one is unsure and one is off the surface. Samples come six at a time,
 as those of a frame of the world camera do, among gaze in its image and on another surface. It says "heard"
 when somebody asks it something for the first time. With "drops" it goes for 300 ms whenever somebody has
 asked it something and 150 ms have passed; each tenth time it comes back at another port.
@@ -21,8 +21,8 @@ def gaze(n, shift_s):
     return {
         "topic": "gaze.3d.0._on_surface",
         "norm_pos": [(n % 200) / 200, (n // 200 % 200) / 200],
-        "confidence": 0.5 if n % 50 == 7 else 0.99,
-        "on_surf": n % 50 != 8,
+        "confidence": 0.5 if n % 100 == 7 else 0.99,
+        "on_surf": n % 100 != 8,
         "base_data": ["gaze.3d.0.", n * STEP_S + shift_s],
         "timestamp": n * STEP_S + shift_s,
     }

@@ -203,6 +203,51 @@ TEST(ContactModel, TheContactsOfSwappedTreesAreTheirOwnTurned) {
   EXPECT_GT(met, 30);
 }
 
+/// Keeps what a reduction is told of each node contact.
+class KeptContacts final : public ContactReduction {
+ public:
+  explicit KeptContacts(std::vector<NodeContact>& kept) : kept_(&kept) {}
+  [[nodiscard]] std::unique_ptr<ContactSums> make_sums() const override {
+    return std::make_unique<Sums>(*kept_);
+  }
+  [[nodiscard]] std::int64_t most() const override { return 1; }
+  [[nodiscard]] bool weighs() const override { return true; }
+
+ private:
+  class Sums final : public ContactSums {
+   public:
+    explicit Sums(std::vector<NodeContact>& kept) : kept_(&kept) {}
+    void begin(const Vector3& /*fallback*/) override {}
+    void add(const NodeContact& contact) override { kept_->push_back(contact); }
+    void reduce_to(std::vector<TouchPoint>& contacts) const override {
+      contacts.push_back(kept_->back().touch);
+    }
+
+   private:
+    std::vector<NodeContact>* kept_;
+  };
+
+  std::vector<NodeContact>* kept_;
+};
+
+TEST(ContactModel, TheTimeSinceEntryOfBoxesGoesByTheirHalfWidthsAlongTheNormal) {
+  const Vector3 half_m(0.2, 0.05, 0.15);
+  const VolumeTree tree({{Box{Vector3::Zero(), half_m, Quaternion::Identity()}, 0, 0, {}}}, {0});
+  PlacedTree a(tree);
+  PlacedTree b(tree);
+  a.move_to({{0.02, 0.09, 0.0}, Quaternion::Identity()});
+  BodyMotion sliding;
+  sliding.velocity = {0.3, -0.5, 0.0};
+  std::vector<NodeContact> kept;
+  const ContactModel model{std::make_shared<KeptContacts>(kept), 4};
+  pair_contacts({0, 1}, PairRefinement(a, b), {a, sliding}, {b}, {}, model);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_NEAR(kept[0].touch.depth_m, 0.01, 1e-12);
+  EXPECT_NEAR(kept[0].approach_m_s, 0.5, 1e-12);
+  const double speed_m_s = sliding.velocity.norm();
+  EXPECT_NEAR(kept[0].since_entry_s, time_since_entry_s(0.1, 0.01, 0.5, speed_m_s), 1e-12);
+}
+
 /// A plate whose tree is a box of 25 boxes, so that many nodes touch and their normals are right.
 BodyModel plate_of_boxes() {
   const Vector3 half_m(0.2, 0.05, 0.15);

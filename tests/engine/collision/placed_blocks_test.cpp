@@ -128,4 +128,20 @@ TEST(PlacedTree, CountsWhatItTransforms) {
   EXPECT_EQ(placed.nodes_transformed(), 20) << "they are placed";
 }
 
+TEST(PlacedTree, OfPairsThatAreApartTheRootsAloneAreTransformed) {
+  const VolumeTree spheres = wide_tree(8);
+  const VolumeTree boxes({{Box{}, 1, 2, {}}, {Box{}, 0, 0, {}}, {Box{}, 0, 0, {}}}, {0, 1});
+  PlacedTree a(spheres);
+  PlacedTree b(spheres);
+  PlacedTree c(spheres);
+  PlacedTree box(boxes);
+  b.move_to({{100.0, 0.0, 0.0}, Quaternion::Identity()});
+  box.move_to({{0.0, 100.0, 0.0}, Quaternion::Identity()});
+  EXPECT_EQ(PairRefinement(a, b).overlapping().size(), 0U);
+  EXPECT_EQ(PairRefinement(box, c).overlapping().size(), 0U);
+  for (const PlacedTree* each : {&a, &b, &c, &box}) {
+    EXPECT_EQ(each->nodes_transformed(), 1);
+  }
+}
+
 }  // namespace impetus::placed_blocks_test

@@ -137,6 +137,37 @@ TEST(SweepAndPrune, ManyBodiesAreSweptInStripsAndEachPairIsFoundOnce) {
   EXPECT_GT(found, 10'000U);
 }
 
+/// How many blocks a sweep along x compares that does not part its bodies.
+std::int64_t blocks_without_strips(const std::vector<MovedBound>& bounds) {
+  std::vector<double> least;
+  for (const MovedBound& each : bounds) {
+    least.push_back(each.bound.centre.x() - each.bound.radius_m);
+  }
+  std::sort(least.begin(), least.end());
+  std::int64_t blocks = 0;
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    const double greatest = least[i] + 2.0 * bounds[0].bound.radius_m;
+    const auto behind = least.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    blocks += (std::upper_bound(behind, least.end(), greatest) - behind + kLanes - 1) / kLanes;
+  }
+  return blocks;
+}
+
+TEST(SweepAndPrune, StripsSpareMostOfTheSweep) {
+  RandomStream random(kSeed, "a wide room");
+  std::vector<MovedBound> bounds;
+  for (int i = 0; i < 2'000; ++i) {
+    bounds.push_back({{random_in_cube(random, 10.0), 0.3}, 0.0});
+  }
+  FixedWork meter(WorkGrants{});
+  WorkGrants granted;
+  PhaseWork work(meter, WorkPhase::kSweep, granted);
+  std::vector<BodyPair> pairs;
+  SweepAndPrune().find(bounds, pairs, &work);
+  EXPECT_FALSE(work.refused());
+  EXPECT_LT(work.done(), blocks_without_strips(bounds) / 3);
+}
+
 TEST(SweepAndPrune, TwoImmovableBodiesNeverPair) {
   SweepAndPrune sweep;
   const MovedBound fixed{{Vector3::Zero(), 1.0}, 0.0, false};

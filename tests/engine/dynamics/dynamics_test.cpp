@@ -201,6 +201,16 @@ TEST(Respond, OneImpactReversesItsSpeedByTheRestitution) {
   }
 }
 
+TEST(NetContact, IsTheSumsDirectionAtTheMeanPlaceAndHasNoDepth) {
+  const std::vector<Contact> contacts{{{0, 1}, {{0.0, 0.0, 0.0}, Vector3::UnitX(), 0.1}},
+                                      {{0, 1}, {{4.0, 0.0, 0.0}, Vector3::UnitY(), 0.2}}};
+  const TouchPoint net = net_contact(contacts, {4.0, 3.0});
+  EXPECT_LT((net.normal - Vector3(0.8, 0.6, 0.0)).norm(), 1e-15);
+  EXPECT_LT((net.point - Vector3(12.0 / 7.0, 0.0, 0.0)).norm(), 1e-15);
+  EXPECT_EQ(net.depth_m, 0.0);
+  EXPECT_EQ(net_contact(contacts, {0.0, 0.0}).depth_m, 0.2) << "the deepest, of no impulse";
+}
+
 TEST(Respond, MomentumAndAngularMomentumArePassedOnNotMade) {
   RandomStream random(34, "momenta");
   for (int trial = 0; trial < 500; ++trial) {

@@ -57,9 +57,9 @@ inline double error_ms(const GazeSample& sample) {
 inline void expect_sent(const GazeSample& sample) {
   const std::int64_t n = number_of(sample);
   EXPECT_LT(std::abs(error_ms(sample)), 1.0) << "sample " << n;
-  const GazeLoss loss = n % 50 == 7   ? GazeLoss::kLost
-                        : n % 50 == 8 ? GazeLoss::kOffScreen
-                                      : GazeLoss::kNone;
+  const GazeLoss loss = n % 100 == 7   ? GazeLoss::kLost
+                        : n % 100 == 8 ? GazeLoss::kOffScreen
+                                       : GazeLoss::kNone;
   ASSERT_EQ(sample.loss, loss) << "sample " << n;
   ASSERT_EQ(sample.at.has_value(), loss == GazeLoss::kNone);
   if (sample.at) {
