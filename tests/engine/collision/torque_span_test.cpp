@@ -97,6 +97,7 @@ TEST(TorqueSpan, OfAFlatFaceItKeepsTheFourCorners) {
       EXPECT_TRUE(is_kept(kept, {x, 0.0, z})) << x << ", " << z;
     }
   }
+  EXPECT_TRUE(is_kept(spanning_most_torque(face, 1, 0.3), face[0].point)) << "the first of equals";
 }
 
 TEST(TorqueSpan, KeepsTheDeepestTheOrderAndAllThatAreNoMoreThanTheMost) {
