@@ -276,6 +276,20 @@ TEST(Tunnelling, BodiesThatMayStopNoMoreStopTogetherAtTheFirstEntry) {
   }
 }
 
+TEST(Tunnelling, TestsOfASphereAndABoxCostWhatThoseOfAnyVolumesDo) {
+  const auto floor_at = [](std::int64_t cost) {
+    WorldSettings settings = handled(Tunnelling::kStopAtEntry);
+    settings.costs.volume_test = cost;
+    World world({plate("box", false), bullet()},
+                {{}, moving(bullet(), {0.01, 0.02, 0.5}, {0.0, 0.0, -1.0})}, settings);
+    const StepReport report = step_whole(world, 1.0);
+    EXPECT_EQ(report.stopped.size(), 1U);
+    return report.work_floor;
+  };
+  EXPECT_GT(floor_at(1), 5) << "tests of one root pair are not all";
+  EXPECT_EQ(floor_at(3), 3 * floor_at(1));
+}
+
 TEST(Tunnelling, BodiesThatAFixedOneAloneConnectsStopEachAtItsOwnEntry) {
   const BodyModel model = bullet();
   const Bodies bodies{{plate("box", false), model, model},
