@@ -177,6 +177,16 @@ TEST(Lists, UnusedWorkFlowsOnToTheNextListInOrder) {
   EXPECT_NEAR(static_cast<double>(wrapped.by_list[0]), 0.5 * beyond, 2.0 * kLargestBlock);
 }
 
+TEST(Lists, OfEqualListsTheFirstBegins) {
+  const std::vector<PriorityList> lists{{0.5}, {0.5}};
+  ManyPairs many(lists, {5, 5});
+  const std::int64_t one_block = many.pairs.front().refinement.next_block();
+  FixedWork meter(10 + one_block);  // after the roots
+  const WorkDone work = refine_by_lists(many.pairs, lists, meter);
+  EXPECT_EQ(work.by_list[0], one_block);
+  EXPECT_EQ(work.by_list[1], 0);
+}
+
 TEST(Lists, AListThatFinishesEarlyLeavesTheRestOfItsShare) {
   const std::vector<PriorityList> lists{{0.5}, {0.5}};
   const std::int64_t one_pair = refined(lists, {1, 0}, kUnlimitedTests).by_list[0];
