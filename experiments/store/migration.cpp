@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/Transaction.h>
 
+#include <iterator>
 #include <string>
 
 #include "experiments/store/embedded_migration_10_11.hpp"
@@ -22,6 +23,13 @@
 
 namespace impetus::inline store {
 namespace {
+
+/// From schema 1 to 2, from 2 to 3, and so on.
+constexpr const char* kMigrations[] = {
+    kMigrationFrom1To2Sql,  kMigrationFrom2To3Sql,   kMigrationFrom3To4Sql,  kMigrationFrom4To5Sql,
+    kMigrationFrom5To6Sql,  kMigrationFrom6To7Sql,   kMigrationFrom7To8Sql,  kMigrationFrom8To9Sql,
+    kMigrationFrom9To10Sql, kMigrationFrom10To11Sql, kMigrationFrom11To12Sql};
+static_assert(std::size(kMigrations) == kSchemaVersion - 1);
 
 /// As SQL names things: a study from elsewhere may have views of any name.
 std::string in_quotes(const std::string& name) {
@@ -83,39 +91,11 @@ void migrate(SQLite::Database& database, std::int64_t version) {
   const ForeignKeysOff copying(database);
   SQLite::Transaction transaction(database);
   drop_views(database);
-  if (version < 2) {
-    database.exec(kMigrationFrom1To2Sql);
-  }
-  if (version < 3) {
-    add_early_missing_column(database);
-    database.exec(kMigrationFrom2To3Sql);
-  }
-  if (version < 4) {
-    database.exec(kMigrationFrom3To4Sql);
-  }
-  if (version < 5) {
-    database.exec(kMigrationFrom4To5Sql);
-  }
-  if (version < 6) {
-    database.exec(kMigrationFrom5To6Sql);
-  }
-  if (version < 7) {
-    database.exec(kMigrationFrom6To7Sql);
-  }
-  if (version < 8) {
-    database.exec(kMigrationFrom7To8Sql);
-  }
-  if (version < 9) {
-    database.exec(kMigrationFrom8To9Sql);
-  }
-  if (version < 10) {
-    database.exec(kMigrationFrom9To10Sql);
-  }
-  if (version < 11) {
-    database.exec(kMigrationFrom10To11Sql);
-  }
-  if (version < 12) {
-    database.exec(kMigrationFrom11To12Sql);
+  for (std::int64_t from = version; from < kSchemaVersion; ++from) {
+    if (from == 2) {
+      add_early_missing_column(database);
+    }
+    database.exec(kMigrations[from - 1]);
   }
   database.exec(kStudyViewsSql);
   database.exec("PRAGMA user_version = " + std::to_string(kSchemaVersion));

@@ -82,9 +82,9 @@ class SchemaReader {
         continue;
       }
       const std::string rest = match[3];
-      ColumnWords words{match[2], joined(comment, above_, "; "), "", true};
-      words.may_be_null = rest.find("NOT NULL") == std::string::npos &&
-                          rest.find("PRIMARY KEY") == std::string::npos;
+      const bool may_be_null = rest.find("NOT NULL") == std::string::npos &&
+                               rest.find("PRIMARY KEY") == std::string::npos;
+      ColumnWords words{match[2], joined(comment, above_, "; "), "", may_be_null};
       std::smatch target;
       if (std::regex_search(rest, target, reference)) {
         words.refers_to = target[1];

@@ -1,10 +1,13 @@
 // Studies of an older schema: read from a copy, written only once the original is kept.
 // SPDX-License-Identifier: MIT
+#include "experiments/store/migration.hpp"
+
+#include "experiments/store/rows.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus::migration_test {
 
-/// A recording of each schema before this one, and one of the first files of schema 1.
+/// A recording of each of the first schemas, and one of the first files of schema 1.
 constexpr const char* kEarliest = "tests/recordings/causality.sqlite";
 constexpr const char* kSchema1 = "tests/recordings/gap.sqlite";
 constexpr const char* kSchema2 = "tests/recordings/gaze-contingent.sqlite";
@@ -44,6 +47,33 @@ TEST(Migration, AMigratedStudyHasTheColumnsOfANewOne) {
     StudyFile migrated = StudyFile::open_for_reading(old_study(folder, recording));
     StudyFile fresh = opened(folder / "new.sqlite");
     EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
+  }
+}
+
+/// A study of schema 4 or later: what the scripts from each to the next alone make of one of 4.
+std::filesystem::path study_of_schema(const TemporaryFolder& folder, std::int64_t version) {
+  const std::filesystem::path path = old_study(folder, kSchema4);
+  SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
+  for (const std::string& view :
+       load_column<std::string>(database, "SELECT name FROM sqlite_master WHERE type = 'view'")) {
+    database.exec("DROP VIEW " + view);
+  }
+  for (std::int64_t from = 4; from < version; ++from) {
+    const std::string name = std::to_string(from) + "_" + std::to_string(from + 1);
+    database.exec(text_of(source_file("experiments/store/migration_" + name + ".sql")));
+  }
+  database.exec("PRAGMA user_version = " + std::to_string(version));
+  return path;
+}
+
+TEST(Migration, AStudyOfAnySchemaBecomesOneOfThis) {
+  for (std::int64_t version = 4; version < kSchemaVersion; ++version) {
+    SCOPED_TRACE("schema " + std::to_string(version));
+    const TemporaryFolder folder;
+    StudyFile migrated = StudyFile::open_for_reading(study_of_schema(folder, version));
+    StudyFile fresh = opened(folder / "new.sqlite");
+    EXPECT_EQ(columns_of(migrated.database()), columns_of(fresh.database()));
+    EXPECT_GT(load_attempts(migrated).size(), 0U);
   }
 }
 
