@@ -224,6 +224,38 @@ TEST(PairRefinement, ALeafAgainstAnInnerNodeDescendsTheInnerNode) {
   EXPECT_EQ(pair.stop_reason(), StopReason::kFinest);
 }
 
+/// What the next level takes: a test of each two children, none of two leaves.
+std::int64_t tests_below(const TwoTrees& trees, const NodePairs& pairs) {
+  std::int64_t tests = 0;
+  for (const NodePair& pair : pairs) {
+    const std::int32_t of_a = trees.tree_a.links(pair.a).child_count;
+    const std::int32_t of_b = trees.tree_b.links(pair.b).child_count;
+    tests += of_a + of_b > 0 ? std::int64_t{std::max(of_a, 1)} * std::max(of_b, 1) : 0;
+  }
+  return tests;
+}
+
+TEST(PairRefinement, OfUnevenTreesPairsOfLeavesCostNothing) {
+  RandomStream random(kSeed, "leaves");
+  int levels = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    TwoTrees trees(random);
+    PairRefinement pair(trees.a, trees.b);
+    while (!pair.resolved()) {
+      const std::int64_t expected = tests_below(trees, pair.overlapping());
+      ASSERT_EQ(pair.tests_of_next_level(), expected) << "seed " << kSeed << ", trial " << trial;
+      std::int64_t spent = 0;
+      for (const int level = pair.level(); pair.level() == level; pair.refine_one_block()) {
+        ASSERT_LE(pair.next_block(), pair.most_found_after_next_block());
+        spent += pair.next_block();
+      }
+      ASSERT_EQ(spent, expected) << "seed " << kSeed << ", trial " << trial;
+      ++levels;
+    }
+  }
+  EXPECT_GT(levels, 100);
+}
+
 TEST(PairRefinement, TwoSpheresAreResolvedByTheFirstTest) {
   const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 0.5});
   PlacedTree a(sphere);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -152,6 +154,36 @@ TEST(ResponseLimit, EveryIslandThatIsRefusedIsTakenUpByVisibility) {
       EXPECT_GT(impulse_Ns, 0.0);
     }
   }
+}
+
+/// The response to all contacts in turn of which none was granted, the first the most visible.
+ResponseResult refused_response(ResponseProblem& problem) {
+  WorkGrants grants;
+  grants.of(WorkPhase::kResponse) = 0;
+  grants.of(WorkPhase::kVisible) = 0;
+  FixedWork meter(grants);
+  WorkGrants refused;
+  std::vector<std::size_t> by_visibility(problem.contacts.size());
+  std::iota(by_visibility.begin(), by_visibility.end(), 0U);
+  ResponseWork work{{meter, WorkPhase::kResponse, refused},
+                    {meter, WorkPhase::kVisible, refused},
+                    [&] { return std::span(by_visibility); }};
+  ResponseRules rules;
+  rules.work = &work;
+  return Responder().respond(problem.contacts, problem.restitutions, rules, problem.models,
+                             problem.states);
+}
+
+TEST(ResponseLimit, InACornerWallsGiveBackOnceAndThenOnlyHold) {
+  ResponseProblem corner{{ball(1.0, 1.0)}, {resting_at(Vector3::Zero())}, {}, {0.5, 0.5}};
+  corner.states[0].linear_momentum = {-1.0, -1.0, 0.0};
+  const Vector3 slanting(-0.5, std::sqrt(0.75), 0.0);
+  corner.contacts = {{{0, wall_index(0)}, {Vector3::Zero(), Vector3::UnitX(), 0.0}},
+                     {{0, wall_index(2)}, {Vector3::Zero(), slanting, 0.0}}};
+  const ResponseResult result = refused_response(corner);
+  EXPECT_NEAR(corner.states[0].linear_momentum.x(), 0.0, 1e-15) << "thrown back at it once more";
+  EXPECT_GT(corner.states[0].linear_momentum.dot(slanting), 0.0);
+  EXPECT_GT(result.impulse_Ns[0], 1.5) << "of both times";
 }
 
 TEST(Resting, ApproachesSlowerThanTheLimitAreGivenNothingBack) {
