@@ -160,6 +160,32 @@ TEST(StudyWriter, ATrialWithABodyThatWasNotFiniteIsMarkedByANoteThatNamesIt) {
   EXPECT_EQ(value_of(path, "SELECT count(*) FROM step WHERE degradations & 4"), "1");
 }
 
+TEST(StudyWriter, GazeIsKeptAndWhyASampleHasNoPlace) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  attempt.gaze_source = "mouse";
+  attempt.gaze = {{5, ScreenPoint{0.1, -0.2}, GazeLoss::kNone, 1},
+                  {10, {}, GazeLoss::kBlink, 1},
+                  {15, {}, GazeLoss::kOffScreen, 2},
+                  {20, {}, GazeLoss::kLost, 2}};
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  StudyFile study = StudyFile::open_for_reading(path);
+  const std::vector<GazeSample> gaze = load_gaze(study, 1);
+  ASSERT_EQ(gaze.size(), attempt.gaze.size());
+  for (std::size_t i = 0; i < gaze.size(); ++i) {
+    EXPECT_EQ(gaze[i].taken_ns, attempt.gaze[i].taken_ns);
+    EXPECT_EQ(gaze[i].at, attempt.gaze[i].at);
+    EXPECT_EQ(gaze[i].interval, attempt.gaze[i].interval);
+    EXPECT_EQ(gaze[i].loss, attempt.gaze[i].loss) << "sample " << i;
+  }
+}
+
 TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
