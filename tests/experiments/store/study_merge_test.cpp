@@ -262,6 +262,8 @@ TEST(Merge, WhatIsNotOneStudyIsRefusedBeforeAnythingIsWritten) {
   const std::filesystem::path gap =
       small_study(file("gap.sqlite"), {"P04"}, small_protocol("small", "gap"));
   const std::filesystem::path same_person = small_study(file("person.sqlite"), {"P01", "P05"});
+  const std::filesystem::path two = small_study(file("two.sqlite"), {"P06", "P07"});
+  const std::filesystem::path same_two = small_study(file("same.sqlite"), {"P07", "P06", "P08"});
   std::filesystem::copy_file(at.a, file("copy.sqlite"));
   ASSERT_EQ(mkfifo(file("pipe.sqlite").c_str(), 0600), 0);
   const std::string hash = small_protocol().hash;
@@ -274,6 +276,9 @@ TEST(Merge, WhatIsNotOneStudyIsRefusedBeforeAnythingIsWritten) {
        gap.string() + ": expected protocols of the same study as " + a + " (causality), got gap"},
       {{at.a, same_person},
        same_person.string() + ": expected other participants than in " + a + ", got P01 in both"},
+      {{two, same_two},
+       same_two.string() + ": expected other participants than in " + two.string() +
+           ", got P06 in both (and 1 more)"},
       {{at.a, file("none.sqlite")},
        file("none.sqlite").string() + ": expected an Impetus study, but there is no such file"},
       {{at.a, file("pipe.sqlite")},
