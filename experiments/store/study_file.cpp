@@ -229,7 +229,7 @@ StudyFile::StudyFile(StudyFile&& other) noexcept
     : name_(std::move(other.name_)),
       lock_(std::exchange(other.lock_, -1)),
       database_(std::move(other.database_)),
-      writing_(std::exchange(other.writing_, false)),
+      writing_(other.writing_),
       transactions_(std::move(other.transactions_)) {}
 
 StudyFile::~StudyFile() {
