@@ -186,6 +186,26 @@ TEST(StudyWriter, GazeIsKeptAndWhyASampleHasNoPlace) {
   }
 }
 
+TEST(StudyWriter, CountsLateFramesAndTheAttemptsThatHadAny) {
+  const TemporaryFolder folder;
+  EnrolledStudy at((folder / "a.sqlite").string());
+  StudyWriter writer(at.study, at.enrolment, facts());
+  std::int64_t timed = 0;
+  for (const std::size_t late : {0, 1, 3}) {
+    AttemptRecord attempt = recorded_attempts()[late];
+    ASSERT_GE(attempt.frames.size(), late);
+    for (std::size_t frame = 0; frame < attempt.frames.size(); ++frame) {
+      attempt.frames[frame].flip.missed_slots = frame < late ? 1 : 0;
+    }
+    timed += static_cast<std::int64_t>(attempt.frames.size());
+    writer.save(attempt);
+  }
+  writer.end("quit");
+  EXPECT_EQ(writer.frames().timed, timed);
+  EXPECT_EQ(writer.frames().late, 4);
+  EXPECT_EQ(writer.frames().late_attempts, 2);
+}
+
 TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
