@@ -78,6 +78,51 @@ TEST_P(LimitedResponse, GainsNoEnergyKeepsMomentumAndTellsWhatStillApproaches) {
   EXPECT_GT(approaching, 100) << "the limit was reached";
 }
 
+/// Both problems as one, the contacts of each in their order, in turns that are drawn.
+ResponseProblem interleaved(RandomStream& random, const ResponseProblem& x,
+                            const ResponseProblem& y) {
+  ResponseProblem both{x.models, x.states, {}, {}};
+  both.models.insert(both.models.end(), y.models.begin(), y.models.end());
+  both.states.insert(both.states.end(), y.states.begin(), y.states.end());
+  std::size_t of_x = 0;
+  std::size_t of_y = 0;
+  while (of_x + of_y < x.contacts.size() + y.contacts.size()) {
+    const bool takes_x =
+        of_y == y.contacts.size() || (of_x < x.contacts.size() && random.below(3) > 0);
+    const ResponseProblem& from = takes_x ? x : y;
+    const std::size_t place = takes_x ? of_x++ : of_y++;
+    both.contacts.push_back(from.contacts[place]);
+    both.restitutions.push_back(from.restitutions[place]);
+    if (!takes_x) {
+      BodyPair& bodies = both.contacts.back().bodies;
+      bodies.a += static_cast<std::int32_t>(x.models.size());
+      bodies.b += is_wall(bodies.b) ? 0 : static_cast<std::int32_t>(x.models.size());
+    }
+  }
+  return both;
+}
+
+TEST_P(LimitedResponse, OfIslandsWhoseContactsAreMixedIsThatOfEachAlone) {
+  RandomStream random(kSeed, "mixed");
+  int approaching = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    ResponseProblem x = random_heap(random, 12, 3);
+    ResponseProblem y = random_heap(random, 12, 3);
+    ResponseProblem both = interleaved(random, x, y);
+    const int most_passes = 1 + static_cast<int>(random.below(3));
+    approaching += respond(x, most_passes).residual_approach_m_s > 0.0 ? 1 : 0;
+    respond(y, most_passes);
+    respond(both, most_passes);
+    for (std::size_t body = 0; body < both.states.size(); ++body) {
+      const BodyState& alone =
+          body < x.states.size() ? x.states[body] : y.states[body - x.states.size()];
+      ASSERT_EQ(both.states[body].linear_momentum, alone.linear_momentum)
+          << "seed " << kSeed << ", trial " << trial << ", body " << body;
+    }
+  }
+  EXPECT_GT(approaching, 100) << "the limit was reached";
+}
+
 INSTANTIATE_TEST_SUITE_P(BothMethods, LimitedResponse,
                          testing::Values(ResponseMethod::kInTurn, ResponseMethod::kTogether),
                          [](const auto& method) {
