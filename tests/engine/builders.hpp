@@ -116,6 +116,16 @@ inline World enclosed_l_blocks(int count, int depth, Schedule schedule = {}) {
           std::move(settings)};
 }
 
+/// Spheres about these centres, in one of `reach_m` about the origin.
+inline VolumeTree two_levels(const std::vector<Vector3>& centres, double radius_m, double reach_m) {
+  std::vector<VolumeNode> nodes{
+      {Sphere{Vector3::Zero(), reach_m}, 1, static_cast<std::int32_t>(centres.size()), {}}};
+  for (const Vector3& centre : centres) {
+    nodes.push_back({Sphere{centre, radius_m}, 0, 0, {}});
+  }
+  return {nodes, {0, 1}};
+}
+
 /// The average of the contacts of all overlapping nodes of two bodies that do not move.
 /// Precondition: the pair overlaps.
 inline Contact average_contact(BodyPair bodies, const PairRefinement& pair, PlacedTree& a,

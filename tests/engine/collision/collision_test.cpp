@@ -198,19 +198,9 @@ TEST(PairRefinement, SeparatedMeansThatNoLeavesOverlap) {
   EXPECT_GT(separated, 20);
 }
 
-/// A tree whose root has one child for each centre.
-VolumeTree two_levels(const std::vector<Vector3>& centres, double radius_m) {
-  std::vector<VolumeNode> nodes{
-      {Sphere{Vector3::Zero(), 2.0}, 1, static_cast<int>(centres.size()), {}}};
-  for (const Vector3& centre : centres) {
-    nodes.push_back({Sphere{centre, radius_m}, 0, 0, {}});
-  }
-  return {nodes, {0, 1}};
-}
-
 TEST(PairRefinement, ALeafAgainstAnInnerNodeDescendsTheInnerNode) {
   const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 0.5});
-  const VolumeTree pair_of_spheres = two_levels({{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}, 0.75);
+  const VolumeTree pair_of_spheres = two_levels({{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}, 0.75, 2.0);
   PlacedTree a(sphere);
   PlacedTree b(pair_of_spheres);
   a.move_to({Vector3(1.5, 0.0, 0.0), Quaternion::Identity()});
@@ -350,7 +340,7 @@ TEST(ContactModel, OneNodePairGivesTheContactOfTwoSpheres) {
 TEST(ContactModel, SeveralNodePairsAreAveraged) {
   // A ball above two balls: the normals lean outwards alike and average to the vertical.
   const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 1.0});
-  const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0);
+  const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0, 2.0);
   PlacedTree a(sphere);
   PlacedTree b(twins);
   a.move_to({Vector3(0.0, 1.5, 0.0), Quaternion::Identity()});
@@ -367,7 +357,7 @@ TEST(ContactModel, SeveralNodePairsAreAveraged) {
 TEST(ContactModel, OpposedNormalsFallBackOnTheChain) {
   // A ball exactly between two balls: the two normals cancel.
   const VolumeTree sphere = single_node_tree(Sphere{Vector3::Zero(), 1.0});
-  const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0);
+  const VolumeTree twins = two_levels({{0.5, 0.0, 0.0}, {-0.5, 0.0, 0.0}}, 1.0, 2.0);
   PlacedTree a(sphere);
   PlacedTree b(twins);
   PairRefinement pair(a, b);

@@ -248,23 +248,13 @@ TEST(ContactModel, TheTimeSinceEntryOfBoxesGoesByTheirHalfWidthsAlongTheNormal) 
   EXPECT_NEAR(kept[0].since_entry_s, time_since_entry_s(0.1, 0.01, 0.5, speed_m_s), 1e-12);
 }
 
-/// Spheres about points, in one of `reach_m`.
-VolumeTree tree_about(const std::vector<Vector3>& points, double radius_m, double reach_m) {
-  std::vector<VolumeNode> nodes{
-      {Sphere{Vector3::Zero(), reach_m}, 1, static_cast<std::int32_t>(points.size()), {}}};
-  for (const Vector3& point : points) {
-    nodes.push_back({Sphere{point, radius_m}, 0, 0, {}});
-  }
-  return {nodes, {0, 1}};
-}
-
 // Beside the deepest, one that turns the smaller body adds most, though another pushes elsewhere:
 // by the size of the larger body it would turn nothing.
 TEST(ContactModel, TorquesAreMeasuredByTheSizeOfTheSmallerBody) {
   const VolumeTree small =
-      tree_about({{0.0, 0.0, 0.0}, {0.15, 0.0, 0.0}, {0.0, 0.2, 0.0}}, 0.05, 0.25);
+      two_levels({{0.0, 0.0, 0.0}, {0.15, 0.0, 0.0}, {0.0, 0.2, 0.0}}, 0.05, 0.25);
   const VolumeTree large =
-      tree_about({{0.0, -0.09, 0.0}, {0.15, -0.095, 0.0}, {0.02, 0.11, 0.0}}, 0.05, 10.0);
+      two_levels({{0.0, -0.09, 0.0}, {0.15, -0.095, 0.0}, {0.02, 0.11, 0.0}}, 0.05, 10.0);
   const ContactModel two_of_all{make_reduction("none"), 2};
   for (const bool small_first : {true, false}) {
     PlacedTree a(small_first ? small : large);

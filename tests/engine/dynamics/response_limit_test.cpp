@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -172,6 +171,24 @@ TEST(ResponseLimit, OfALargeIslandIsFoundInTurnWhicheverTheMethod) {
   EXPECT_NE(of_few, of_few_in_turn) << "a small island is not";
 }
 
+/// The response within grants that are less than it asks for.
+ResponseResult refused_response(ResponseProblem& problem, ResponseMethod method,
+                                const WorkGrants& grants,
+                                const std::vector<std::size_t>& by_visibility) {
+  FixedWork meter(grants);
+  WorkGrants refused;
+  ResponseWork work{{meter, WorkPhase::kResponse, refused},
+                    {meter, WorkPhase::kVisible, refused},
+                    [&] { return std::span(by_visibility); }};
+  ResponseRules rules;
+  rules.method = method;
+  rules.work = &work;
+  ResponseResult result = Responder().respond(problem.contacts, problem.restitutions, rules,
+                                              problem.models, problem.states);
+  EXPECT_EQ(refused, grants);
+  return result;
+}
+
 TEST(ResponseLimit, EveryIslandThatIsRefusedIsTakenUpByVisibility) {
   for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
     ResponseProblem pairs = newtons_cradle(6);
@@ -182,41 +199,12 @@ TEST(ResponseLimit, EveryIslandThatIsRefusedIsTakenUpByVisibility) {
     }
     WorkGrants grants;
     grants.of(WorkPhase::kResponse) = 0;
-    FixedWork meter(grants);
-    WorkGrants refused;
-    const std::vector<std::size_t> by_visibility{2, 0, 1};
-    ResponseWork work{{meter, WorkPhase::kResponse, refused},
-                      {meter, WorkPhase::kVisible, refused},
-                      [&] { return std::span(by_visibility); }};
-    ResponseRules rules;
-    rules.method = method;
-    rules.work = &work;
-    const ResponseResult result =
-        Responder().respond(pairs.contacts, pairs.restitutions, rules, pairs.models, pairs.states);
-    EXPECT_EQ(refused, grants);
+    const ResponseResult result = refused_response(pairs, method, grants, {2, 0, 1});
     EXPECT_EQ(result.residual_approach_m_s, 0.0);
     for (const double impulse_Ns : result.impulse_Ns) {
       EXPECT_GT(impulse_Ns, 0.0);
     }
   }
-}
-
-/// The response to all contacts in turn of which none was granted, the first the most visible.
-ResponseResult refused_response(ResponseProblem& problem) {
-  WorkGrants grants;
-  grants.of(WorkPhase::kResponse) = 0;
-  grants.of(WorkPhase::kVisible) = 0;
-  FixedWork meter(grants);
-  WorkGrants refused;
-  std::vector<std::size_t> by_visibility(problem.contacts.size());
-  std::iota(by_visibility.begin(), by_visibility.end(), 0U);
-  ResponseWork work{{meter, WorkPhase::kResponse, refused},
-                    {meter, WorkPhase::kVisible, refused},
-                    [&] { return std::span(by_visibility); }};
-  ResponseRules rules;
-  rules.work = &work;
-  return Responder().respond(problem.contacts, problem.restitutions, rules, problem.models,
-                             problem.states);
 }
 
 TEST(ResponseLimit, InACornerWallsGiveBackOnceAndThenOnlyHold) {
@@ -225,7 +213,10 @@ TEST(ResponseLimit, InACornerWallsGiveBackOnceAndThenOnlyHold) {
   const Vector3 slanting(-0.5, std::sqrt(0.75), 0.0);
   corner.contacts = {{{0, wall_index(0)}, {Vector3::Zero(), Vector3::UnitX(), 0.0}},
                      {{0, wall_index(2)}, {Vector3::Zero(), slanting, 0.0}}};
-  const ResponseResult result = refused_response(corner);
+  WorkGrants nothing;
+  nothing.of(WorkPhase::kResponse) = 0;
+  nothing.of(WorkPhase::kVisible) = 0;
+  const ResponseResult result = refused_response(corner, ResponseMethod::kInTurn, nothing, {0, 1});
   EXPECT_NEAR(corner.states[0].linear_momentum.x(), 0.0, 1e-15) << "thrown back at it once more";
   EXPECT_GT(corner.states[0].linear_momentum.dot(slanting), 0.0);
   EXPECT_GT(result.impulse_Ns[0], 1.5) << "of both times";

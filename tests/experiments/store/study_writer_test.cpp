@@ -192,7 +192,7 @@ TEST(StudyWriter, CountsLateFramesAndTheAttemptsThatHadAny) {
   StudyWriter writer(at.study, at.enrolment, facts());
   std::int64_t timed = 0;
   for (const std::size_t late : {0, 1, 3}) {
-    AttemptRecord attempt = recorded_attempts()[late];
+    AttemptRecord attempt = recorded_attempts()[late];  // each of a trial of its own
     ASSERT_GE(attempt.frames.size(), late);
     for (std::size_t frame = 0; frame < attempt.frames.size(); ++frame) {
       attempt.frames[frame].flip.missed_slots = frame < late ? 1 : 0;
