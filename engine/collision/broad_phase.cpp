@@ -9,39 +9,41 @@
 #include <utility>
 
 #include "engine/numerics/at.hpp"
+#include "engine/numerics/bits.hpp"
 
 namespace impetus::inline collision {
 namespace {
 
 using Ends = SweptIntervals::Ends;
 
-IMPETUS_INLINED std::uint32_t meeting_by_lanes(const Ends& one, const Ends& others) {
-  const double greatest = one.greatest[0];
-  const double least_across[2] = {one.across_least[0][0], one.across_least[1][0]};
-  const double greatest_across[2] = {one.across_greatest[0][0], one.across_greatest[1][0]};
-  std::uint64_t meets[kLanes];
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const bool along = others.least[lane] <= greatest;
-    const bool second = (others.across_least[0][lane] <= greatest_across[0]) &
-                        (least_across[0] <= others.across_greatest[0][lane]);
-    const bool third = (others.across_least[1][lane] <= greatest_across[1]) &
-                       (least_across[1] <= others.across_greatest[1][lane]);
-    meets[lane] = (along & second & third) ? std::uint64_t{1} << lane : 0;
-  }
-  std::uint64_t bits = 0;
-  for (int lane = 0; lane < kLanes; ++lane) {
-    bits |= meets[lane];
+template <int kWidth>
+IMPETUS_INLINED std::uint32_t meeting_by(const Ends& one, const Ends& others) {
+  using Numbers = typename Vectors<kWidth>::Numbers;
+  using Bits = typename Vectors<kWidth>::Bits;
+  const Numbers none{};
+  std::int64_t bits = 0;
+  for (int first = 0; first < kLanes; first += kWidth) {
+    Numbers least;
+    Numbers greatest;
+    read(others.least + first, least);
+    Bits meet = least <= none + one.greatest[0];
+    for (int axis = 0; axis < 2; ++axis) {
+      read(others.across_least[axis] + first, least);
+      read(others.across_greatest[axis] + first, greatest);
+      meet &= least <= none + one.across_greatest[axis][0];
+      meet &= none + one.across_least[axis][0] <= greatest;
+    }
+    for (int lane = 0; lane < kWidth; ++lane) {
+      bits |= meet[lane] & (std::int64_t{1} << (first + lane));
+    }
   }
   return static_cast<std::uint32_t>(bits);
 }
 
-#ifdef IMPETUS_EIGHT_LANES
-IMPETUS_EIGHT_LANES std::uint32_t meeting_by_eight(const Ends& one, const Ends& others) {
-  return meeting_by_lanes(one, others);
-}
-
+#ifdef IMPETUS_FOUR_LANES
+/// Also where vectors hold eight: those GCC 12 compares lane by lane.
 IMPETUS_FOUR_LANES std::uint32_t meeting_by_four(const Ends& one, const Ends& others) {
-  return meeting_by_lanes(one, others);
+  return meeting_by<4>(one, others);
 }
 #endif
 
@@ -167,15 +169,12 @@ std::uint32_t SweptIntervals::meeting(std::size_t index, std::size_t first,
                                       [[maybe_unused]] LaneWidth width) const {
   const Ends one = from(index);
   const Ends others = from(first);
-#ifdef IMPETUS_EIGHT_LANES
-  if (width == LaneWidth::kEight) {
-    return meeting_by_eight(one, others);
-  }
-  if (width == LaneWidth::kFour) {
+#ifdef IMPETUS_FOUR_LANES
+  if (width != LaneWidth::kTwo) {
     return meeting_by_four(one, others);
   }
 #endif
-  return meeting_by_lanes(one, others);
+  return meeting_by<2>(one, others);
 }
 
 void SweepAndPrune::cover(const std::vector<MovedBound>& bodies, int axis) {
@@ -238,9 +237,10 @@ void SweepAndPrune::part_into_strips() {
   for (std::vector<SweptInterval>& strip : strips_) {
     strip.clear();
   }
-  for (const SweptInterval& interval : intervals_) {
+  for (SweptInterval& interval : intervals_) {
+    interval.first_strip = static_cast<std::uint16_t>(strip_at(interval.across_least[0]));
     const std::size_t last = strip_at(interval.across_greatest[0]);
-    for (std::size_t strip = strip_at(interval.across_least[0]); strip <= last; ++strip) {
+    for (std::size_t strip = interval.first_strip; strip <= last; ++strip) {
       strips_[strip].push_back(interval);
     }
   }
@@ -275,7 +275,7 @@ void SweepAndPrune::sweep(PhaseWork* work, std::vector<BodyPair>& pairs) {
     std::size_t go_on = 0;
     for (Sweeping one : sweeping_) {
       const std::uint32_t meeting = swept_.meeting(one.place, one.next);
-      if (work != nullptr && !work->spend(1 + std::popcount(meeting))) {
+      if (work != nullptr && !work->spend(1 + bits_in(meeting))) {
         return;
       }
       find_in_block(one, meeting, pairs);
@@ -298,9 +298,8 @@ void SweepAndPrune::find_in_block(const Sweeping& one, std::uint32_t meeting,
   for (; meeting != 0; meeting &= meeting - 1) {
     const SweptInterval& y =
         intervals[one.next - begin + static_cast<std::size_t>(std::countr_zero(meeting))];
-    const bool found_before =
-        strip_count_ > 1 && strip_at(std::max(x.across_least[0], y.across_least[0])) != one.strip;
-    if ((x.movable || y.movable) && !found_before) {
+    const bool is_first_of_both = std::max(x.first_strip, y.first_strip) == one.strip;
+    if ((x.movable || y.movable) && is_first_of_both) {
       pairs.push_back({std::min(x.body, y.body), std::max(x.body, y.body)});
     }
   }

@@ -65,6 +65,7 @@ struct SweptInterval {
   std::array<double, 2> across_greatest;
   std::int32_t body;
   bool movable;
+  std::uint16_t first_strip{0};  ///< that it reaches
 };
 
 /// The intervals of a sweep, each end in an array of its own: what is compared, a block at a time.

@@ -104,10 +104,10 @@ class Progress final : public PairProgress {
   const PhaseCosts& costs_;
 };
 
-/// Brings every pair to its list's least level; returns how many are not resolved yet.
-std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                           WorkLedger& ledger) {
-  std::size_t unresolved = 0;
+/// Brings every pair to its list's least level; lists those that are not resolved yet.
+void bring_to_least(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
+                    WorkLedger& ledger, std::vector<std::size_t>& unresolved) {
+  unresolved.clear();
   for (std::size_t index = 0; index < pairs.size(); ++index) {
     RefinedPair& pair = pairs[index];
     std::int64_t tests = 1;  // of the roots
@@ -117,9 +117,10 @@ std::size_t bring_to_least(std::span<RefinedPair> pairs, const std::vector<Prior
       pair.refinement.refine_one_block();
     }
     ledger.note(pair, index, tests);
-    unresolved += pair.refinement.resolved() ? 0 : 1;
+    if (!pair.refinement.resolved()) {
+      unresolved.push_back(index);
+    }
   }
-  return unresolved;
 }
 
 /// The rounds after the floor.
@@ -252,12 +253,13 @@ void WaitingPairs::remove_next() {
   waiting_.pop_back();
 }
 
-std::size_t WorkSharing::do_floor(std::span<RefinedPair> pairs,
-                                  const std::vector<PriorityList>& lists,
-                                  const RefinementSettings& settings) {
+std::span<const std::size_t> WorkSharing::do_floor(std::span<RefinedPair> pairs,
+                                                   const std::vector<PriorityList>& lists,
+                                                   const RefinementSettings& settings) {
   const PhaseCosts costs(settings.costs, settings.contacts);
   ledger_.begin(costs, pairs.size(), settings.work_before);
-  return bring_to_least(pairs, lists, ledger_);
+  bring_to_least(pairs, lists, ledger_, unresolved_);
+  return unresolved_;
 }
 
 const WorkDone& WorkSharing::refine(std::span<RefinedPair> pairs,

@@ -86,21 +86,23 @@ class WaitingPairs {
 class WorkSharing {
  public:
   /// Brings every pair to its list's least level; which pair comes first does not matter here.
-  /// `work_before` was done already and is part of the floor. Returns how many pairs are not
-  /// resolved yet.
-  std::size_t do_floor(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
-                       const RefinementSettings& settings = {});
+  /// `work_before` was done already and is part of the floor. Returns the places of those that are
+  /// not resolved yet, until the next call.
+  std::span<const std::size_t> do_floor(std::span<RefinedPair> pairs,
+                                        const std::vector<PriorityList>& lists,
+                                        const RefinementSettings& settings = {});
 
   /// After do_floor() of the same: goes on until all pairs are resolved or `meter` refuses. `order`
-  /// are the places of all pairs, by list and by falling priority within each; none when all are
-  /// resolved. A pair whose next block is refused gives way to the next of its list. The result
-  /// stays until the next call.
+  /// are the places of all pairs, by list and by falling priority within each, or of those that are
+  /// not resolved where there is one list; none when all are. A pair whose next block is refused
+  /// gives way to the next of its list. The result stays until the next call.
   const WorkDone& refine(std::span<RefinedPair> pairs, const std::vector<PriorityList>& lists,
                          std::span<const std::size_t> order, WorkMeter& meter,
                          const RefinementSettings& settings = {});
 
  private:
   WorkLedger ledger_;
+  std::vector<std::size_t> unresolved_;
   std::array<WaitingPairs, kMostLists> waiting_;
   WorkDone done_;
 };

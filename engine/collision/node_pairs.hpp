@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/numerics/bits.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 
 namespace impetus::inline collision {
@@ -69,14 +70,6 @@ class NodeBlockStore {
 
   std::array<std::vector<std::vector<NodeBlock>>, 64> by_size_;  ///< by the power of two
 };
-
-/// How many bits are set. (Without an instruction for it, std::popcount is a call.)
-inline std::int64_t bits_in(std::uint64_t bits) {
-  bits -= (bits >> 1) & 0x5555555555555555;
-  bits = (bits & 0x3333333333333333) + ((bits >> 2) & 0x3333333333333333);
-  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
-  return static_cast<std::int64_t>((bits * 0x0101010101010101) >> 56);
-}
 
 /// A list of overlapping node pairs.
 class NodePairs {

@@ -139,18 +139,6 @@ std::string ListRule::problem(std::size_t /*lists*/, const std::vector<double>& 
   return limits.empty() ? "" : "expected no limits, got " + std::to_string(limits.size());
 }
 
-bool has_priority(const MeasuredPair& x, const MeasuredPair& y) {
-  const bool x_is_number = !std::isnan(x.priority);
-  const bool y_is_number = !std::isnan(y.priority);
-  if (x_is_number != y_is_number) {
-    return x_is_number;
-  }
-  if (x_is_number && x.priority != y.priority) {
-    return x.priority > y.priority;
-  }
-  return x.place < y.place;
-}
-
 std::shared_ptr<const ListRule> make_list_rule(std::string_view name) {
   return all_list_rules().called(name);
 }

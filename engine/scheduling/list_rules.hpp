@@ -9,6 +9,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,12 +31,23 @@ struct ScheduledPair {
 struct MeasuredPair {
   ScheduledPair scheduled;
   double priority{0.0};
-  std::int32_t place{0};  ///< among the pairs as they came
+  std::int32_t place{0};    ///< among the pairs as they came
+  bool is_measured{false};  ///< whether the priority is known
 };
 
 /// Whether x has the higher priority: a total order. Of equal priorities the pair that came first
 /// has it; what is not a number has it last.
-bool has_priority(const MeasuredPair& x, const MeasuredPair& y);
+inline bool has_priority(const MeasuredPair& x, const MeasuredPair& y) {
+  const bool x_is_number = !std::isnan(x.priority);
+  const bool y_is_number = !std::isnan(y.priority);
+  if (x_is_number != y_is_number) {
+    return x_is_number;
+  }
+  if (x_is_number && x.priority != y.priority) {
+    return x.priority > y.priority;
+  }
+  return x.place < y.place;
+}
 
 /// What a rule may look at beside the pairs.
 struct ListInput {

@@ -69,16 +69,12 @@ void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& sched
   for (const PairBounds& candidate : bounds) {
     const double priority =
         measures ? metric.priority(metric.measure(candidate, viewer, fixation)) : 0.0;
-    pairs.push_back({{candidate.pair, 0}, priority, static_cast<std::int32_t>(pairs.size())});
+    const auto place = static_cast<std::int32_t>(pairs.size());
+    pairs.push_back({{candidate.pair, 0}, priority, place, measures});
   }
   if (schedule.lists.size() > 1) {
     schedule.rule->part(bounds, {metric, schedule.limits, viewer, region}, pairs);
   }
-}
-
-bool goes_before(const MeasuredPair& x, const MeasuredPair& y) {
-  return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
-                                              : has_priority(x, y);
 }
 
 }  // namespace impetus::inline scheduling

@@ -65,6 +65,9 @@ void put_into_lists(const std::vector<PairBounds>& bounds, const Schedule& sched
                     const std::optional<GazeRegion>& region, std::vector<MeasuredPair>& pairs);
 
 /// Whether x goes before y: by list, and by has_priority() within each.
-bool goes_before(const MeasuredPair& x, const MeasuredPair& y);
+inline bool goes_before(const MeasuredPair& x, const MeasuredPair& y) {
+  return x.scheduled.list != y.scheduled.list ? x.scheduled.list < y.scheduled.list
+                                              : has_priority(x, y);
+}
 
 }  // namespace impetus::inline scheduling

@@ -38,8 +38,7 @@ void find_terms(unsigned terms, PairBounds& pair, const Measuring& by) {
 
 void StepOrder::put_into_lists(std::vector<PairBounds>& candidates, const Measuring& by) {
   candidates_ = &candidates;
-  are_measured_ = metric_decides_lists(by.schedule);
-  const unsigned terms = are_measured_ ? metric_of(by.schedule).terms() : 0;
+  const unsigned terms = metric_decides_lists(by.schedule) ? metric_of(by.schedule).terms() : 0;
   if ((terms & (kMotionTerm | kFitErrorTerm)) != 0) {
     for (PairBounds& pair : candidates) {
       find_terms(terms, pair, by);
@@ -49,11 +48,13 @@ void StepOrder::put_into_lists(std::vector<PairBounds>& candidates, const Measur
                           by.input.region, pairs_);
 }
 
-std::span<const std::size_t> StepOrder::places_by_priority(std::size_t waiting,
+std::span<const std::size_t> StepOrder::places_by_priority(std::span<const std::size_t> waiting,
                                                            const Measuring& by) {
-  places_.resize(waiting > 0 ? pairs_.size() : 0);
-  std::iota(places_.begin(), places_.end(), std::size_t{0});
-  if (waiting > 1 || (waiting == 1 && by.schedule.lists.size() > 1)) {
+  if (!waiting.empty() && by.schedule.lists.size() > 1) {
+    return all_places_by_priority(by);
+  }
+  places_.assign(waiting.begin(), waiting.end());
+  if (waiting.size() > 1) {
     sort_places(by);
   }
   return places_;
@@ -74,21 +75,27 @@ void StepOrder::list_pairs(const Measuring& by, std::vector<ScheduledPair>& list
 }
 
 void StepOrder::sort_places(const Measuring& by) {
-  if (!are_measured_) {
-    const PriorityMetric& metric = metric_of(by.schedule);
-    for (MeasuredPair& pair : pairs_) {
+  const PriorityMetric& metric = metric_of(by.schedule);
+  ranked_.clear();
+  for (const std::size_t place : places_) {
+    MeasuredPair& pair = pairs_[place];
+    if (!pair.is_measured) {
       pair.priority = metric.priority(measure(pair.place, by));
+      pair.is_measured = true;
     }
-    are_measured_ = true;
+    ranked_.push_back({pair, place});
   }
-  std::sort(places_.begin(), places_.end(),
-            [this](std::size_t x, std::size_t y) { return goes_before(pairs_[x], pairs_[y]); });
+  std::sort(ranked_.begin(), ranked_.end(),
+            [](const Ranked& x, const Ranked& y) { return goes_before(x.pair, y.pair); });
+  for (std::size_t rank = 0; rank < ranked_.size(); ++rank) {
+    places_[rank] = ranked_[rank].place;
+  }
 }
 
 double StepOrder::measured(std::size_t place, const Measuring& by) {
   const MeasuredPair& pair = pairs_[place];
-  return are_measured_ ? metric_of(by.schedule).priority(pair.priority)  // its sign turned back
-                       : measure(pair.place, by);
+  return pair.is_measured ? metric_of(by.schedule).priority(pair.priority)  // its sign turned back
+                          : measure(pair.place, by);
 }
 
 double StepOrder::measure(std::int32_t candidate, const Measuring& by) {

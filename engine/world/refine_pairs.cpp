@@ -202,7 +202,8 @@ void refine_pairs(const Step& step) {
   begin_all_between(step, pairs);
   const RefinementSettings settings{schedule.traversal, step.settings.costs, step.settings.contacts,
                                     memory.report.work_floor};
-  const std::size_t waiting = memory.sharing.do_floor(pairs, schedule.lists, settings);
+  const std::span<const std::size_t> waiting =
+      memory.sharing.do_floor(pairs, schedule.lists, settings);
   const std::span<const std::size_t> order = memory.order.places_by_priority(waiting, measuring);
   report_work(memory.sharing.refine(pairs, schedule.lists, order, step.meter, settings),
               memory.report);

@@ -50,10 +50,11 @@ class StepOrder {
   /// With their lists, in an order that means nothing; lists may be changed.
   [[nodiscard]] std::vector<MeasuredPair>& pairs() { return pairs_; }
 
-  /// Places in pairs(), by list and by falling priority within each, when `waiting` of them wait
-  /// for work: none when none does; in any order when one does and there is one list. Valid until
-  /// the next call.
-  std::span<const std::size_t> places_by_priority(std::size_t waiting, const Measuring& by);
+  /// Places in pairs(), by list and by falling priority within each, when those at `waiting` wait
+  /// for work: of these where there is one list, else of all; none when none waits. Valid until the
+  /// next call.
+  std::span<const std::size_t> places_by_priority(std::span<const std::size_t> waiting,
+                                                  const Measuring& by);
 
   /// All places, by list and by falling priority within each. Valid until the next call.
   std::span<const std::size_t> all_places_by_priority(const Measuring& by);
@@ -66,13 +67,19 @@ class StepOrder {
   double measured(std::size_t place, const Measuring& by);
 
  private:
+  /// A pair and its place, side by side to be sorted.
+  struct Ranked {
+    MeasuredPair pair;
+    std::size_t place;
+  };
+
   void sort_places(const Measuring& by);
   [[nodiscard]] double measure(std::int32_t candidate, const Measuring& by);
 
   std::vector<PairBounds>* candidates_{nullptr};
   std::vector<MeasuredPair> pairs_;
   std::vector<std::size_t> places_;
-  bool are_measured_{false};
+  std::vector<Ranked> ranked_;
 };
 
 /// Pairs that are refined, in objects that are used again.
