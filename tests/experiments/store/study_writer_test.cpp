@@ -240,6 +240,54 @@ TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   EXPECT_EQ(loaded.stopped_short, 1);
 }
 
+TEST(StudyWriter, ACollisionIsReadWithThePlacesOfItsBodies) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ASSERT_EQ(attempt.collisions.size(), 1U);
+  attempt.collisions[0].report.bodies = {0, 1};
+  attempt.body_names = {"first", "second"};
+  attempt.collisions.push_back(attempt.collisions[0]);
+  attempt.collisions[1].report.bodies = {1, kEnclosure};
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  StudyFile study = StudyFile::open_for_reading(path);
+  const auto found = [&](const std::vector<std::string>& names) {
+    std::string text;
+    for (const StoredCollision& collision : load_collisions(study, 1, names)) {
+      text += std::to_string(collision.bodies.a) + " " + std::to_string(collision.bodies.b) + "; ";
+    }
+    return text;
+  };
+  EXPECT_EQ(found({"first", "second"}), "0 1; 1 -1; ");
+  EXPECT_EQ(found({"second", "another", "first"}), "2 0; 0 -1; ");
+  EXPECT_EQ(found({"second", "another"}), "0 -1; ");
+}
+
+TEST(StudyWriter, DetailsOfAResponseAreKeptAsTheyAre) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ResponseRecord response;
+  response.kind = "two_interval";
+  response.device = "none";
+  response.detail = {{"whole", 2.0},  {"part", 0.5}, {"negative", -1.25},
+                     {"large", 1e20}, {"yes", true}, {"text", "2.0"}};
+  attempt.responses = {response};
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT detail FROM response"),
+            R"({"whole":2,"part":0.5,"negative":-1.25,"large":1.0e+20,"yes":true,"text":"2.0"})");
+}
+
 TEST(StudyWriter, SqlAndMarkupStayText) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
