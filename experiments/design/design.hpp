@@ -84,7 +84,7 @@ struct QuestPlus {
   /// The form of the curve from guessing to lapsing.
   enum class Function { kWeibull, kNormal };
   /// What the level is counted in: as it is, its decimal logarithm, or decibels (20 log₁₀). Slopes
-  /// are exponents (Weibull) or standard deviations (normal). See session/psychometric.hpp.
+  /// are exponents (Weibull) or standard deviations (normal). See psychometric.hpp.
   enum class Scale { kLinear, kLog10, kDecibel };
   Function function{Function::kWeibull};
   Scale scale{Scale::kLinear};

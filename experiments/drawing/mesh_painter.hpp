@@ -1,7 +1,7 @@
 // Draws the bodies of a picture that have a mesh; each mesh is handed to the graphics card once.
 //
 //   few bodies   one call for each
-//   a crowd      bodies ──by distance──> mesh as seen (record/drawn_levels.hpp) ──> one call per
+//   a crowd      bodies ──by distance──> mesh as seen (record/staged_scene.hpp) ──> one call per
 //   mesh
 //
 // Of a crowd the nearest come first, so that what is hidden behind them costs next to nothing.

@@ -4,7 +4,7 @@
 //   Clock      when is it                     (monotonic, nanoseconds)
 //   Display    show a picture at a flip       (what was measured comes back)
 //   Input      ask a page, notice Esc, clicks (what was answered comes back)
-//   Gaze       where the participant looks    (session/gaze.hpp)
+//   Gaze       where the participant looks    (record/gaze.hpp)
 //   Scenes     condition -> world             (what is on show)
 //   Recorder   keep what happened             (an error is thrown, never swallowed)
 // SPDX-License-Identifier: MIT

@@ -120,7 +120,7 @@ struct ClickRecord {
 };
 
 /// One answer to a question of a trial other than a rating, or that none came, to any question.
-/// See experiments/session/responses/.
+/// Its kinds are in experiments/questions.
 struct ResponseRecord {
   std::string kind;
   std::string question;
@@ -155,7 +155,7 @@ struct AttemptRecord {
   std::vector<GazeSample> gaze;
   /// Of the enclosure's image, the share inside the region, mean over the steps that had one.
   std::optional<double> region_covered_share{};
-  std::optional<double> gaze_latency_p95_ms{};  ///< sample to flip; see session/gaze_latency.hpp
+  std::optional<double> gaze_latency_p95_ms{};  ///< sample to flip; see gaze/gaze_latency.hpp
   double intended_hold_s{0.0};
   double realised_hold_s{0.0};  ///< differs only when rounding to the display's grid was allowed
   std::int64_t late_untimed_frames{0};  ///< on the question and in the interval

@@ -16,7 +16,8 @@
 
 namespace impetus::numerics_test {
 
-// The promise of trigonometry.hpp: radians, series and product each round a number below 1 once.
+// The promise of elementary_functions.hpp: radians, series and product each round a number below 1
+// once.
 constexpr double kTrigonometryError = 2e-16;
 
 struct LongSineCosine {
