@@ -277,15 +277,17 @@ TEST(StudyWriter, DetailsOfAResponseAreKeptAsTheyAre) {
   response.device = "none";
   response.detail = {{"whole", 2.0},  {"part", 0.5}, {"negative", -1.25},
                      {"large", 1e20}, {"yes", true}, {"text", "2.0"}};
-  attempt.responses = {response};
+  attempt.responses = {response, response};
+  attempt.responses[1].detail = {};
   {
     EnrolledStudy at(path);
     StudyWriter writer(at.study, at.enrolment, facts());
     writer.save(attempt);
     writer.end("quit");
   }
-  EXPECT_EQ(value_of(path, "SELECT detail FROM response"),
+  EXPECT_EQ(value_of(path, "SELECT detail FROM response WHERE number = 1"),
             R"({"whole":2,"part":0.5,"negative":-1.25,"large":1.0e+20,"yes":true,"text":"2.0"})");
+  EXPECT_EQ(value_of(path, "SELECT detail FROM response WHERE number = 2"), "{}");
 }
 
 TEST(StudyWriter, SqlAndMarkupStayText) {
