@@ -36,7 +36,8 @@ struct Measuring {
 /// The step's pairs in their lists and by priority, measured no sooner than somebody asks.
 ///
 ///   lists      one, or by the region: nothing is measured; by thresholds or shares: every pair is
-///   order      only when pairs wait for work beyond the floor, and more than one of one list
+///   order      only when pairs wait for work beyond the floor: of one list those that do, if more
+///              than one does
 ///   measure    of a pair that touches, for the report
 ///
 /// A pair's terms are computed when it is measured, and only those that the metric looks at. What

@@ -121,6 +121,34 @@ TEST(UnusedTerms, OnePairAloneNeedsNoOrder) {
   EXPECT_TRUE(metric->seen.empty());
 }
 
+TEST(UnusedTerms, OfOneListOnlyPairsThatWaitForWorkAreMeasured) {
+  const BodyModel block = solid_body(small_l_block(), /*depth=*/2);
+  const auto metric = std::make_shared<WatchedMetric>(0);
+  const auto measured_with = [&](std::vector<PriorityList> lists) {
+    WorldSettings settings;
+    settings.schedule.metric = metric;
+    settings.schedule.limits.assign(lists.size() - 1, 0.5);
+    settings.schedule.lists = std::move(lists);
+    std::vector<BodyState> states;
+    for (const double z : {0.0, 0.12, 5.0, 5.12, 9.4}) {
+      states.push_back(resting_at({0.0, 0.0, z}));
+    }
+    // It begins near the last one, and is far from it when the step ends.
+    states.push_back(moving(block, {0.0, 0.0, 9.28}, {0.0, 0.0, -0.4 / kStep_s}));
+    World world(std::vector<BodyModel>(states.size(), block), states, settings);
+    FixedWork enough(kUnlimitedTests);
+    metric->seen.clear();
+    world.step(step_of(kStep_s), enough);
+    std::vector<BodyPair> pairs;
+    for (const PairBounds& bounds : metric->seen) {
+      pairs.push_back(bounds.pair);
+    }
+    return pairs;
+  };
+  EXPECT_EQ(measured_with({{1.0}, {1.0}}), (std::vector<BodyPair>{{0, 1}, {2, 3}, {4, 5}}));
+  EXPECT_EQ(measured_with({{1.0}}), (std::vector<BodyPair>{{0, 1}, {2, 3}}));
+}
+
 TEST(UnusedTerms, AMetricIsToldTheTermsItLooksAtAndNoOthers) {
   for (const unsigned terms : {0U, 1U, 2U, 3U}) {
     WatchedCube cube({{1.0}, {1.0}}, terms);  // lists by thresholds: every pair is measured
