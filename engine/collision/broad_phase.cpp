@@ -34,7 +34,7 @@ IMPETUS_INLINED std::uint32_t meeting_by(const Ends& one, const Ends& others) {
       meet &= none + one.across_least[axis][0] <= greatest;
     }
     for (int lane = 0; lane < kWidth; ++lane) {
-      bits |= meet[lane] & (std::int64_t{1} << (first + lane));
+      bits |= meet[lane] & kBitOfLane[first + lane];
     }
   }
   return static_cast<std::uint32_t>(bits);

@@ -23,6 +23,9 @@ namespace impetus::inline numerics {
 /// Doubles of a block, whatever the width.
 inline constexpr int kLanes = 8;
 
+/// A bit for each lane; in memory, for GCC 12 would put a vector of them together lane by lane.
+inline constexpr std::int64_t kBitOfLane[kLanes] = {1, 2, 4, 8, 16, 32, 64, 128};
+
 /// How many doubles a vector holds.
 enum class LaneWidth { kTwo = 2, kFour = 4, kEight = 8 };
 

@@ -7,9 +7,6 @@
 namespace impetus::inline volumes {
 namespace {
 
-/// In memory, for GCC 12 would put a vector of them together lane by lane.
-constexpr std::int64_t kBitOfColumn[kLanes] = {1, 2, 4, 8, 16, 32, 64, 128};
-
 /// The bits of columns `column` to `column + kWidth`, of all rows.
 template <int kWidth>
 IMPETUS_INLINED std::uint64_t overlaps_of_columns(const SphereLanes& a, int rows,
@@ -25,7 +22,7 @@ IMPETUS_INLINED std::uint64_t overlaps_of_columns(const SphereLanes& a, int rows
   read(b.z + column, bz);
   read(b.radius_m + column, b_radius);
   Bits bits;
-  std::memcpy(&bits, kBitOfColumn + column, sizeof bits);
+  std::memcpy(&bits, kBitOfLane + column, sizeof bits);
   Bits found = bits ^ bits;
   for (int row = 0; row < rows; ++row) {
     const Numbers dx = a.x[row] - bx;

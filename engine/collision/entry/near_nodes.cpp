@@ -68,8 +68,6 @@ IMPETUS_INLINED void find_turning(const SphereLanes& spheres, const Vector3& cen
   }
 }
 
-constexpr std::int64_t kBitOfColumn[kLanes] = {1, 2, 4, 8, 16, 32, 64, 128};
-
 /// Of which pairs of a block apart_for() is not true.
 template <int kWidth>
 IMPETUS_INLINED std::uint64_t near_pairs(const NearBlock& near) {
@@ -93,7 +91,7 @@ IMPETUS_INLINED std::uint64_t near_pairs(const NearBlock& near) {
     const Numbers reach_of_b = radius + near.margin_m;
     const Numbers left_of_b = radius + (near.time * turning + (near.margin_m - near.hair_m));
     Bits bits;
-    std::memcpy(&bits, kBitOfColumn + column, sizeof bits);
+    std::memcpy(&bits, kBitOfLane + column, sizeof bits);
     Bits apart = bits ^ bits;
     for (int row = 0; row < block.rows; ++row) {
       const double radius_of_a = block.a.radius_m[row];
