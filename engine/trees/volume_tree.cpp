@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/numerics/lanes.hpp"
 #include "engine/volumes/rounded_box.hpp"
 
 namespace impetus::inline trees {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::uint32_t kKindBits = 3;
 constexpr std::uint32_t kKindMask = (1U << kKindBits) - 1;
 static_assert(std::variant_size_v<Volume> <= kKindMask + 1);
+static_assert(kLanes == 8, "a place in a block is three bits");
 
 bool of_one_kind(const std::vector<Volume>& volumes) {
   return std::all_of(volumes.begin(), volumes.end(), [&](const Volume& volume) {
@@ -158,6 +160,22 @@ std::size_t NodeVolumes::bytes() const {
   const auto bytes_of_all = [](const auto&... arrays) { return (bytes_of(arrays) + ...); };
   return all_spheres_.bytes() + std::apply(bytes_of_all, arrays_) + bytes_of(slots_) +
          bytes_of(cells_) + (are_voxels() ? bytes_of(level_starts_) : 0);
+}
+
+SiblingBlocks::SiblingBlocks(const std::vector<NodeLinks>& links) {
+  slots_.reserve(links.size());
+  add_siblings(1);  // the root
+  for (const NodeLinks& node : links) {
+    add_siblings(node.child_count);
+  }
+}
+
+void SiblingBlocks::add_siblings(std::int32_t nodes) {
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    const auto lane = static_cast<std::uint32_t>(i % kLanes);
+    count_ += lane == 0 ? 1 : 0;
+    slots_.push_back((count_ - 1) << 3 | lane);
+  }
 }
 
 VolumeTree::VolumeTree(const std::vector<VolumeNode>& nodes, std::vector<std::int32_t> level_starts)

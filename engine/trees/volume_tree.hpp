@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "engine/numerics/at.hpp"
-#include "engine/trees/sibling_blocks.hpp"
 #include "engine/volumes/sphere_lanes.hpp"
 #include "engine/volumes/volume.hpp"
 
@@ -104,6 +103,30 @@ struct NodeLinks {
   std::int32_t child_count{0};
 
   friend bool operator==(const NodeLinks&, const NodeLinks&) = default;
+};
+
+/// The nodes of a tree in blocks of up to kLanes siblings, as spheres are placed and tested: in
+/// which block each node is, and where in it.
+///
+///     node      0 | 1 2 3 4 5 6 7 8 | 9 10 11 | ...      children of one node lie side by side
+///     block     0 |        1        |    2    | ...      a ninth child begins a new one
+class SiblingBlocks {
+ public:
+  SiblingBlocks() = default;
+
+  /// Of nodes in breadth-first order.
+  explicit SiblingBlocks(const std::vector<NodeLinks>& links);
+
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+  [[nodiscard]] std::uint32_t block_of(std::int32_t node) const { return slots_[at(node)] >> 3; }
+  [[nodiscard]] std::uint32_t lane_of(std::int32_t node) const { return slots_[at(node)] & 7; }
+  [[nodiscard]] std::size_t bytes() const { return slots_.size() * sizeof(std::uint32_t); }
+
+ private:
+  void add_siblings(std::int32_t nodes);
+
+  std::vector<std::uint32_t> slots_;  ///< by node: the block, and in three low bits the place in it
+  std::uint32_t count_{0};
 };
 
 /// The least float that is not below `x`.

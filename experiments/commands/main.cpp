@@ -1,13 +1,15 @@
 // The program `impetus`: reads the command line, runs one command, prints one sentence on failure.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
-#include "experiments/commands/nearest_word.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/run/scene_run.hpp"
 #include "experiments/settings/input_error.hpp"
@@ -17,8 +19,38 @@ namespace {
 
 constexpr int kMostThreads = 64;
 
+std::size_t letters_apart(const std::string& x, const std::string& y) {
+  std::vector<std::size_t> apart(y.size() + 1);  // of what was read of x, from each beginning of y
+  std::iota(apart.begin(), apart.end(), std::size_t{0});
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    std::size_t diagonal = apart[0];
+    apart[0] = i + 1;
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      const std::size_t changed = diagonal + (x[i] == y[j] ? 0 : 1);
+      diagonal = apart[j + 1];
+      apart[j + 1] = std::min({changed, apart[j] + 1, diagonal + 1});
+    }
+  }
+  return apart.back();
+}
+
+/// Of `words` the one that takes the fewest letters added, left out or changed to become `given`,
+/// the first of equals; empty when that is more than two, or half of the word. (Levenshtein 1966)
+std::string nearest_word(const std::string& given, const std::vector<std::string>& words) {
+  std::string nearest;
+  std::size_t least = std::min<std::size_t>(2, given.size() / 2) + 1;
+  for (const std::string& word : words) {
+    const std::size_t apart = letters_apart(given, word);
+    if (apart < least) {
+      nearest = word;
+      least = apart;
+    }
+  }
+  return nearest;
+}
+
 std::string perhaps(const std::string& given, const std::vector<std::string>& words) {
-  const std::string meant = impetus::nearest_word(given, words);
+  const std::string meant = nearest_word(given, words);
   return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/protocol/protocol_file.hpp"
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include <xxhash.h>
@@ -13,7 +15,6 @@
 #include "experiments/protocol/factor_values.hpp"
 #include "experiments/protocol/protocol_language.hpp"
 #include "experiments/protocol/protocol_rows.hpp"
-#include "experiments/protocol/scene_levels.hpp"
 #include "experiments/protocol/solved_values.hpp"
 #include "experiments/questions/level_value.hpp"
 
@@ -29,6 +30,83 @@ std::string hash_of(const json& protocol, const json& scene) {
   std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                 static_cast<unsigned long long>(hash.low64));
   return text;
+}
+
+/// What the scene says in place of null, by factor.
+using OwnLevels = std::map<std::string, json>;
+
+OwnLevels own_levels(const Design& design, const json& scene) {
+  OwnLevels levels;
+  for (const Factor& factor : design.factors) {
+    if (names_single_value(scene, factor.pointer)) {
+      levels[factor.name] = scene[json::json_pointer(factor.pointer)];
+    }
+  }
+  return levels;
+}
+
+void put_own(const OwnLevels& own, const std::string& factor, json& level) {
+  const auto found = own.find(factor);
+  if (level.is_null() && found != own.end()) {
+    level = found->second;
+  }
+}
+
+void put_own(const OwnLevels& own, json& condition) {
+  for (auto level = condition.begin(); level != condition.end(); ++level) {
+    put_own(own, level.key(), level.value());
+  }
+}
+
+/// The document with levels in place of null, wherever it may have it.
+json with_own_levels(json document, const OwnLevels& own) {
+  json& design = document["design"];
+  for (json& factor : design["factors"]) {
+    for (json& level : factor["levels"]) {
+      put_own(own, factor["name"], level);
+    }
+  }
+  if (design.contains("practice")) {
+    for (json& condition : design["practice"]) {
+      put_own(own, condition);
+    }
+  }
+  if (design.contains("catch_trials")) {
+    for (json& kind : design["catch_trials"]) {
+      put_own(own, kind["condition"]);
+    }
+  }
+  if (design.contains("adaptation")) {
+    for (json& stream : design["adaptation"]) {
+      put_own(own, stream["when"]);
+      for (json& condition : stream["conditions"]) {
+        put_own(own, condition);
+      }
+    }
+  }
+  if (design.contains("practice_until")) {
+    json& rule = design["practice_until"];
+    put_own(own, rule["factor"], rule["best"]);
+    put_own(own, rule["factor"], rule["worst"]);
+  }
+  if (document.contains("two_interval")) {
+    put_own(own, document["two_interval"]["standard"]);
+  }
+  return document;
+}
+
+/// Puts what the scene says in place of levels that are null: design and script are read anew.
+/// Pointers that the scene lacks are left to the checks of the design.
+void take_levels_of_scene(Protocol& protocol, const json& scene) {
+  const json document =
+      with_own_levels(protocol.document.value, own_levels(protocol.design, scene));
+  if (document == protocol.document.value) {
+    return;
+  }
+  Protocol anew = protocol_of(document);
+  protocol.design = std::move(anew.design);
+  protocol.script.asked = std::move(anew.script.asked);
+  protocol.script.practice_rule = std::move(anew.script.practice_rule);
 }
 
 void put_scene(JsonDocument scene, Protocol& protocol) {

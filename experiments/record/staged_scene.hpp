@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -17,11 +18,38 @@
 #include "engine/world/world.hpp"
 #include "experiments/design/design.hpp"
 #include "experiments/record/appearance.hpp"
-#include "experiments/record/flashing.hpp"
 #include "experiments/record/gaze.hpp"
 #include "experiments/record/sound.hpp"
 
 namespace impetus::inline record {
+
+/// Which bodies flash while a stimulus is still, so that everybody knows which ones are meant: how
+/// often, and until when. It is drawing: no step of the world looks at it.
+///
+///     own | other | own | other | own      half a period each, from onset on
+struct Flashing {
+  std::vector<std::size_t> bodies;
+  double hz{1.0};       ///< times a second that the other colour is shown
+  Colour colour{};      ///< that other colour
+  double until_s{0.0};  ///< from onset
+
+  /// Whether the other colour is shown.
+  [[nodiscard]] bool is_lit_at(double time_s) const {
+    constexpr double kOfAPeriod = 1e-9;  // a frame that falls on a change shows it
+    const double periods = time_s * hz + kOfAPeriod;
+    return time_s < until_s && periods - std::floor(periods) >= 0.5;
+  }
+};
+
+/// Gives those of `shown`, a scene's bodies by their places, the colour that they have at the time.
+template <typename ShownBodies>
+void flash(const Flashing& flashing, double time_s, ShownBodies& shown) {
+  if (flashing.is_lit_at(time_s)) {
+    for (const std::size_t body : flashing.bodies) {
+      shown[body].look.colour = flashing.colour;
+    }
+  }
+}
 
 /// A viewer who goes round the scene: the eye turns about the vertical at a constant rate, and
 /// looks at the world's origin all the time (Dingliana 2002, eq. 5.1: camera motion). The eye's

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "experiments/record/wall_names.hpp"
 #include "experiments/scenes/distractors.hpp"
@@ -11,7 +12,6 @@
 #include "experiments/scenes/figures/figure_checks.hpp"
 #include "experiments/scenes/plane/scene_goal.hpp"
 #include "experiments/scenes/plane/scene_launch.hpp"
-#include "experiments/scenes/plane/scene_plane.hpp"
 #include "experiments/scenes/scene_appearance.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
 #include "experiments/scenes/scene_file.hpp"
@@ -162,6 +162,36 @@ void add_free_problems(const Scene& scene, SceneProblems& problems) {
   refuse_key(scene.distractors.has_value(), "distractors", "where no two bodies meet", problems);
   refuse_key(scene.enclosure && scene.enclosure->edge_at_count, "enclosure/edge_at_count",
              "without a crowd", problems);
+}
+
+const std::string kWithoutPixels = "without a plane that has pixels";
+
+void add_px_problem(const Scene& scene, const ShapeSettings& shape, const std::string& place,
+                    SceneProblems& problems) {
+  if (shape.has_px && !scene.plane) {
+    problems.add(place, "expected no measures in pixels " + kWithoutPixels);
+  }
+}
+
+/// Adds what is said in pixels without a plane, or in degrees as well.
+void add_plane_problems(const Scene& scene, SceneProblems& problems) {
+  if (scene.crowd) {
+    add_px_problem(scene, scene.crowd->shape, "/crowd/shape", problems);
+  }
+  const auto bodies = scene.named_bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string place = "/bodies/" + std::to_string(i);
+    add_px_problem(scene, bodies[i].shape, place + "/shape", problems);
+    for (const auto& [px, deg] :
+         {std::pair("position_px", "position_deg"), std::pair("velocity_px_s", "velocity_deg_s")}) {
+      const std::string in_px = place + "/" + px;
+      if (problems.says(in_px) && !scene.plane) {
+        problems.add_got(in_px, "expected none " + kWithoutPixels);
+      } else if (problems.says(in_px) && problems.says(place + "/" + deg)) {
+        problems.add_got(in_px, std::string("expected none beside ") + deg);
+      }
+    }
+  }
 }
 
 /// Of each part of the scene by itself.

@@ -2,24 +2,40 @@
 //
 //   options ─> a question ─> its ledger ─> simulated studies, tested (power_studies.hpp)
 //                 │            ^   └─────> Rscript power.R ─> power.html, figure, table
-//                 └─> chunks ──┘  each computed by whatever machine (power_chunks.hpp)
+//                 └─> chunks ──┘  each computed by whatever machine:
+//
+//   --chunks 50 --list ─> 50 commands, and how far each is
+//   --chunks 50 --chunk 7 ─> a ledger on this machine's own disk ─> OUT/chunks/chunk-0007.json
+//   --chunks 50 ─> all 50 files ─> OUT/power.sqlite ─> the page
 //
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/new_file.hpp"
+#include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"
-#include "experiments/commands/power/power_chunks.hpp"
 #include "experiments/commands/power/power_options.hpp"
 #include "experiments/commands/power/power_simulation.hpp"
+#include "experiments/commands/power/power_studies.hpp"
 #include "experiments/commands/progress_line.hpp"
 #include "experiments/commands/r_program.hpp"
 #include "experiments/commands/scratch_folder.hpp"
 #include "experiments/exports/r_scripts.hpp"
+#include "experiments/models/atomic_file.hpp"
+#include "experiments/power/chunk_mark.hpp"
 #include "experiments/power/power_chunk.hpp"
+#include "experiments/power/power_ledger.hpp"
 #include "experiments/settings/input_error.hpp"
 
 namespace impetus::inline commands {
@@ -78,12 +94,73 @@ bool simulate_all(const PowerOptions& options, const PowerTask& task) {
   return tools.has_value();
 }
 
+/// The chunk's studies from a ledger of its own, which no other machine sees.
+PowerChunk computed_chunk(const PowerOptions& options, const PowerTask& task, ChunkMark& mark) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ScratchFolder scratch(own_disk(), std::string("impetus-") + kScratchBegin);
+  const fs::path ledger = scratch.path() / "chunk.sqlite";
+  const auto told = [&mark](double share) { mark.tell(share); };
+  const std::optional<PowerTools> tools = power_tools(scratch.path(), task.question.model);
+  if (!tools) {
+    throw std::runtime_error("a package of R is missing; R has said which");
+  }
+  require_build(options.out, task.question, task.request, tools->build);
+  simulate_studies({options, task, *tools, scratch.path(), ledger, told});
+  PowerChunk chunk{task.question, task.request, tools->build, 0.0, {}};
+  chunk.studies = PowerLedger(ledger, task.question).studies();
+  chunk.took_s = seconds_since(begin);
+  return chunk;
+}
+
+/// Prints a command for each chunk, with its state as a shell's comment, and the sums. Writes
+/// nothing.
+int list_commands(const PowerOptions& options, const PowerTask& task) {
+  return list_chunks({options.out, options.chunks, options.repeated, [&](std::int64_t number) {
+                        PowerRequest request = task.request;
+                        request.chunk.number = number;
+                        return read_chunk(options.out, task.question, request).took_s;
+                      }});
+}
+
+/// Computes the chunk that was asked for, unless it is there. Throws what keeps it from it, in one
+/// sentence that --list repeats; then the chunk is as it was.
+int do_chunk(const PowerOptions& options, const PowerTask& task) {
+  const fs::path out = options.out;
+  const fs::path file = chunk_file(out, options.chunk);
+  make_out_folder(chunk_folder(out));
+  if (fs::exists(file)) {
+    read_chunk(out, task.question, task.request);
+    std::printf("%s: is there already\n", file.c_str());
+    return kDone;
+  }
+  ChunkMark mark(out, options.chunk);
+  try {
+    require_writable(file);
+    write_chunk(out, computed_chunk(options, task, mark));
+  } catch (const std::exception& error) {
+    mark.fail(error.what());
+    throw;
+  }
+  std::printf("%s: done\n", file.c_str());
+  return kDone;
+}
+
+/// Puts the studies of all chunks into the ledger, all or none. Throws InputError when a chunk is
+/// missing, broken or another question's.
+void gather_chunks(const PowerOptions& options, const PowerTask& task, const fs::path& ledger) {
+  std::vector<TestedStudy> studies;
+  for (PowerChunk& chunk : read_all_chunks(options.out, task.question, task.request)) {
+    std::move(chunk.studies.begin(), chunk.studies.end(), std::back_inserter(studies));
+  }
+  PowerLedger(ledger, task.question).add(studies);
+}
+
 int power(const PowerOptions& options) {
   const BuildingLine told;
   require_power_folder(options.out, options.chunks > 0);
   const PowerTask task = task_of(options);
   if (options.list) {
-    return list_chunks(options, task);
+    return list_commands(options, task);
   }
   if (options.chunk > 0) {
     return do_chunk(options, task);

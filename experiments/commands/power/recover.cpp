@@ -19,22 +19,26 @@
 #include <vector>
 
 #include "experiments/commands/commands.hpp"
+#include "experiments/commands/fitting/answered_study.hpp"
 #include "experiments/commands/fitting/fittable.hpp"
 #include "experiments/commands/new_file.hpp"
 #include "experiments/commands/power/chunk_list.hpp"
 #include "experiments/commands/power/given_words.hpp"
 #include "experiments/commands/power/power_options.hpp"
 #include "experiments/commands/power/power_studies.hpp"
-#include "experiments/commands/power/recovered_study.hpp"
 #include "experiments/commands/progress_line.hpp"
+#include "experiments/commands/running/run_part.hpp"
 #include "experiments/commands/scratch_folder.hpp"
 #include "experiments/commands/sentences.hpp"
 #include "experiments/commands/shipped_file.hpp"
+#include "experiments/fitting/fit.hpp"
 #include "experiments/models/atomic_file.hpp"
 #include "experiments/power/chunk_mark.hpp"
+#include "experiments/power/recovery.hpp"
 #include "experiments/protocol/screen_file.hpp"
 #include "experiments/provenance/build_name.hpp"
 #include "experiments/settings/input_error.hpp"
+#include "experiments/store/study_file.hpp"
 
 namespace impetus::inline commands {
 namespace {
@@ -73,6 +77,13 @@ void require_recovery_folder(const fs::path& folder) {
   }
 }
 
+/// What a recovery simulates.
+struct RecoveryWork {
+  RunPart part;  ///< with the observer, whose numbers are planted
+  RunOptions run;
+  RecoveryQuestion question;
+};
+
 RecoveryWork work_of(const RecoverOptions& options) {
   RecoveryWork work;
   work.run = simulated_run(options.protocol, options.observer, options.allow_rounding);
@@ -88,6 +99,39 @@ RecoveryWork work_of(const RecoverOptions& options) {
                    options.studies,
                    options.seed};
   return work;
+}
+
+/// Study `number`, simulated in `scratch`, of which nothing is left. Its seed is that of the same
+/// number in a power analysis. A study that cannot be fitted has a remark.
+RecoveredStudy recovered_study(const RecoveryWork& work, std::int64_t number,
+                               const fs::path& scratch) {
+  RecoveredStudy recovered{number, seed_of_study(work.question.seed, number), {}};
+  const fs::path folder = scratch / std::to_string(number);
+  fs::create_directories(folder);
+  {
+    StudyFile study = StudyFile::open_for_writing(folder / "study.sqlite", build_name());
+    RunOptions run = work.run;
+    run.seed = recovered.seed;
+    simulate_people(work.part, run, work.question.participants, study, [] { return false; });
+    ReplayLibrary library(study);
+    const ObserverFile& observer = *work.part.lab.observer;
+    const std::vector<AnsweringPerson> people =
+        answering_people(study, library, choose_answers(study, {}), {observer}, [](double) {
+        }).front();
+    if (const auto missing = missing_for_fit(*observer.kind, people)) {
+      recovered.remark = "expected " + *missing;
+    } else {
+      FitWish wish;
+      wish.as_group = people.size() > 1;
+      const ObserverFit fit = fit_observer(*observer.kind, *observer.parameters, people, wish);
+      for (const FittedParameter& one : fit.parameters) {  // the fit begins at what was planted
+        recovered.parameters.push_back(
+            {one.name, one.assumed, one.value, one.low, one.high, one.held_because});
+      }
+    }
+  }
+  fs::remove_all(folder);
+  return recovered;
 }
 
 /// Studies of one chunk, shared among threads.

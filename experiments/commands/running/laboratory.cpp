@@ -7,7 +7,6 @@
 #include "experiments/protocol/screen_file.hpp"
 
 #ifdef IMPETUS_WINDOW
-#include "experiments/commands/running/shown_observer.hpp"
 #include "experiments/commands/window_size.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/viewers/screen_setup.hpp"
@@ -75,6 +74,47 @@ class HeadlessLaboratory final : public Laboratory {
 };
 
 #ifdef IMPETUS_WINDOW
+
+/// A simulated participant in a real window: answers like the headless one, once a person could
+/// have read the page.
+class ShownObserver final : public Input {
+ public:
+  /// `window` and `clock` must outlive this.
+  ShownObserver(const ObserverFile& observer, std::uint64_t seed, const std::string& participant,
+                Window& window, const Clock& clock)
+      : observer_(make_observer(observer, {seed, participant, own_time_, clock})),
+        window_(window),
+        clock_(clock) {}
+
+  Answer ask(const Page& page) override {
+    // A person who watches may pause or quit; those pages are theirs to answer.
+    if (!page.can_pause && page.choices.size() > 1) {
+      return window_.ask(page);
+    }
+    Answer answer = observer_->ask(page);
+    const double seconds = static_cast<double>(answer.arrived_ns - answer.shown_ns) / 1e9;
+    answer.shown_ns = clock_.now_ns();
+    window_.show_page_for(page, seconds,
+                          answer.timed_out ? std::nullopt : std::optional(answer.choice));
+    answer.arrived_ns = clock_.now_ns();
+    answer.interruption = window_.interruption();
+    return answer;
+  }
+  Interruption interruption() override { return window_.interruption(); }
+  void witnessed(const AttemptRecord& shown, const StagedScene& scene) override {
+    observer_->witnessed(shown, scene);
+  }
+  std::vector<ClickRecord> take_clicks() override { return observer_->take_clicks(); }
+
+  /// The participant's eye, looking at the window; null when it has none.
+  Gaze* eye() { return observer_->eye(); }
+
+ private:
+  VirtualClock own_time_;  ///< of the model's reaction times; the record takes the real clock's
+  std::unique_ptr<RatingObserver> observer_;
+  Window& window_;
+  const Clock& clock_;
+};
 
 /// A window, with a person or a simulated participant before it.
 class WindowLaboratory final : public Laboratory {
