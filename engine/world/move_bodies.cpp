@@ -8,7 +8,23 @@
 namespace impetus::inline world {
 namespace {
 
-/// How each body falls; one that touched when the step before ended is held by what it touches.
+/// Notes who is held by what it touched when the step before ended: what is pushed upwards.
+/// Sideways and downwards nothing is held; kept from falling there, a body would gain energy at
+/// each touch.
+void find_supported(const Step& step, std::vector<Fall>& falls) {
+  const bool by_any_touch = step.settings.recording_format < 3;
+  for (const TouchingPair& pair : step.world.touching) {
+    const double down = pair.normal.dot(step.settings.gravity_m_s2);  // the normal points to a
+    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
+      const bool is_above = body == pair.bodies.a ? down < 0.0 : down > 0.0;
+      if (!is_wall(body) && (is_above || by_any_touch)) {
+        falls[at(body)].supported = true;
+      }
+    }
+  }
+}
+
+/// How each body falls.
 void find_falls(const Step& step) {
   const WorldState& world = step.world;
   std::vector<Fall>& falls = step.memory.falls;
@@ -17,13 +33,7 @@ void find_falls(const Step& step) {
     return;
   }
   falls.resize(world.models.size());
-  for (const TouchingPair& pair : world.touching) {
-    for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
-      if (!is_wall(body)) {
-        falls[at(body)].supported = true;
-      }
-    }
-  }
+  find_supported(step, falls);
   for (std::size_t body = 0; body < world.models.size(); ++body) {
     falls[body] = fall_of(world.models[body], world.states[body], falls[body].supported,
                           step.settings.gravity_m_s2, step.input.dt_s);

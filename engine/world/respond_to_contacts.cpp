@@ -59,6 +59,11 @@ std::span<const std::size_t> most_visible_first(const Step& step) {
   return contacts;
 }
 
+/// Approaches that are slower are given nothing back.
+double resting_speed_m_s(const Step& step) {
+  return kRestingSteps * step.settings.gravity_m_s2.norm() * step.input.dt_s;
+}
+
 const ResponseResult& give_impulses(const Step& step) {
   const WorldSettings& settings = step.settings;
   WorldState& world = step.world;
@@ -69,7 +74,7 @@ const ResponseResult& give_impulses(const Step& step) {
   ResponseRules rules;
   rules.method = settings.response;
   rules.most_passes = settings.most_response_passes;
-  rules.resting_m_s = kRestingSteps * settings.gravity_m_s2.norm() * step.input.dt_s;
+  rules.resting_m_s = resting_speed_m_s(step);
   ResponseWork work{step.work_of(WorkPhase::kResponse), step.work_of(WorkPhase::kVisible),
                     [&step] { return most_visible_first(step); }};
   rules.work = &work;
@@ -186,11 +191,47 @@ void stop_centre_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s
   }
 }
 
-/// Once work was cut: what was left unanswered then can push bodies out for long.
+/// Turns a body back whose centre is beyond a wall and would go on outwards, as if the wall pushed
+/// at its centre: what pushes beside it may turn the body ever faster and still let it through. Its
+/// kinetic energy does not grow.
+void turn_back_at_walls(const Enclosure& enclosure, double restitution, double resting_m_s,
+                        const BodyModel& model, BodyState& state) {
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    const Vector3 outward = -inward_normal(enclosure, wall);
+    const double outward_Ns = outward.dot(state.linear_momentum);
+    if (outward_Ns > 0.0 && reach_beyond(enclosure, wall, Sphere{state.pose.position, 0.0}) > 0.0) {
+      const double given_back = outward_Ns * model.inverse_mass > resting_m_s ? restitution : 0.0;
+      state.linear_momentum -= (1.0 + given_back) * outward_Ns * outward;
+    }
+  }
+}
+
+/// Nobody leaves the enclosure, whatever pushes at the walls were found.
+void turn_back_at_walls(const Step& step) {
+  const double resting_m_s = resting_speed_m_s(step);
+  for (const CollisionReport& collision : step.memory.report.collisions) {
+    const auto [first, end] = contact_range(collision);
+    const auto body = at(collision.bodies.a);
+    if (is_wall(collision.bodies.b) && first < end && step.memory.bounds[body].movable &&
+        !step.world.models[body].passes_through) {
+      turn_back_at_walls(*step.settings.enclosure, step.memory.restitutions[first], resting_m_s,
+                         step.world.models[body], step.world.states[body]);
+    }
+  }
+}
+
+/// Once work was cut what is left unanswered can push bodies out for long, so that their centres
+/// are stopped at the walls; else they are turned back behind them.
 void keep_centres_inside(const Step& step) {
   const WorldSettings& settings = step.settings;
   step.world.was_cut |= step.memory.report.grants.cut_beyond_refinement();
-  if (!settings.enclosure || !(step.input.dt_s > 0.0) || !step.world.was_cut) {
+  if (!settings.enclosure || !(step.input.dt_s > 0.0)) {
+    return;
+  }
+  if (!step.world.was_cut) {
+    if (settings.recording_format >= 3) {
+      turn_back_at_walls(step);
+    }
     return;
   }
   for (const MovedBound& bound : step.memory.bounds) {

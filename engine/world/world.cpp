@@ -80,6 +80,12 @@ void World::set_costs(const WorkCosts& costs) {
   change_settings(std::move(changed));
 }
 
+void World::go_by_recording_format(int format) {
+  WorldSettings changed = settings_;
+  changed.recording_format = format;
+  change_settings(std::move(changed));
+}
+
 void World::change_settings(WorldSettings changed) {
   const std::string problem = problem_of(changed);
   require(problem.empty(), problem.c_str());

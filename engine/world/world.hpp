@@ -20,13 +20,6 @@
 
 namespace impetus::inline world {
 
-/// Raised whenever a recording made before may no longer replay.
-inline constexpr int kRecordingFormat = 2;
-
-/// Older recordings are tried, and their hashes tell whether they replay. Those of format 1 do,
-/// unless a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
-inline constexpr int kOldestRecordingFormat = 1;
-
 /// Bodies that move, collide and respond, step by step.
 class World {
  public:
@@ -53,6 +46,11 @@ class World {
   void set_response(ResponseMethod response);
   void set_rotation(Rotation rotation) { settings_.rotation = rotation; }
   void set_costs(const WorkCosts& costs);
+
+  /// Steps by the rules of recordings of this format from now on (WorldSettings::recording_format).
+  /// Throws std::invalid_argument for one that is older than kOldestRecordingFormat, or newer than
+  /// this library.
+  void go_by_recording_format(int format);
 
   /// Who helps with steps from now on, or nobody: the search for entries is shared among them.
   /// Whatever a step does and reports is the same with any number, bit for bit, of the same work

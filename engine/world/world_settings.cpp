@@ -47,6 +47,12 @@ std::string problem_of(const WorldSettings& settings) {
   if (!settings.gravity_m_s2.allFinite()) {
     return "world: gravity must be finite";
   }
+  if (settings.recording_format < kOldestRecordingFormat ||
+      settings.recording_format > kRecordingFormat) {
+    return "world: expected the rules of recording format " +
+           std::to_string(kOldestRecordingFormat) + " to " + std::to_string(kRecordingFormat) +
+           ", got " + std::to_string(settings.recording_format);
+  }
   if (settings.most_response_passes < 1) {
     return "world: the response needs one pass or more, got " +
            std::to_string(settings.most_response_passes);

@@ -49,6 +49,14 @@ struct ImposedRebound {
   double speed_ratio{1.0};  ///< of both speeds, to those of the response
 };
 
+/// Raised whenever a recording made before may no longer replay by the rules of now.
+inline constexpr int kRecordingFormat = 3;
+
+/// Older recordings are tried, and their hashes tell whether they replay. Those of format 2 do, for
+/// their worlds go by its rules (WorldSettings::recording_format). So do those of format 1, unless
+/// a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
+inline constexpr int kOldestRecordingFormat = 1;
+
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
@@ -79,6 +87,9 @@ struct WorldSettings {
   std::optional<ImposedRebound> imposed_rebound{};  ///< an imposed manipulation, not physics
   /// Bodies that hinges join, in the order of their bodies.
   std::vector<Figure> figures{};
+  /// By whose rules the world steps: an older one's, where a recording of it is replayed. Before 3
+  /// whatever touches a body keeps it from falling, and walls push where they touch alone.
+  int recording_format{kRecordingFormat};
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.

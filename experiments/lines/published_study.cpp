@@ -43,6 +43,7 @@ json to_json(const PublishedStudy& study) {
   }
   return {{"format", kFormat},
           {"build", study.build},
+          {"recording_format", study.recording_format},
           {"protocol", study.protocol_json},
           {"scene", study.scene_json},
           {"solved", solved}};
@@ -55,6 +56,8 @@ PublishedStudy published_study_from(const json& document) {
   }
   PublishedStudy study;
   study.build = document.at("build").get<std::string>();
+  constexpr int kUnsaid = 2;  // by those that did not say it
+  study.recording_format = document.value("recording_format", kUnsaid);
   study.protocol_json = document.at("protocol").get<std::string>();
   study.scene_json = document.at("scene").get<std::string>();
   for (const json& each : document.at("solved")) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/world/world_settings.hpp"
 #include "experiments/design/plan.hpp"
 #include "experiments/protocol/protocol_file.hpp"
 #include "experiments/protocol/solved_values.hpp"
@@ -20,8 +21,9 @@ namespace impetus::inline lines {
 struct PublishedStudy {
   std::string protocol_json;
   std::string scene_json;
-  std::vector<SolvedFor> solved;  ///< for the plan of whoever comes
-  std::string build;              ///< of the program that published it
+  std::vector<SolvedFor> solved;           ///< for the plan of whoever comes
+  std::string build;                       ///< of the program that published it
+  int recording_format{kRecordingFormat};  ///< of its page, and so of the sessions
 };
 
 nlohmann::json to_json(const PublishedStudy& study);

@@ -36,10 +36,12 @@ class IntervalSteps {
 
 }  // namespace
 
-AttemptReplay::AttemptReplay(const Protocol& protocol, const SessionRecord& session)
+AttemptReplay::AttemptReplay(const Protocol& protocol, const SessionRecord& session,
+                             int recording_format)
     : protocol_(protocol),
       screen_(session.screen),
-      scenes_(protocol, session.rounding_allowed ? session.refresh_hz : 0.0) {}
+      scenes_(protocol, session.rounding_allowed ? session.refresh_hz : 0.0),
+      recording_format_(recording_format) {}
 
 ReplayedAttempt AttemptReplay::replay(const PlannedTrial& trial, AttemptRecord& attempt) const {
   ReplayedAttempt result;
@@ -49,7 +51,9 @@ ReplayedAttempt AttemptReplay::replay(const PlannedTrial& trial, AttemptRecord& 
     if (recorded.steps().empty()) {
       continue;
     }
-    RunningReplay running(scenes_.stage(stimulus, screen_), recorded.steps());
+    StagedScene scene = scenes_.stage(stimulus, screen_);
+    scene.world.go_by_recording_format(recording_format_);
+    RunningReplay running(std::move(scene), recorded.steps());
     for (std::size_t at = 0; !running.done(); ++at) {
       recorded.fill_digests(at, running.next().state.bodies);
     }

@@ -25,8 +25,10 @@ struct ReplayedAttempt {
 /// Stages the sessions of one protocol and screen as they were, and steps them again.
 class AttemptReplay {
  public:
-  /// `protocol` must outlive this. Of the session, screen, rate and rounding are used.
-  AttemptReplay(const Protocol& protocol, const SessionRecord& session);
+  /// `protocol` must outlive this. Of the session, screen, rate and rounding are used. It was
+  /// recorded in `recording_format`.
+  AttemptReplay(const Protocol& protocol, const SessionRecord& session,
+                int recording_format = kRecordingFormat);
 
   /// Digests that the attempt was handed over without are filled in as the steps are simulated; so
   /// they are proof of nothing, but a divergence later is named by them.
@@ -36,6 +38,7 @@ class AttemptReplay {
   const Protocol& protocol_;
   ScreenGeometry screen_;
   ProtocolScenes scenes_;
+  int recording_format_;
 };
 
 /// "trial 5, step 12, body red, position", as `impetus replay` says it.

@@ -28,7 +28,7 @@ SessionProof::SessionProof(std::string name, const PublishedStudy& study, const 
       protocol_(protocol),
       session_(session),
       earlier_(std::move(earlier)),
-      replay_(std::in_place, protocol, session) {
+      replay_(std::in_place, protocol, session, study.recording_format) {
   plan_ = planned(earlier_->enrolment.trials, protocol.design);
   standing_.emplace(Standing{plan_, earlier_->enrolment.history});
 }
@@ -86,7 +86,7 @@ void SessionProof::begin(const AnyRecord& record) {
   require_screen(session->screen);
   session_ = *session;
   earlier_ = find_earlier_(session_);
-  replay_.emplace(protocol_, session_);
+  replay_.emplace(protocol_, session_, study_.recording_format);
 }
 
 void SessionProof::require_screen(const ScreenGeometry& screen) const {
@@ -197,6 +197,7 @@ void SessionProof::require_bodies(const AttemptRecord& attempt, const std::strin
 SessionFacts facts_of(const SessionProof& proof, const std::string& key) {
   const SessionRecord& session = proof.session();
   SessionFacts facts;
+  facts.recording_format = proof.recording_format();
   facts.build = session.build;
   facts.machine = session.machine;
   facts.display = session.display;

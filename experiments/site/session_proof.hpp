@@ -52,6 +52,7 @@ class SessionProof {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const SessionRecord& session() const { return session_; }
+  [[nodiscard]] int recording_format() const { return study_.recording_format; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
   [[nodiscard]] const std::optional<EarlierSessions>& earlier() const { return earlier_; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }  ///< simulated again

@@ -71,7 +71,7 @@ std::int64_t insert_session(SQLite::Database& database, std::int64_t enrolment_i
       database, "session",
       {{"enrolment_id", enrolment_id},
        {"started_utc", Now()},
-       {"recording_format", kRecordingFormat},
+       {"recording_format", facts.recording_format},
        {"build", facts.build},
        {"machine", facts.machine},
        {"display", facts.display},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/scheduling/viewer.hpp"
+#include "engine/world/world_settings.hpp"
 #include "experiments/record/lab_screen.hpp"
 #include "experiments/record/record.hpp"
 #include "experiments/session/resumption.hpp"
@@ -35,6 +36,7 @@ struct SessionPage {
 
 /// What a session says of itself before it begins.
 struct SessionFacts {
+  int recording_format{kRecordingFormat};
   std::string build;
   std::string machine;
   std::string display;

@@ -122,7 +122,10 @@ ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
 
 StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t interval) {
   const Stimulus shown = stimulus(attempt, interval);
-  return ProtocolScenes(*shown.protocol, shown.round_hold_to_hz).stage(shown.trial, attempt.screen);
+  StagedScene scene =
+      ProtocolScenes(*shown.protocol, shown.round_hold_to_hz).stage(shown.trial, attempt.screen);
+  scene.world.go_by_recording_format(attempt.recording_format);
+  return scene;
 }
 
 const nlohmann::json& ReplayLibrary::changed(const StoredAttempt& attempt,
@@ -144,10 +147,12 @@ StagedScene ReplayLibrary::stage_changed(const StoredAttempt& attempt, std::int6
   // As deep as the study's own, so that its own settings give its own trees.
   const int deepest =
       std::max(deepest_level_of(*shown.protocol), deepest_level_of(scene["engine"]));
-  return staged_from(shown.protocol->scene, [&] {
+  StagedScene staged = staged_from(shown.protocol->scene, [&] {
     return build_scene(scene, attempt.screen, shown.round_hold_to_hz, *shapes_,
                        start_of(shown.trial), shown.trial.seed, deepest);
   });
+  staged.world.go_by_recording_format(attempt.recording_format);
+  return staged;
 }
 
 void ReplayLibrary::check_changed(const StoredAttempt& attempt) {

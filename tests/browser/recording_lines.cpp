@@ -63,6 +63,7 @@ void write_lines(const char* file, std::ostream& out) {
     }
     out << json{{"kind", "protocol"},
                 {"id", id},
+                {"recording_format", attempt.recording_format},
                 {"protocol", texts.protocol_json},
                 {"scene", texts.scene_json}}
                .dump()

@@ -23,6 +23,7 @@ using nlohmann::json;
 struct Told {
   std::map<std::int64_t, Protocol> protocols;
   const Protocol* protocol{nullptr};
+  int recording_format{0};
   SessionRecord session;
   PlannedTrial trial;
   std::int64_t steps{0};
@@ -38,12 +39,13 @@ void take_protocol(const json& line, Told& told) {
                              parse_json("the scene", line.at("scene").get<std::string>())));
   }
   told.protocol = &told.protocols.at(id);
+  told.recording_format = line.at("recording_format").get<int>();
 }
 
 void take_attempt(AttemptRecord attempt, const char* file, Told& told) {
   const auto began = std::chrono::steady_clock::now();
-  const ReplayedAttempt found =
-      AttemptReplay(*told.protocol, told.session).replay(told.trial, attempt);
+  const ReplayedAttempt found = AttemptReplay(*told.protocol, told.session, told.recording_format)
+                                    .replay(told.trial, attempt);
   told.taken += std::chrono::steady_clock::now() - began;
   told.steps += found.steps;
   if (found.divergence) {

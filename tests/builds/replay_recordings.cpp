@@ -49,10 +49,12 @@ json scene_of(const ProtocolTexts& texts, const StoredTrial& trial) {
 
 StagedScene staged(const ProtocolTexts& texts, const StoredAttempt& attempt, ShapeLibrary& shapes) {
   const bool practice = attempt.trial.phase == TrialPhase::kPractice;
-  return build_scene(scene_of(texts, attempt.trial), attempt.screen, /*round_hold_to_hz=*/0.0,
-                     shapes,
-                     (practice ? "practice/" : "main/") + std::to_string(attempt.trial.repetition),
-                     attempt.trial.seed);
+  StagedScene scene =
+      build_scene(scene_of(texts, attempt.trial), attempt.screen, /*round_hold_to_hz=*/0.0, shapes,
+                  (practice ? "practice/" : "main/") + std::to_string(attempt.trial.repetition),
+                  attempt.trial.seed);
+  scene.world.go_by_recording_format(attempt.recording_format);
+  return scene;
 }
 
 /// Whether every trial of the study ends each step in the state that it did.

@@ -97,6 +97,53 @@ TEST(Gravity, ABouncingBallGainsNoEnergyButWhatItsSupportedStepsMayGive) {
   }
 }
 
+TEST(Gravity, WhatTouchesABodyFromTheSideDoesNotKeepItFromFalling) {
+  // A ball flies to and fro between two walls while it falls; its energy is kept by every bounce.
+  const BodyModel model = ball(0.1, 1.0);
+  const auto gain_J = [&](int recording_format) {
+    WorldSettings settings = falling(1.0);
+    settings.enclosure = ClosedCube{1.0};
+    settings.recording_format = recording_format;
+    World world({model}, {moving(model, {0.0, 0.8, 0.0}, {20.0, 0.0, 0.0})}, settings);
+    const double start_J = energy_J(world);
+    int touches = 0;
+    for (int step = 0; step < 130; ++step) {
+      touches += step_whole(world).collisions.empty() ? 0 : 1;
+    }
+    EXPECT_GE(touches, 4);
+    return energy_J(world) - start_J;
+  };
+  EXPECT_NEAR(gain_J(kRecordingFormat), 0.0, 1e-10);
+  // ½ m g² dt² at each touch.
+  EXPECT_GT(gain_J(2), 3 * 0.5 * kGravity_m_s2.squaredNorm() * kStep_s * kStep_s);
+}
+
+TEST(Gravity, ElasticBallsAmongEachOtherGainLittle) {
+  // At each touch from below up to (kRestingSteps + ½) m g² dt² may be gained; seldom is.
+  RandomStream random(kSeed, "elastic");
+  const BodyModel model = ball(0.15, 1.0);
+  std::vector<BodyState> states;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3 corner(i % 2 - 0.5, i / 2 % 2 - 0.5, i / 4 - 0.5);
+    states.push_back(moving(model, corner, random_in_cube(random, 1.0)));
+  }
+  const auto share_gained = [&](int recording_format) {
+    WorldSettings settings = falling(1.0);
+    settings.enclosure = ClosedCube{0.8};
+    settings.recording_format = recording_format;
+    World world(std::vector<BodyModel>(states.size(), model), states, settings);
+    const double start_J = energy_J(world);
+    FixedWork meter(kUnlimitedTests);
+    for (int step = 0; step < 600; ++step) {
+      world.step(step_of(1.0 / 60.0), meter);
+    }
+    const double fall_J = 8.0 * kGravity_m_s2.norm() * 1.6;  // of all, from top to bottom
+    return (energy_J(world) - start_J) / fall_J;
+  };
+  EXPECT_LT(share_gained(kRecordingFormat), 0.05);
+  EXPECT_GT(share_gained(2), 0.5) << "what recordings of format 2 were made by";
+}
+
 TEST(Gravity, AStackAtRestStaysWhereItIs) {
   const BodyModel model = ball(0.1, 1.0);
   std::vector<BodyState> states;
@@ -159,6 +206,36 @@ TEST(Gravity, AHundredBodiesPouredIntoAPitSettleAndNoneFallsThroughTheFloor) {
   }
 }
 
+/// How far the centre of any body is beyond a wall in the worst of 150 long steps (metres).
+double farthest_out_m(WorldSettings settings) {
+  World world = poured(12, std::move(settings));
+  FixedWork meter(kUnlimitedTests);
+  double farthest_m = 0.0;
+  for (int step = 0; step < 150; ++step) {
+    world.step(step_of(1.0 / 20.0), meter);
+    for (const BodyState& state : world.states()) {
+      farthest_m = std::max(farthest_m, state.pose.position.cwiseAbs().maxCoeff() - 1.0);
+    }
+  }
+  return farthest_m;
+}
+
+TEST(Gravity, NobodyLeavesTheWallsWhateverIsMadeOfTheContacts) {
+  for (const char* reduction : {"none", "first", "average", "groups", "density", "weighted"}) {
+    for (const ResponseMethod method : {ResponseMethod::kInTurn, ResponseMethod::kTogether}) {
+      WorldSettings settings = falling(0.5);
+      settings.response = method;
+      settings.contacts.reduction = make_reduction(reduction);
+      // Falling through the cube a body is at 6 m/s, and .3 m further in a step.
+      EXPECT_LT(farthest_out_m(settings), 0.35) << reduction;
+    }
+  }
+  WorldSettings before = falling(0.5);
+  before.contacts.reduction = make_reduction("first");
+  before.recording_format = 2;
+  EXPECT_GT(farthest_out_m(before), 1.0) << "what recordings of format 2 were made by";
+}
+
 TEST(Gravity, MustBeFinite) {
   WorldSettings settings = falling(1.0);
   settings.gravity_m_s2.y() = std::numeric_limits<double>::quiet_NaN();
@@ -166,6 +243,10 @@ TEST(Gravity, MustBeFinite) {
   settings = falling(1.0);
   settings.most_response_passes = 0;
   EXPECT_EQ(problem_of(settings), "world: the response needs one pass or more, got 0");
+  settings = falling(1.0);
+  settings.recording_format = 0;
+  EXPECT_EQ(problem_of(settings),
+            "world: expected the rules of recording format 1 to 3, got 0");
 }
 
 }  // namespace impetus::gravity_test

@@ -230,11 +230,11 @@ TEST(Replay, WhatCannotBeReplayedIsRefused) {
   change(folder, "UPDATE session SET recording_format = 99, build = 'Impetus 9.0'");
   expect_refused(folder, {"replay", "a.sqlite"},
                  "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays "
-                 "formats 1 to 2, use that one");
+                 "formats 1 to 3, use that one");
   change(folder, "UPDATE session SET recording_format = 0, build = 'Impetus 0.0'");
   expect_refused(folder, {"replay", "a.sqlite"},
                  "a.sqlite: trial 1 was recorded in format 0 by Impetus 0.0; this build replays "
-                 "formats 1 to 2, use that one");
+                 "formats 1 to 3, use that one");
 }
 
 TEST(Replay, ADivergenceThatDigestsHideForAStepIsNamedByTheNext) {

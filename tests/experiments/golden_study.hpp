@@ -53,7 +53,9 @@ struct Golden {
                          condition_from_json(condition, source.protocol.design),
                          attempt.trial.seed};
     planned.solved = solved_values_from(attempt.trial.solved);
-    return source.scenes.stage(planned, attempt.screen);
+    StagedScene scene = source.scenes.stage(planned, attempt.screen);
+    scene.world.go_by_recording_format(attempt.recording_format);
+    return scene;
   }
   [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt) {
     return load_steps(study.database(), attempt.id);

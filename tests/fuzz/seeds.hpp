@@ -107,7 +107,7 @@ inline std::vector<std::string> study_seeds() {
   for (std::size_t base = 0; base < small_studies().size(); ++base) {
     for (const char* change :
          {"UPDATE trial SET condition='{\"delay_ms\":1e300}'", "UPDATE trial SET solved='[1]'",
-          "UPDATE session SET refresh_hz=-1,screen_width_px=0,recording_format=3",
+          "UPDATE session SET refresh_hz=-1,screen_width_px=0,recording_format=99",
           "UPDATE session SET viewing_distance_m=0", "UPDATE step SET digests=x'00',hash=1",
           "UPDATE step SET work_granted=-9223372036854775808,region_x_m=1e300",
           "UPDATE protocol SET scene_json='{}'", "UPDATE protocol SET protocol_json='['",

@@ -9,7 +9,8 @@
 namespace impetus::inline trees {
 
 /// Raised when a change makes any builder's tree differ: trees of another version are built anew.
-/// Recordings depend on their trees, so kRecordingFormat (engine/world/world.hpp) rises too.
+/// Recordings depend on their trees, so kRecordingFormat (engine/world/world_settings.hpp) rises
+/// too.
 inline constexpr int kTreeBuilderVersion = 2;
 
 /// A tree of at most levels_to_build(settings) + 1 levels, fewer when nothing finer would change
