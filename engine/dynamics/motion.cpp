@@ -272,12 +272,12 @@ bool turns_in(double moving_s, const BodyModel& model, const BodyState& state) {
 
 }  // namespace
 
-Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
+Fall fall_of(const BodyModel& model, const BodyState& state, bool pushed_up,
              const Vector3& gravity_m_s2, double dt_s) {
   const double down = velocity(model, state).dot(gravity_m_s2);
   const double gain = dt_s * gravity_m_s2.squaredNorm();
   Fall fall{gravity_m_s2};
-  fall.supported = touched && down + 0.5 * gain > 0.0;
+  fall.supported = pushed_up && down + 0.5 * gain > 0.0;
   fall.resting = fall.supported && down <= kRestingSteps * gain;
   return fall;
 }

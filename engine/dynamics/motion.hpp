@@ -1,7 +1,7 @@
 // Free motion: the angular momentum is constant and the linear one grows by gravity alone, so the
 // position is exact, on a parabola, and only the rotation is integrated.
 //
-// A body that touched something when the step before ended does not fall in the step: it goes
+// A body that was pushed upwards when the step before ended does not fall in the step: it goes
 // where its velocity takes it, and what gravity adds to its momentum is for the contact to take
 // away. Nor does it go down while it is slower than gravity makes it in kRestingSteps steps: what
 // lies still stays where it is, though impulses in turn leave it a little of that speed. In such a
@@ -51,8 +51,8 @@ struct Fall {
   bool resting{false};    ///< and not down
 };
 
-/// How a body falls in a step of `dt_s` seconds, which may have touched when the step before ended.
-Fall fall_of(const BodyModel& model, const BodyState& state, bool touched,
+/// How a body falls in a step of `dt_s` seconds. `pushed_up`: when the step before ended.
+Fall fall_of(const BodyModel& model, const BodyState& state, bool pushed_up,
              const Vector3& gravity_m_s2, double dt_s);
 
 /// Moves a body through `dt_s` seconds, less what an imposed hold still takes from it: then its

@@ -22,6 +22,7 @@ constexpr Recording kRecordings[] = {
     {"causality-thresholds-quest", 21U},
     {"crowd", 7U},                   // trees of medial spheres, 50 and 100 creatures
     {"distorted-rebounds", 22U},     // one of each change, and of none
+    {"falling", 8U},                 // of format 3: gravity, and one contact a pair
     {"far-and-fast", 12U},           // turns of 660 degrees in a step, entries, walls
     {"figures", 7U},                 // hinges, limits and folds, at three levels
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
@@ -71,6 +72,25 @@ std::int64_t steps_where(const char* name, const std::string& condition) {
   return golden.study.database()
       .execAndGet("SELECT count(*) FROM step WHERE " + condition)
       .getInt64();
+}
+
+/// In how many trials of the recording a step ends otherwise by the rules of this format.
+std::int64_t divergent_by(const char* name, int recording_format) {
+  Golden golden(name);
+  std::int64_t count = 0;
+  for (const StoredAttempt& attempt : golden.attempts) {
+    StagedScene scene = golden.stage(attempt);
+    scene.world.go_by_recording_format(recording_format);
+    count += replay(std::move(scene), golden.steps(attempt)).divergence ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(GoldenStudies, BodiesFallByTheRulesOfTheFormatThatTheyWereRecordedIn) {
+  EXPECT_EQ(divergent_by("far-and-fast", 2), 0);
+  EXPECT_GT(divergent_by("far-and-fast", 3), 0);
+  EXPECT_EQ(divergent_by("falling", 3), 0);
+  EXPECT_GT(divergent_by("falling", 2), 0);
 }
 
 // What would not be noticed by a comparison of builds, if no recording had it.
