@@ -67,6 +67,21 @@ TEST(ReturnedSession, IsCollectedVerifiedAndReplayed) {
                      "SELECT machine || ', ' || ending || ', ' || page_name || ', ' || page_parts "
                      "FROM session"),
             "a browser, finished, " + std::string(kPageName) + ", 8");
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT recording_format FROM session"),
+            std::to_string(kRecordingFormat));
+}
+
+TEST(ReturnedSession, OfAFolderThatDoesNotSayItsRecordingFormatIsOfTheSecond) {
+  const TemporaryFolder folder;
+  write_returned(folder);
+  json published = json::parse(text_of(folder / "site/study.json"));
+  EXPECT_EQ(published_study_from(published).recording_format, kRecordingFormat);
+  published.erase("recording_format");
+  folder.write("site/study.json", published.dump());
+  const ProgramResult collected =
+      run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"});
+  EXPECT_EQ(collected.status, 0) << collected.errors;
+  EXPECT_EQ(value_of(folder / "a.sqlite", "SELECT recording_format FROM session"), "2");
 }
 
 TEST(ReturnedSession, HasThePlanAndTheStatesOfTheProgramItself) {

@@ -1,5 +1,6 @@
 // Who does which protocol: the plan, its resumption, and who is refused.
 // SPDX-License-Identifier: MIT
+#include "experiments/store/yoke_rows.hpp"
 #include "tests/experiments/test_study.hpp"
 
 namespace impetus::enrolment_test {
@@ -115,6 +116,27 @@ TEST(Enrolment, APersonAndASimulatedParticipantNeverShareAName) {
   enrol(at.study, "S01", true, texts_of(at.protocol), 1, stored(short_plan(at.protocol, 1)));
   EXPECT_EQ(sentence_of([&] { at.found("S01", false); }),
             path + ": participant S01 is simulated in this study; a person needs another name");
+}
+
+TEST(Enrolment, PeopleFollowPeopleAndSimulatedParticipantsTheSimulated) {
+  const TemporaryFolder folder;
+  EnrolledStudy at(folder / "a.sqlite");
+  const ProtocolTexts texts = texts_of(at.protocol);
+  const auto finish = [&](const std::string& name, bool simulated) {
+    const Enrolment enrolled =
+        enrol(at.study, name, simulated, texts, 1, stored(short_plan(at.protocol, 1)));
+    StudyWriter writer(at.study, enrolled, facts());
+    writer.mark_finished();
+    writer.end("finished");
+  };
+  finish("P02", false);
+  finish("S01", true);
+  EXPECT_EQ(last_partner(at.study, "causality", "P01", false).value().pseudonym, "P02");
+  EXPECT_EQ(last_partner(at.study, "causality", "P01", true).value().pseudonym, "S01");
+  EXPECT_TRUE(has_finished(at.study, "P02", false, texts));
+  EXPECT_TRUE(has_finished(at.study, "S01", true, texts));
+  EXPECT_FALSE(has_finished(at.study, "P01", false, texts));
+  EXPECT_FALSE(has_finished(at.study, "P02", true, texts));
 }
 
 TEST(Enrolment, APlanIsStoredWholeOrNotAtAll) {

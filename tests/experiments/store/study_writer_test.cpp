@@ -268,6 +268,44 @@ TEST(StudyWriter, ACollisionIsReadWithThePlacesOfItsBodies) {
   EXPECT_EQ(found({"second", "another"}), "0 -1; ");
 }
 
+TEST(StudyWriter, WhatWasImposedOnACollisionIsKeptEachInItsColumn) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  ASSERT_EQ(attempt.collisions.size(), 1U);
+  attempt.collisions[0].report.imposed_hold_s = 0.25;
+  attempt.collisions[0].imposed_spin = ImposedSpin{{1.5, 2.5, 3.5}, {-1.5, -2.5, -3.5}};
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT imposed_hold_ms FROM collision"), "250.0");
+  EXPECT_EQ(value_of(path,
+                     "SELECT imposed_spin_a_x_rad_s || ' ' || imposed_spin_a_y_rad_s || ' ' || "
+                     "imposed_spin_a_z_rad_s || ' ' || imposed_spin_b_x_rad_s || ' ' || "
+                     "imposed_spin_b_y_rad_s || ' ' || imposed_spin_b_z_rad_s FROM collision"),
+            "1.5 2.5 3.5 -1.5 -2.5 -3.5");
+}
+
+TEST(StudyWriter, ClicksAreNumberedFromOne) {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "a.sqlite").string();
+  AttemptRecord attempt = recorded_attempts()[0];
+  attempt.clicks.resize(3);
+  for (ClickRecord& click : attempt.clicks) {
+    click.device = "mouse";
+  }
+  {
+    EnrolledStudy at(path);
+    StudyWriter writer(at.study, at.enrolment, facts());
+    writer.save(attempt);
+    writer.end("quit");
+  }
+  EXPECT_EQ(value_of(path, "SELECT group_concat(number) FROM click"), "1,2,3");
+}
+
 TEST(StudyWriter, DetailsOfAResponseAreKeptAsTheyAre) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
