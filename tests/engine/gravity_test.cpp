@@ -135,13 +135,13 @@ TEST(Gravity, ElasticBallsAmongEachOtherGainLittle) {
     const double start_J = energy_J(world);
     FixedWork meter(kUnlimitedTests);
     for (int step = 0; step < 600; ++step) {
-      world.step(step_of(1.0 / 60.0), meter);
+      world.step(step_of(1.0 / 30.0), meter);
     }
     const double fall_J = 8.0 * kGravity_m_s2.norm() * 1.6;  // of all, from top to bottom
     return (energy_J(world) - start_J) / fall_J;
   };
   EXPECT_LT(share_gained(kRecordingFormat), 0.05);
-  EXPECT_GT(share_gained(2), 0.5) << "what recordings of format 2 were made by";
+  EXPECT_GT(share_gained(2), 0.3) << "what recordings of format 2 were made by";
 }
 
 TEST(Gravity, AStackAtRestStaysWhereItIs) {
@@ -190,7 +190,7 @@ TEST(Gravity, AHundredBodiesPouredIntoAPitSettleAndNoneFallsThroughTheFloor) {
     settings.most_response_passes = passes;
     World world = poured(100, settings);
     const double start_J = energy_J(world);
-    for (int step = 0; step < 720; ++step) {
+    for (int step = 0; step < 840; ++step) {
       ASSERT_EQ(step_whole(world).degradations & kNotFinite, 0U);
     }
     double fastest_m_s = 0.0;
@@ -201,7 +201,7 @@ TEST(Gravity, AHundredBodiesPouredIntoAPitSettleAndNoneFallsThroughTheFloor) {
       lowest_m = std::min(lowest_m, world.states()[body].pose.position.y());
     }
     EXPECT_GT(lowest_m, -1.0) << "the floor";
-    EXPECT_LT(fastest_m_s, 0.5) << "settling";
+    EXPECT_LT(fastest_m_s, 0.2) << "settling";
     EXPECT_LT(energy_J(world), start_J);
   }
 }
@@ -245,8 +245,7 @@ TEST(Gravity, MustBeFinite) {
   EXPECT_EQ(problem_of(settings), "world: the response needs one pass or more, got 0");
   settings = falling(1.0);
   settings.recording_format = 0;
-  EXPECT_EQ(problem_of(settings),
-            "world: expected the rules of recording format 1 to 3, got 0");
+  EXPECT_EQ(problem_of(settings), "world: expected the rules of recording format 1 to 3, got 0");
 }
 
 }  // namespace impetus::gravity_test
