@@ -131,8 +131,10 @@ TEST(Enrolment, PeopleFollowPeopleAndSimulatedParticipantsTheSimulated) {
   };
   finish("P02", false);
   finish("S01", true);
-  EXPECT_EQ(last_partner(at.study, "causality", "P01", false).value().pseudonym, "P02");
-  EXPECT_EQ(last_partner(at.study, "causality", "P01", true).value().pseudonym, "S01");
+  for (const auto& partner : {last_partner, least_followed_partner}) {
+    EXPECT_EQ(partner(at.study, "causality", "P01", false).value().pseudonym, "P02");
+    EXPECT_EQ(partner(at.study, "causality", "P01", true).value().pseudonym, "S01");
+  }
   EXPECT_TRUE(has_finished(at.study, "P02", false, texts));
   EXPECT_TRUE(has_finished(at.study, "S01", true, texts));
   EXPECT_FALSE(has_finished(at.study, "P01", false, texts));
