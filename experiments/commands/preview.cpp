@@ -17,14 +17,12 @@
 #include "experiments/commands/running/chosen_screen.hpp"
 #include "experiments/commands/shipped_file.hpp"
 #include "experiments/commands/window_size.hpp"
-#include "experiments/drawing/scene_painter.hpp"
 #include "experiments/record/ports.hpp"
 #include "experiments/run/level_collision.hpp"
-#include "experiments/run/live_run.hpp"
 #include "experiments/scenes/scene_file.hpp"
 #include "experiments/viewers/collision_strip.hpp"
 #include "experiments/viewers/preview_view.hpp"
-#include "experiments/window/gl_window.hpp"
+#include "experiments/viewers/still_picture.hpp"
 #endif
 
 namespace impetus::inline commands {
@@ -78,20 +76,6 @@ void print_luminance(const ScreenLight& light, const Pixels& picture) {
               3.0 * sum / static_cast<double>(picture.rgb.size()));
 }
 
-/// The scene `time_s` after its onset, unattended, as a participant has it before the eyes. Throws
-/// std::runtime_error with one sentence when no OpenGL 3.3 can be had.
-Pixels still_picture(StagedScene scene, double time_s, const PictureSize& size) {
-  constexpr std::uint64_t kSeed = 1;
-  const SteadyClock clock;
-  LiveRun live(std::move(scene), kSeed, &clock);
-  const std::vector<Pose> poses = live.poses_at(time_s);
-  const GlWindow window(unseen_window(size));
-  ScenePainter painter;
-  const PixelArea whole{0, 0, size.width_px, size.height_px};
-  painter.paint(picture_of(live.scene(), poses, time_s, {}), whole);
-  return window_pixels(whole);
-}
-
 void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
   require_new_file(options.picture);
   const ScreenGeometry screen = chosen_screen(options.screen_file);
@@ -109,7 +93,8 @@ void write_picture(const JsonDocument& scene, const PreviewOptions& options) {
                   staged.duration_s, options.at_s);
     throw InputError(text);
   }
-  const Pixels picture = still_picture(std::move(staged), options.at_s, size);
+  const SteadyClock clock;
+  const Pixels picture = still_picture(std::move(staged), options.at_s, size, clock);
   write_png(picture, options.picture);
   std::printf("written to %s\n", options.picture.c_str());
   if (const auto light = chosen_light(options.screen_file)) {
