@@ -51,6 +51,9 @@ struct ResponseRules {
   int most_passes{kUnlimitedPasses};
   /// Of an approach slower than this (m/s) nothing is given back.
   double resting_m_s{0.0};
+  /// What the hinges of figures must leave of how a contact's bodies would give way alone, for it
+  /// to be pushed: of what they hold rounding is left, and a push divided by that is of any size.
+  double least_share_of_give{1e-10};
   ResponseWork* work{nullptr};  ///< none: nothing interrupts it
 };
 

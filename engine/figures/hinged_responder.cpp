@@ -85,8 +85,9 @@ void add_folds(const Figure& figure, std::span<const double> rest_openings,
 }
 
 void HingedBodies::gather(const std::vector<Contact>& contacts, const std::vector<HingeStop>& stops,
-                          const std::vector<BodyModel>& models,
+                          double least_share, const std::vector<BodyModel>& models,
                           const std::vector<BodyState>& states, const FiguresInMotion& figures) {
+  least_share_ = least_share;
   models_ = &models;
   figures_ = figures;
   moving_.clear();
@@ -230,15 +231,25 @@ double HingedBodies::give(std::size_t row) {
   double give = 0.0;
   for (std::int64_t i = 0; i < own.change_count; ++i) {
     const Change& change = changes_[static_cast<std::size_t>(own.first_change + i)];
-    const Moving& body = moving_[at(change.slot)];
-    const Vector3 spin = body.inverse_inertia * change.impulse.angular;
-    const auto along = [&](const Side& side) {
-      return own.turns
-                 ? own.normal.dot(spin)
-                 : own.normal.dot(body.inverse_mass * change.impulse.linear + spin.cross(side.arm));
-    };
-    give += change.slot == own.a.slot ? along(own.a) : 0.0;
-    give -= change.slot == own.b.slot ? along(own.b) : 0.0;
+    give += change.slot == own.a.slot ? moved_by(own, own.a, change.impulse) : 0.0;
+    give -= change.slot == own.b.slot ? moved_by(own, own.b, change.impulse) : 0.0;
+  }
+  return give > least_share_ * give_alone(own) ? give : 0.0;
+}
+
+double HingedBodies::moved_by(const Row& row, const Side& side, const PartImpulse& own) const {
+  const Moving& body = moving_[at(side.slot)];
+  const Vector3 spin = body.inverse_inertia * own.angular;
+  return row.turns ? row.normal.dot(spin)
+                   : row.normal.dot(body.inverse_mass * own.linear + spin.cross(side.arm));
+}
+
+double HingedBodies::give_alone(const Row& row) const {
+  double give = 0.0;
+  for (const Side* side : {&row.a, &row.b}) {
+    if (side->slot != kNone && moving_[at(side->slot)].moved) {
+      give += moved_by(row, *side, unit_impulse(row, *side, 1.0));
+    }
   }
   return give;
 }
@@ -310,7 +321,7 @@ const ResponseResult& HingedResponder::respond(const std::vector<Contact>& conta
                                                const std::vector<BodyModel>& models,
                                                const FiguresInMotion& figures,
                                                std::vector<BodyState>& states) {
-  bodies_.gather(contacts, stops, models, states, figures);
+  bodies_.gather(contacts, stops, rules.least_share_of_give, models, states, figures);
   const std::size_t count = bodies_.contact_count();
   restitutions_.assign(restitutions.begin(), restitutions.end());
   restitutions_.resize(count, 0.0);

@@ -59,10 +59,11 @@ struct FiguresInMotion {
 /// figure. Keeps its arrays from one step to the next.
 class HingedBodies {
  public:
-  /// Looks anew at the contacts, then at the stops.
+  /// Looks anew at the contacts, then at the stops. Contacts of which hinges leave less than
+  /// `least_share` (ResponseRules::least_share_of_give) do not give.
   void gather(const std::vector<Contact>& contacts, const std::vector<HingeStop>& stops,
-              const std::vector<BodyModel>& models, const std::vector<BodyState>& states,
-              const FiguresInMotion& figures);
+              double least_share, const std::vector<BodyModel>& models,
+              const std::vector<BodyState>& states, const FiguresInMotion& figures);
 
   [[nodiscard]] std::size_t contact_count() const { return rows_.size(); }
 
@@ -82,7 +83,7 @@ class HingedBodies {
   [[nodiscard]] double separation_speed(std::size_t row) const;
   [[nodiscard]] double incoming_speed(std::size_t row) const;
 
-  /// How much an impulse of one changes the separation speed.
+  /// How much an impulse of one changes the separation speed; 0 where hinges hold it.
   double give(std::size_t row);
   void push(std::size_t row, double impulse, std::vector<BodyState>& states);
 
@@ -128,6 +129,10 @@ class HingedBodies {
   Side side_at(std::int32_t body, const Vector3& point, const std::vector<BodyState>& states);
   void add_row(Row row);
   [[nodiscard]] double speed_along(const Row& row, const Side& side) const;
+  /// How much an impulse of one moves a side along the normal that gets `own` of it.
+  [[nodiscard]] double moved_by(const Row& row, const Side& side, const PartImpulse& own) const;
+  /// The same of both sides as if no hinge held them.
+  [[nodiscard]] double give_alone(const Row& row) const;
   [[nodiscard]] PartImpulse unit_impulse(const Row& row, const Side& side, double sign) const;
   void find_changes(Row& row);
   void add_changes_of_figure(const Row& row, std::int32_t figure);
@@ -135,6 +140,7 @@ class HingedBodies {
 
   const std::vector<BodyModel>* models_{nullptr};
   FiguresInMotion figures_;
+  double least_share_{0.0};
   std::vector<Moving> moving_;
   std::vector<std::int32_t> slot_of_body_;
   std::vector<std::uint8_t> place_moves_;

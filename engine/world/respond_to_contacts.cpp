@@ -75,6 +75,7 @@ const ResponseResult& give_impulses(const Step& step) {
   rules.method = settings.response;
   rules.most_passes = settings.most_response_passes;
   rules.resting_m_s = resting_speed_m_s(step);
+  rules.least_share_of_give = settings.recording_format < 3 ? 0.0 : rules.least_share_of_give;
   ResponseWork work{step.work_of(WorkPhase::kResponse), step.work_of(WorkPhase::kVisible),
                     [&step] { return most_visible_first(step); }};
   rules.work = &work;

@@ -88,7 +88,8 @@ struct WorldSettings {
   /// Bodies that hinges join, in the order of their bodies.
   std::vector<Figure> figures{};
   /// By whose rules the world steps: an older one's, where a recording of it is replayed. Before 3
-  /// whatever touches a body keeps it from falling, and walls push where they touch alone.
+  /// whatever touches a body keeps it from falling, walls push where they touch alone, and what the
+  /// hinges of a figure hold is pushed, too.
   int recording_format{kRecordingFormat};
 };
 
