@@ -12,7 +12,7 @@ namespace {
 /// Sideways and downwards nothing is held; kept from falling there, a body would gain energy at
 /// each touch.
 void find_supported(const Step& step, std::vector<Fall>& falls) {
-  const bool by_any_touch = step.settings.recording_format < 3;
+  const bool by_any_touch = step.settings.has_rules_before_3();
   for (const TouchingPair& pair : step.world.touching) {
     const double down = pair.normal.dot(step.settings.gravity_m_s2);  // the normal points to a
     for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {

@@ -80,7 +80,7 @@ void World::set_costs(const WorkCosts& costs) {
   change_settings(std::move(changed));
 }
 
-void World::go_by_recording_format(int format) {
+void World::set_recording_format(int format) {
   WorldSettings changed = settings_;
   changed.recording_format = format;
   change_settings(std::move(changed));

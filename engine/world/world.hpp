@@ -50,7 +50,7 @@ class World {
   /// Steps by the rules of recordings of this format from now on (WorldSettings::recording_format).
   /// Throws std::invalid_argument for one that is older than kOldestRecordingFormat, or newer than
   /// this library.
-  void go_by_recording_format(int format);
+  void set_recording_format(int format);
 
   /// Who helps with steps from now on, or nobody: the search for entries is shared among them.
   /// Whatever a step does and reports is the same with any number, bit for bit, of the same work

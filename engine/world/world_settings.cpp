@@ -47,8 +47,7 @@ std::string problem_of(const WorldSettings& settings) {
   if (!settings.gravity_m_s2.allFinite()) {
     return "world: gravity must be finite";
   }
-  if (settings.recording_format < kOldestRecordingFormat ||
-      settings.recording_format > kRecordingFormat) {
+  if (!is_tried(settings.recording_format)) {
     return "world: expected the rules of recording format " +
            std::to_string(kOldestRecordingFormat) + " to " + std::to_string(kRecordingFormat) +
            ", got " + std::to_string(settings.recording_format);

@@ -57,6 +57,10 @@ inline constexpr int kRecordingFormat = 3;
 /// a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
 inline constexpr int kOldestRecordingFormat = 1;
 
+inline constexpr bool is_tried(int recording_format) {
+  return kOldestRecordingFormat <= recording_format && recording_format <= kRecordingFormat;
+}
+
 /// As it stands: elastic bodies without walls, all refined to the finest level, nearest first.
 struct WorldSettings {
   double restitution{1.0};  ///< in [0, 1]
@@ -91,6 +95,8 @@ struct WorldSettings {
   /// whatever touches a body keeps it from falling, walls push where they touch alone, and what the
   /// hinges of a figure hold is pushed, too.
   int recording_format{kRecordingFormat};
+
+  [[nodiscard]] bool has_rules_before_3() const { return recording_format < 3; }
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.

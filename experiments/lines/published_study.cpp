@@ -58,6 +58,12 @@ PublishedStudy published_study_from(const json& document) {
   study.build = document.at("build").get<std::string>();
   constexpr int kUnsaid = 2;  // by those that did not say it
   study.recording_format = document.value("recording_format", kUnsaid);
+  if (!is_tried(study.recording_format)) {
+    throw std::runtime_error(
+        "expected sessions of recording format " + std::to_string(kOldestRecordingFormat) + " to " +
+        std::to_string(kRecordingFormat) + ", got " + std::to_string(study.recording_format) +
+        ", published by " + study.build);
+  }
   study.protocol_json = document.at("protocol").get<std::string>();
   study.scene_json = document.at("scene").get<std::string>();
   for (const json& each : document.at("solved")) {

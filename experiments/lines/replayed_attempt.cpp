@@ -52,7 +52,7 @@ ReplayedAttempt AttemptReplay::replay(const PlannedTrial& trial, AttemptRecord& 
       continue;
     }
     StagedScene scene = scenes_.stage(stimulus, screen_);
-    scene.world.go_by_recording_format(recording_format_);
+    scene.world.set_recording_format(recording_format_);
     RunningReplay running(std::move(scene), recorded.steps());
     for (std::size_t at = 0; !running.done(); ++at) {
       recorded.fill_digests(at, running.next().state.bodies);

@@ -27,8 +27,7 @@ class AttemptReplay {
  public:
   /// `protocol` must outlive this. Of the session, screen, rate and rounding are used. It was
   /// recorded in `recording_format`.
-  AttemptReplay(const Protocol& protocol, const SessionRecord& session,
-                int recording_format = kRecordingFormat);
+  AttemptReplay(const Protocol& protocol, const SessionRecord& session, int recording_format);
 
   /// Digests that the attempt was handed over without are filled in as the steps are simulated; so
   /// they are proof of nothing, but a divergence later is named by them.

@@ -103,8 +103,7 @@ bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t in
 
 ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
                                                 std::int64_t interval) {
-  if (attempt.recording_format < kOldestRecordingFormat ||
-      attempt.recording_format > kRecordingFormat) {
+  if (!is_tried(attempt.recording_format)) {
     throw InputError(study_.name() + ": trial " + std::to_string(attempt.trial_id) +
                      " was recorded in format " + std::to_string(attempt.recording_format) +
                      " by " + attempt.build + "; this build replays formats " +
@@ -124,7 +123,7 @@ StagedScene ReplayLibrary::stage(const StoredAttempt& attempt, std::int64_t inte
   const Stimulus shown = stimulus(attempt, interval);
   StagedScene scene =
       ProtocolScenes(*shown.protocol, shown.round_hold_to_hz).stage(shown.trial, attempt.screen);
-  scene.world.go_by_recording_format(attempt.recording_format);
+  scene.world.set_recording_format(attempt.recording_format);
   return scene;
 }
 
@@ -151,7 +150,7 @@ StagedScene ReplayLibrary::stage_changed(const StoredAttempt& attempt, std::int6
     return build_scene(scene, attempt.screen, shown.round_hold_to_hz, *shapes_,
                        start_of(shown.trial), shown.trial.seed, deepest);
   });
-  staged.world.go_by_recording_format(attempt.recording_format);
+  staged.world.set_recording_format(attempt.recording_format);
   return staged;
 }
 

@@ -53,7 +53,7 @@ StagedScene staged(const ProtocolTexts& texts, const StoredAttempt& attempt, Sha
       build_scene(scene_of(texts, attempt.trial), attempt.screen, /*round_hold_to_hz=*/0.0, shapes,
                   (practice ? "practice/" : "main/") + std::to_string(attempt.trial.repetition),
                   attempt.trial.seed);
-  scene.world.go_by_recording_format(attempt.recording_format);
+  scene.world.set_recording_format(attempt.recording_format);
   return scene;
 }
 

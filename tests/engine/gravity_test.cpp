@@ -140,6 +140,7 @@ TEST(Gravity, ElasticBallsAmongEachOtherGainLittle) {
     const double fall_J = 8.0 * kGravity_m_s2.norm() * 1.6;  // of all, from top to bottom
     return (energy_J(world) - start_J) / fall_J;
   };
+  // Of three seeds .02 to .04, where it was .37 to .43.
   EXPECT_LT(share_gained(kRecordingFormat), 0.05);
   EXPECT_GT(share_gained(2), 0.3) << "what recordings of format 2 were made by";
 }

@@ -80,7 +80,7 @@ std::int64_t divergent_by(const char* name, int recording_format) {
   std::int64_t count = 0;
   for (const StoredAttempt& attempt : golden.attempts) {
     StagedScene scene = golden.stage(attempt);
-    scene.world.go_by_recording_format(recording_format);
+    scene.world.set_recording_format(recording_format);
     count += replay(std::move(scene), golden.steps(attempt)).divergence ? 1 : 0;
   }
   return count;

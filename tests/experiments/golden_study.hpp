@@ -54,7 +54,7 @@ struct Golden {
                          attempt.trial.seed};
     planned.solved = solved_values_from(attempt.trial.solved);
     StagedScene scene = source.scenes.stage(planned, attempt.screen);
-    scene.world.go_by_recording_format(attempt.recording_format);
+    scene.world.set_recording_format(attempt.recording_format);
     return scene;
   }
   [[nodiscard]] std::vector<StepRecord> steps(const StoredAttempt& attempt) {

@@ -159,7 +159,8 @@ TEST(RecordLines, GoldenAttemptsReplayAndAreGivenTheirDigestsBack) {
     AttemptRecord recorded;
     recorded.steps = golden.steps(stored);
     auto handed = std::get<AttemptRecord>(record_from(json::parse(line_of(recorded))));
-    const ReplayedAttempt found = AttemptReplay(source.protocol, session).replay(trial, handed);
+    const ReplayedAttempt found =
+        AttemptReplay(source.protocol, session, stored.recording_format).replay(trial, handed);
     EXPECT_EQ(found.steps, static_cast<std::int64_t>(recorded.steps.size()) - 1);
     EXPECT_FALSE(found.divergence);
     for (std::size_t step = 0; step < recorded.steps.size(); ++step) {
@@ -167,7 +168,8 @@ TEST(RecordLines, GoldenAttemptsReplayAndAreGivenTheirDigestsBack) {
     }
     recorded.steps[5].state.hash ^= 1U;
     recorded.steps[5].state.bodies[1][0] ^= 1U;
-    const ReplayedAttempt turned = AttemptReplay(source.protocol, session).replay(trial, recorded);
+    const ReplayedAttempt turned =
+        AttemptReplay(source.protocol, session, stored.recording_format).replay(trial, recorded);
     ASSERT_TRUE(turned.divergence);
     EXPECT_EQ(divergence_words(stored.trial_id, *turned.divergence),
               "trial " + std::to_string(stored.trial_id) + ", step 5, body right, position");

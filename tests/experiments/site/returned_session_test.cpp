@@ -76,6 +76,14 @@ TEST(ReturnedSession, OfAFolderThatDoesNotSayItsRecordingFormatIsOfTheSecond) {
   write_returned(folder);
   json published = json::parse(text_of(folder / "site/study.json"));
   EXPECT_EQ(published_study_from(published).recording_format, kRecordingFormat);
+  published["recording_format"] = 99;
+  const std::string build = published["build"];
+  folder.write("site/study.json", published.dump());
+  EXPECT_NE(run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"})
+                .errors.find("study.json: expected sessions of recording format 1 to 3, got 99, "
+                             "published by " +
+                             build),
+            std::string::npos);
   published.erase("recording_format");
   folder.write("site/study.json", published.dump());
   const ProgramResult collected =

@@ -77,6 +77,14 @@ TEST(StudyWriter, AFileThatMayNotGrowEndsInOneSentenceAndKeepsWhatWasAcknowledge
   expect_three_whole_attempts(path);
 }
 
+/// A study in which nothing but this attempt was recorded.
+void save_alone(const AttemptRecord& attempt, const std::string& path) {
+  EnrolledStudy at(path);
+  StudyWriter writer(at.study, at.enrolment, facts());
+  writer.save(attempt);
+  writer.end("quit");
+}
+
 TEST(StudyWriter, AStepIsKeptBitForBit) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
@@ -92,12 +100,7 @@ TEST(StudyWriter, AStepIsKeptBitForBit) {
   attempt.steps[7].cut_work.of(WorkPhase::kVisible) = 0;
   attempt.steps[8].shown_frame = -1;
   attempt.steps[9].shown_frame = 12;
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   StudyFile study = StudyFile::open_for_reading(path);
   const std::vector<StepRecord> steps = load_steps(study.database(), 1);
   ASSERT_EQ(steps.size(), attempt.steps.size());
@@ -124,12 +127,7 @@ TEST(StudyWriter, RowsOfOneAttemptAreAsManyAsWereRecorded) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a.sqlite").string();
   const AttemptRecord& attempt = recorded_attempts()[0];
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   EXPECT_EQ(value_of(path, "SELECT count(*) FROM collision"),
             std::to_string(attempt.collisions.size()));
   EXPECT_EQ(value_of(path, "SELECT count(*) FROM frame"), std::to_string(attempt.frames.size()));
@@ -169,12 +167,7 @@ TEST(StudyWriter, GazeIsKeptAndWhyASampleHasNoPlace) {
                   {10, {}, GazeLoss::kBlink, 1},
                   {15, {}, GazeLoss::kOffScreen, 2},
                   {20, {}, GazeLoss::kLost, 2}};
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   StudyFile study = StudyFile::open_for_reading(path);
   const std::vector<GazeSample> gaze = load_gaze(study, 1);
   ASSERT_EQ(gaze.size(), attempt.gaze.size());
@@ -220,12 +213,7 @@ TEST(StudyWriter, CappedCollisionsPopsAndStopsAreKept) {
   attempt.steps[7].pops = popped.pops;
   attempt.steps[7].largest_pop_deg = popped.largest_pop_deg;
   attempt.steps[7].stopped_short = popped.stopped_short;
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   EXPECT_EQ(value_of(path, "SELECT stopped || ' ' || contacts FROM seen_collision"), "capped 3");
   EXPECT_EQ(value_of(path,
                      "SELECT group_concat(step || ' ' || pops || ' ' || largest_pop_deg || ' ' || "
@@ -249,12 +237,7 @@ TEST(StudyWriter, ACollisionIsReadWithThePlacesOfItsBodies) {
   attempt.body_names = {"first", "second"};
   attempt.collisions.push_back(attempt.collisions[0]);
   attempt.collisions[1].report.bodies = {1, kEnclosure};
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   StudyFile study = StudyFile::open_for_reading(path);
   const auto found = [&](const std::vector<std::string>& names) {
     std::string text;
@@ -275,12 +258,7 @@ TEST(StudyWriter, WhatWasImposedOnACollisionIsKeptEachInItsColumn) {
   ASSERT_EQ(attempt.collisions.size(), 1U);
   attempt.collisions[0].report.imposed_hold_s = 0.25;
   attempt.collisions[0].imposed_spin = ImposedSpin{{1.5, 2.5, 3.5}, {-1.5, -2.5, -3.5}};
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   EXPECT_EQ(value_of(path, "SELECT imposed_hold_ms FROM collision"), "250.0");
   EXPECT_EQ(value_of(path,
                      "SELECT imposed_spin_a_x_rad_s || ' ' || imposed_spin_a_y_rad_s || ' ' || "
@@ -297,12 +275,7 @@ TEST(StudyWriter, ClicksAreNumberedFromOne) {
   for (ClickRecord& click : attempt.clicks) {
     click.device = "mouse";
   }
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   EXPECT_EQ(value_of(path, "SELECT group_concat(number) FROM click"), "1,2,3");
 }
 
@@ -317,12 +290,7 @@ TEST(StudyWriter, DetailsOfAResponseAreKeptAsTheyAre) {
                      {"large", 1e20}, {"yes", true}, {"text", "2.0"}};
   attempt.responses = {response, response};
   attempt.responses[1].detail = {};
-  {
-    EnrolledStudy at(path);
-    StudyWriter writer(at.study, at.enrolment, facts());
-    writer.save(attempt);
-    writer.end("quit");
-  }
+  save_alone(attempt, path);
   EXPECT_EQ(value_of(path, "SELECT detail FROM response WHERE number = 1"),
             R"({"whole":2,"part":0.5,"negative":-1.25,"large":1.0e+20,"yes":true,"text":"2.0"})");
   EXPECT_EQ(value_of(path, "SELECT detail FROM response WHERE number = 2"), "{}");
