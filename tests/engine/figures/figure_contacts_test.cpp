@@ -66,31 +66,36 @@ TEST(FigureContacts, AnImpulseOnAnyPartMovesTheWholeAndKeepsMomentumAndEnergy) {
 TEST(FigureContacts, WhatHingesHoldIsNotPushedByWhatRoundingLeaves) {
   // Hinges that turn about z alone: across their plane no part moves against another.
   FigureScene scene = chain_of(3, /*about_z_alone=*/true);
+  const std::vector<std::int32_t> figure_of(at(scene.figure.part_count), 0);
   RandomStream random(4, "held");
-  const Quaternion turn = random_turn(random);
-  std::vector<BodyState> states = scene.at_rest();
-  for (BodyState& state : states) {
-    state.pose = {turn * state.pose.position, turn * state.pose.orientation};
+  int given_by_rounding = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Quaternion turn = random_turn(random);
+    std::vector<BodyState> states = scene.at_rest();
+    for (BodyState& state : states) {
+      state.pose = {turn * state.pose.position, turn * state.pose.orientation};
+    }
+    std::vector<FigureMotion> motions{FigureMotion(scene.figure, scene.models)};
+    const auto give = [&](double least_share, const Vector3& along) {
+      Contact contact;
+      contact.bodies = {0, 2};
+      contact.touch.point = states[1].pose.position + 0.1 * (turn * Vector3::UnitY());
+      contact.touch.normal = turn * along;
+      HingedBodies bodies;
+      bodies.gather({contact}, {}, least_share, scene.models, states,
+                    {std::span(&scene.figure, 1), motions, figure_of});
+      return bodies.give(0);
+    };
+    const double least_share = ResponseRules().least_share_of_give;
+    EXPECT_EQ(give(least_share, Vector3::UnitZ()), 0.0) << trial;
+    const double free = give(least_share, Vector3::UnitX());
+    EXPECT_GT(free, 0.1) << "parts of 1 kg";
+    EXPECT_EQ(give(0.0, Vector3::UnitX()), free);
+    const double left = give(0.0, Vector3::UnitZ());
+    EXPECT_LT(left, 1e-12 * free);
+    given_by_rounding += left > 0.0 ? 1 : 0;
   }
-  std::vector<FigureMotion> motions{FigureMotion(scene.figure, scene.models)};
-  const std::vector<std::int32_t> figure_of(states.size(), 0);
-  const auto give = [&](double least_share, const Vector3& along) {
-    Contact contact;
-    contact.bodies = {0, 2};
-    contact.touch.point = states[1].pose.position + 0.1 * (turn * Vector3::UnitY());
-    contact.touch.normal = turn * along;
-    HingedBodies bodies;
-    bodies.gather({contact}, {}, least_share, scene.models, states,
-                  {std::span(&scene.figure, 1), motions, figure_of});
-    return bodies.give(0);
-  };
-  const double least_share = ResponseRules().least_share_of_give;
-  EXPECT_EQ(give(least_share, Vector3::UnitZ()), 0.0);
-  const double free = give(least_share, Vector3::UnitX());
-  EXPECT_GT(free, 1e-3);
-  EXPECT_EQ(give(0.0, Vector3::UnitX()), free);
-  EXPECT_GT(give(0.0, Vector3::UnitZ()), 0.0) << "rounding leaves something";
-  EXPECT_LT(give(0.0, Vector3::UnitZ()), 1e-12 * free);
+  EXPECT_GT(given_by_rounding, 0);
 }
 
 TEST(FigureContacts, HingesStopAtTheirLimits) {
