@@ -49,6 +49,9 @@ struct Fall {
   Vector3 gravity_m_s2{Vector3::Zero()};
   bool supported{false};  ///< its momentum falls, its place goes with its velocity alone
   bool resting{false};    ///< and not down
+  /// Where a step is made in parts, its momentum falls in the last: else the others would carry it
+  /// down.
+  bool comes_last{false};
 };
 
 /// How a body falls in a step of `dt_s` seconds. `pushed_up`: when the step before ended.

@@ -170,10 +170,13 @@ int motion_parts_of(std::span<const BodyModel> parts, std::span<const BodyState>
   return count;
 }
 
-/// A part that rests is held by its contacts alone: what keeps a body where it is would tear at its
-/// hinges.
-Fall swaying(Fall fall) {
+/// In a part of a step, of `count`. What rests is held by its contacts alone: what keeps a body
+/// where it is would tear at its hinges.
+Fall fall_in(int part, int count, Fall fall) {
   fall.resting = false;
+  if (fall.comes_last) {
+    fall.gravity_m_s2 *= part == count - 1 ? count : 0.0;
+  }
   return fall;
 }
 
@@ -200,6 +203,10 @@ void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& m
     motion_parts /= 2;
   }
   for (int i = 0; i < motion_parts; ++i) {
+    falls_.clear();
+    for (const Fall& fall : parts.falls) {
+      falls_.push_back(fall_in(i, motion_parts, fall));
+    }
     advance_part(parts, dt_s / motion_parts, work);
   }
 }
@@ -247,7 +254,7 @@ double FigureMotion::arrive(const Parts& parts, double dt_s) {
   AdvancingBodies advancing;
   for (std::size_t i = 0; i < parts.states.size(); ++i) {
     static_cast<void>(advancing.take(parts.models[i], parts.states[i], dt_s, parts.rotation,
-                                     parts.falls.empty() ? Fall{} : swaying(parts.falls[i])));
+                                     falls_.empty() ? Fall{} : falls_[i]));
   }
   advancing.finish();
   return note_errors(parts, dt_s);

@@ -72,6 +72,7 @@ class FigureMotion {
   HingeSolver solver_;
   HingeSolver middle_;  ///< half way of a step: how impulses at its beginning change its end
   double size_m_{0.0};
+  std::vector<Fall> falls_;  ///< in this part of the step
   std::vector<BodyState> start_;
   std::vector<BodyState> half_way_;
   std::vector<PartImpulse> impulses_;

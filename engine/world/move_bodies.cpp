@@ -12,7 +12,7 @@ namespace {
 /// Sideways and downwards nothing is held; kept from falling there, a body would gain energy at
 /// each touch.
 void find_supported(const Step& step, std::vector<Fall>& falls) {
-  const bool by_any_touch = step.settings.has_rules_before_3();
+  const bool by_any_touch = step.settings.has_rules_before(3);
   for (const TouchingPair& pair : step.world.touching) {
     const double down = pair.normal.dot(step.settings.gravity_m_s2);  // the normal points to a
     for (const std::int32_t body : {pair.bodies.a, pair.bodies.b}) {
@@ -37,6 +37,7 @@ void find_falls(const Step& step) {
   for (std::size_t body = 0; body < world.models.size(); ++body) {
     falls[body] = fall_of(world.models[body], world.states[body], falls[body].supported,
                           step.settings.gravity_m_s2, step.input.dt_s);
+    falls[body].comes_last = falls[body].supported && !step.settings.has_rules_before(4);
   }
 }
 

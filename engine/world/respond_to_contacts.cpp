@@ -75,7 +75,7 @@ const ResponseResult& give_impulses(const Step& step) {
   rules.method = settings.response;
   rules.most_passes = settings.most_response_passes;
   rules.resting_m_s = resting_speed_m_s(step);
-  rules.least_share_of_give = settings.has_rules_before_3() ? 0.0 : rules.least_share_of_give;
+  rules.least_share_of_give = settings.has_rules_before(3) ? 0.0 : rules.least_share_of_give;
   ResponseWork work{step.work_of(WorkPhase::kResponse), step.work_of(WorkPhase::kVisible),
                     [&step] { return most_visible_first(step); }};
   rules.work = &work;
@@ -230,7 +230,7 @@ void keep_centres_inside(const Step& step) {
     return;
   }
   if (!step.world.was_cut) {
-    if (!settings.has_rules_before_3()) {
+    if (!settings.has_rules_before(3)) {
       turn_back_at_walls(step);
     }
     return;

@@ -50,11 +50,11 @@ struct ImposedRebound {
 };
 
 /// Raised whenever a recording made before may no longer replay by the rules of now.
-inline constexpr int kRecordingFormat = 3;
+inline constexpr int kRecordingFormat = 4;
 
-/// Older recordings are tried, and their hashes tell whether they replay. Those of format 2 do, for
-/// their worlds go by its rules (WorldSettings::recording_format). So do those of format 1, unless
-/// a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
+/// Older recordings are tried, and their hashes tell whether they replay. From format 2 on they do,
+/// for their worlds go by its rules (WorldSettings::recording_format). So do those of format 1,
+/// unless a body turned far in a step (dynamics/motion.hpp) or had a heterogeneous tree.
 inline constexpr int kOldestRecordingFormat = 1;
 
 inline constexpr bool is_tried(int recording_format) {
@@ -93,10 +93,11 @@ struct WorldSettings {
   std::vector<Figure> figures{};
   /// By whose rules the world steps: an older one's, where a recording of it is replayed. Before 3
   /// whatever touches a body keeps it from falling, walls push where they touch alone, and what the
-  /// hinges of a figure hold is pushed, too.
+  /// hinges of a figure hold is pushed, too. Before 4 figures that lie sink (Fall::comes_last).
   int recording_format{kRecordingFormat};
 
-  [[nodiscard]] bool has_rules_before_3() const { return recording_format < 3; }
+  /// Whether what came with a format is not yet so.
+  [[nodiscard]] bool has_rules_before(int format) const { return recording_format < format; }
 };
 
 /// What is wrong with the settings, as a sentence; empty when nothing is.

@@ -28,6 +28,7 @@ constexpr Recording kRecordings[] = {
     {"gaze-contingent-yoked", 23U},  // two participants: one follows the other's gaze
     {"launch-or-pass", 30U},         // launches and slips, and what they are adapted by
     {"launching", 24U},              // one of two spheres rests; delays and gaps
+    {"lying", 4U},                   // of format 4: figures under gravity, few steps a second
     {"odd-shapes", 9U},              // prisms launched from afar, that appear late
     {"scheduler-distribution", 7U},  // nobody takes part
     {"stream-or-bounce", 6U},        // bodies that pass through each other, and a sound
@@ -90,7 +91,10 @@ TEST(GoldenStudies, BodiesFallByTheRulesOfTheFormatThatTheyWereRecordedIn) {
   EXPECT_EQ(divergent_by("far-and-fast", 2), 0);
   EXPECT_GT(divergent_by("far-and-fast", 3), 0);
   EXPECT_EQ(divergent_by("falling", 3), 0);
+  EXPECT_EQ(divergent_by("falling", 4), 0) << "no figures";
   EXPECT_GT(divergent_by("falling", 2), 0);
+  EXPECT_EQ(divergent_by("lying", 4), 0);
+  EXPECT_GT(divergent_by("lying", 3), 0);
 }
 
 // What would not be noticed by a comparison of builds, if no recording had it.

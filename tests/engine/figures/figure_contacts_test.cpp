@@ -260,6 +260,33 @@ TEST(SelfCollision, AFoldIsPushedOpenByAnImpulseThatGainsNoEnergy) {
   EXPECT_NEAR(energy_of(scene.models, world.states()), energy_J, 1e-9 * energy_J);  // elastic
 }
 
+TEST(FigureContacts, AFigureThatLiesDoesNotSinkThroughTheFloor) {
+  const FigureScene scene = limbs_of_16();
+  const auto lowest_m = [&](int recording_format) {
+    WorldSettings settings;
+    settings.figures = {scene.figure};
+    settings.restitution = 0.0;
+    settings.gravity_m_s2 = Vector3(0.0, -9.81, 0.0);
+    settings.enclosure = Enclosure{ClosedCube{1.0}};
+    settings.recording_format = recording_format;
+    std::vector<BodyState> states = scene.at_rest({{0.0, -0.5, 0.0}, Quaternion::Identity()});
+    RandomStream random(1, "lies");
+    stir(scene, 1e-2, random, states);
+    World world(scene.models, states, settings);
+    FixedWork work(kPlenty);
+    for (int step = 0; step < 30 * 4; ++step) {
+      world.step({1.0 / 30.0, {}}, work);
+    }
+    double lowest = 1.0;
+    for (const BodyState& state : world.states()) {
+      lowest = std::min(lowest, state.pose.position.y());
+    }
+    return lowest;
+  };
+  EXPECT_GT(lowest_m(kRecordingFormat), -1.0 - 0.5 * kPartRadius_m);
+  EXPECT_LT(lowest_m(3), -1.2) << "what recordings of format 3 were made by";
+}
+
 TEST(FigureContacts, AChainOfTwentyHingesDroppedOnATableSettlesAndGainsNoEnergy) {
   FigureScene scene = chain_of(21);
   scene.figure.self_collision = {true, false};

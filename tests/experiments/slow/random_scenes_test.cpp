@@ -156,9 +156,6 @@ void expect_promises_kept(SceneDraw& draw, StagedScene& staged) {
   World& world = staged.world;
   World again = world;
   const double dt_s = 1.0 / staged.step_hz;
-  // Figures that lie sink by half of g dt² a step (engine/README.md, limits).
-  const bool sinks =
-      !world.settings().figures.empty() && !world.settings().gravity_m_s2.isZero(0.0);
   double longest_way_m = 0.0;
   for (int step = 1; step <= kSteps; ++step) {
     const double before_J = energy_J(world);
@@ -174,9 +171,7 @@ void expect_promises_kept(SceneDraw& draw, StagedScene& staged) {
     ASSERT_EQ(again.step(input, same).state.hash, report.state.hash) << "step " << step;
     const double rounding_J = 1e-9 * std::abs(before_J);
     ASSERT_LE(energy_J(world), before_J + supported_J(world, dt_s) + rounding_J) << "step " << step;
-    if (!sinks) {
-      ASSERT_LE(farthest_out_m(world), longest_way_m + 1e-9) << "step " << step;
-    }
+    ASSERT_LE(farthest_out_m(world), longest_way_m + 1e-9) << "step " << step;
   }
 }
 
