@@ -227,15 +227,16 @@ TEST(Replay, WhatCannotBeReplayedIsRefused) {
                  "a.sqlite: expected a recorded trial 999, but there is none");
   expect_refused(folder, {"replay", "a.sqlite", "--participant", "S02"},
                  "a.sqlite: expected a recorded trial of S02, but there is none");
-  const std::string replayed = "formats 1 to " + std::to_string(kRecordingFormat) + ", use that one";
+  const std::string replayed =
+      "formats 1 to " + std::to_string(kRecordingFormat) + ", use that one";
   change(folder, "UPDATE session SET recording_format = 99, build = 'Impetus 9.0'");
-  expect_refused(folder, {"replay", "a.sqlite"},
-                 "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays " +
-                     replayed);
+  expect_refused(
+      folder, {"replay", "a.sqlite"},
+      "a.sqlite: trial 1 was recorded in format 99 by Impetus 9.0; this build replays " + replayed);
   change(folder, "UPDATE session SET recording_format = 0, build = 'Impetus 0.0'");
-  expect_refused(folder, {"replay", "a.sqlite"},
-                 "a.sqlite: trial 1 was recorded in format 0 by Impetus 0.0; this build replays " +
-                     replayed);
+  expect_refused(
+      folder, {"replay", "a.sqlite"},
+      "a.sqlite: trial 1 was recorded in format 0 by Impetus 0.0; this build replays " + replayed);
 }
 
 TEST(Replay, ADivergenceThatDigestsHideForAStepIsNamedByTheNext) {
