@@ -129,8 +129,12 @@ const ResponseKind& two_interval_kind() {
   return kind;
 }
 
+std::int64_t interval_count(const Script& script, const PlannedTrial& trial) {
+  return trial.is_asked() && find_two_interval(script) != nullptr ? 2 : 1;
+}
+
 std::int64_t test_interval(const Script& script, const PlannedTrial& trial) {
-  if (find_two_interval(script) == nullptr) {
+  if (interval_count(script, trial) == 1) {
     return 1;
   }
   RandomStream order(trial.seed, "order of intervals");
@@ -138,7 +142,7 @@ std::int64_t test_interval(const Script& script, const PlannedTrial& trial) {
 }
 
 std::vector<PlannedTrial> stimuli_of(const Script& script, const PlannedTrial& trial) {
-  if (!trial.is_asked()) {
+  if (interval_count(script, trial) == 1) {
     return {trial};
   }
   std::vector<PlannedTrial> stimuli;

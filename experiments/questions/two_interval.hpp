@@ -57,6 +57,9 @@ inline const TwoIntervalQuestion* find_two_interval(const Script& script) {
   return find_question<TwoIntervalQuestion>(script);
 }
 
+/// How many stimuli the trial shows: two where the script asks between two; of adaptation, one.
+std::int64_t interval_count(const Script& script, const PlannedTrial& trial);
+
 /// Which interval shows the condition's own stimulus, 1 or 2; 1 where there is one interval. It
 /// follows from the trial's seed alone, by a random stream of its own.
 std::int64_t test_interval(const Script& script, const PlannedTrial& trial);

@@ -70,6 +70,12 @@ std::vector<SolvedValue> solved_of(const StudyFile& study, const StoredAttempt& 
   refuse_trial(study, attempt, "expected solved values of its scene, got " + attempt.trial.solved);
 }
 
+/// Without its condition.
+PlannedTrial planned(const StoredAttempt& attempt) {
+  return {
+      attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition, {}, attempt.trial.seed};
+}
+
 void require_screen(const StudyFile& study, const StoredAttempt& attempt) {
   const ScreenGeometry& screen = attempt.screen;
   constexpr double kMost_m = 1000.0;
@@ -92,13 +98,11 @@ std::string why_divergent(const StoredAttempt& attempt) {
 }
 
 std::int64_t ReplayLibrary::intervals(const StoredAttempt& attempt) {
-  return find_two_interval(protocol(attempt.protocol_id).script) == nullptr ? 1 : 2;
+  return interval_count(protocol(attempt.protocol_id).script, planned(attempt));
 }
 
 bool ReplayLibrary::shows_standard(const StoredAttempt& attempt, std::int64_t interval) {
-  PlannedTrial trial;
-  trial.seed = attempt.trial.seed;
-  return interval != test_interval(protocol(attempt.protocol_id).script, trial);
+  return interval != test_interval(protocol(attempt.protocol_id).script, planned(attempt));
 }
 
 ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
@@ -112,10 +116,10 @@ ReplayLibrary::Stimulus ReplayLibrary::stimulus(const StoredAttempt& attempt,
   }
   const Protocol& source = protocol(attempt.protocol_id);
   require_screen(study_, attempt);
-  PlannedTrial planned{attempt.trial.slot, attempt.trial.phase, attempt.trial.repetition,
-                       condition_of(study_, attempt, source), attempt.trial.seed};
-  planned.solved = solved_of(study_, attempt, source, planned.condition);
-  return {&source, stimuli_of(source.script, planned)[static_cast<std::size_t>(interval - 1)],
+  PlannedTrial trial = planned(attempt);
+  trial.condition = condition_of(study_, attempt, source);
+  trial.solved = solved_of(study_, attempt, source, trial.condition);
+  return {&source, stimuli_of(source.script, trial).at(static_cast<std::size_t>(interval - 1)),
           attempt.rounding_allowed ? attempt.refresh_hz : 0.0};
 }
 

@@ -26,7 +26,7 @@ class ReplayLibrary {
   explicit ReplayLibrary(StudyFile& study, std::vector<SettingChange> changes = {})
       : study_(study), changes_(std::move(changes)) {}
 
-  /// How many stimuli the attempt's protocol shows in a trial: 1 or 2.
+  /// How many stimuli the attempt's trial shows: 1 or 2.
   [[nodiscard]] std::int64_t intervals(const StoredAttempt& attempt);
 
   /// Whether the interval showed the standard, and not the condition's own stimulus.

@@ -26,10 +26,11 @@ std::string counted(const TemporaryFolder& folder, const std::string& what) {
 }
 
 /// Both practice trials and the four main ones, all replayed as they were.
-void expect_whole_session(const TemporaryFolder& folder, const ProgramResult& run) {
+void expect_whole_session(const TemporaryFolder& folder, const ProgramResult& run,
+                          const std::string& trials = "6") {
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(counted(folder, "enrolment WHERE finished_utc IS NOT NULL"), "1");
-  EXPECT_EQ(counted(folder, "attempt WHERE outcome = 'completed'"), "6");
+  EXPECT_EQ(counted(folder, "attempt WHERE outcome = 'completed'"), trials);
   EXPECT_EQ(counted(folder, "answer WHERE kind = 'consent' AND answer = 'agreed'"), "1");
   const ProgramResult replayed = run_program(folder, {"replay", "study.sqlite"});
   EXPECT_EQ(replayed.status, 0) << replayed.output;
@@ -75,6 +76,22 @@ TEST(AnsweredSession, OfTwoIntervalsRunsAndReplaysBoth) {
             std::string::npos);
   const ProgramResult truth = run_program(folder, {"replay", "study.sqlite", "--truth"});
   EXPECT_EQ(truth.output, "12 collisions measured in 6 trials\n");
+}
+
+TEST(AnsweredSession, OfTwoIntervalsAdaptsByOneStimulusATrial) {
+  const TemporaryFolder folder;
+  const char* kAdapting = R"({"design": {"adaptation": [{"when": {"delay_ms": 300},
+    "conditions": [{"delay_ms": 300}], "first": 8, "before_each": 2}]}})";
+  expect_whole_session(folder, run_asked(folder, {kAskTwoInterval, kAdapting}), "16");
+  const std::string adapting =
+      "attempt JOIN trial ON trial.id = trial_id WHERE phase = 'adaptation'";
+  EXPECT_EQ(counted(folder, adapting), "10");
+  EXPECT_EQ(counted(folder, adapting + " AND intended_hold_ms = 300 AND realised_hold_ms = 300"),
+            "10");
+  EXPECT_EQ(counted(folder,
+                    "step JOIN attempt ON attempt.id = attempt_id JOIN trial ON trial.id = "
+                    "trial_id WHERE phase = 'adaptation' AND interval > 1"),
+            "0");
 }
 
 TEST(AnsweredSession, OfFreeWordsRunsAndReplays) {
