@@ -183,7 +183,7 @@ design_words <- function(path) {
     if (length(unique(words)) == 1) words[1] else NA_character_
   }, "")
   labels <- labels[!is.na(labels) & nzchar(labels) & !grepl("[][<>&|`*_\\\\[:cntrl:]]", labels)]
-  list(impetus.labels = c(labels, stats::setNames(labels, paste0("factor_", names(labels)))),
+  list(impetus.labels = c(labels, stats::setNames(labels, sprintf("factor_%s", names(labels)))),
     impetus.levels = split(rows$level, factor(rows$factor, unique(rows$factor))))
 }
 

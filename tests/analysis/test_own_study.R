@@ -11,9 +11,12 @@ bounce_answers <- function(seed, participants, n = 3) {
   plan
 }
 
+# Without a `label` the factors have none.
 bounce_protocol <- function(label) jsonlite::toJSON(list(design = list(factors = list(
-  list(name = "restitution", label = label, levels = c(0.2, 0.4, 0.6, 0.8)),
-  list(name = "light", label = "Light: how it falls", levels = c("matt", "dim"))))),
+  c(list(name = "restitution", levels = c(0.2, 0.4, 0.6, 0.8)),
+    if (!is.null(label)) list(label = label)),
+  c(list(name = "light", levels = c("matt", "dim")),
+    if (!is.null(label)) list(label = "Light: how it falls"))))),
   auto_unbox = TRUE)
 
 bounce_study <- function(answers, label = "Restitution of both balls") {
@@ -59,6 +62,11 @@ test_that("words stand in the protocol's order, and a label that is markup is no
   expect_false("restitution" %in% names(words$impetus.labels))
   withr::local_options(words)
   expect_equal(levels(parts_of_protocol(path, "bounce")[[1]]$trials$light), c("matt", "dim"))
+})
+
+test_that("factors without a label are called by their names", {
+  page <- report_of(bounce_study(bounce_answers(5, 2), NULL))$page
+  expect_match(page, "Share answered yes by restitution: 0.2:", fixed = TRUE)
 })
 
 test_that("the power of such a study is of its factors", {
