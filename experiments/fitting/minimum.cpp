@@ -126,7 +126,7 @@ MatrixXd curvature_at(const SmoothFunction& function, const VectorXd& at) {
 
 MatrixXd inverse_of_curvature(const MatrixXd& curvature) {
   constexpr double kFlat = 0.05;
-  if (!curvature.allFinite()) {
+  if (curvature.size() == 0 || !curvature.allFinite()) {
     return MatrixXd::Identity(curvature.rows(), curvature.cols());
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> parts(curvature);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"
@@ -162,6 +163,9 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
       "Parameters whose source says so were fitted by impetus fit; the others are "
       "as in " +
       story.observer + ", and what was fitted is given these.";
+  // Cuts rise: two that would meet when they are rounded are kept apart.
+  constexpr double kApart = 1e-5;
+  double least_cut = std::numeric_limits<double>::lowest();
   for (auto& [name, parameter] : document["parameters"].items()) {
     const FittedParameter* one = story.fit.find(name);
     if (one == nullptr) {
@@ -169,7 +173,8 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
     }
     const GroupMean* mean = mean_of(story, name);
     if (mean != nullptr || (one->is_fitted() && story.means.empty())) {
-      parameter["value"] = rounded(mean != nullptr ? mean->mean : one->value);
+      const double value = mean != nullptr ? mean->mean : one->value;
+      parameter["value"] = rounded(name.starts_with("cut_") ? std::max(value, least_cut) : value);
       parameter["source"] = fitted_words(story);
       parameter["note"] =
           "95 % interval " + (mean != nullptr
@@ -178,6 +183,10 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
     } else {
       parameter["note"] = "Held in the fit to " + story.study + ": " +
                           (one->is_fitted() ? "no one person shows it" : one->held_because) + ".";
+    }
+    if (name.starts_with("cut_")) {
+      const double cut = parameter["value"];
+      least_cut = cut + kApart * std::max(1.0, std::abs(cut));
     }
   }
   return document;

@@ -100,6 +100,18 @@ TEST(FitCommand, ThePageHasFitComparisonAndResiduals) {
   }
 }
 
+TEST(FitCommand, ARatingThatNobodyGaveLeavesItsCutsApart) {
+  const TemporaryFolder folder;
+  run_program(folder, simulated_run({"--participant", "S01"}));
+  change(folder, "UPDATE rating SET rating = 3 WHERE rating = 2");
+  const ProgramResult fitted =
+      run_program(folder, {"fit", "a.sqlite", "--observer", "causality", "--out", "fitted.json"});
+  ASSERT_EQ(fitted.status, 0) << fitted.errors;
+  const json own = json::parse(text_of(folder / "fitted.json"))["parameters"];
+  EXPECT_GT(own["cut_2_3"]["value"], own["cut_1_2"]["value"]);
+  EXPECT_LT(own["cut_2_3"]["value"].get<double>(), own["cut_1_2"]["value"].get<double>() + 1e-3);
+}
+
 TEST(FitCommand, RefusesInOneSentence) {
   const FittedStudy& study = FittedStudy::once();
   const TemporaryFolder& folder = study.folder();

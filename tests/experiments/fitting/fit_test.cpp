@@ -157,6 +157,16 @@ TEST(Fit, WhatTheDesignDoesNotIdentifyIsHeldAndSaidSo) {
   EXPECT_GE(held, 1);
 }
 
+TEST(Fit, AStudyThatIdentifiesNothingLeavesAllAsAssumed) {
+  const ObserverFile file = shipped_observer("causality-thresholds");
+  PlantedStudy study;
+  study.question = "two_interval";
+  study.trials = {{freeze(0.0), freeze(10.0)}, {freeze(10.0), freeze(0.0)}};
+  const auto person = answering_person(file, study, /*seed=*/1, "S1");
+  const ObserverFit fit = fit_observer(*file.kind, *file.parameters, {person}, {.as_group = false});
+  EXPECT_EQ(fit.count(), 0U);
+}
+
 TEST(Fit, MarksOnALineTellThresholdWidthAndTheirOwnNoise) {
   const ObserverFile file = shipped_observer("odd-shapes");
   PlantedStudy study = gaps_study(2);
