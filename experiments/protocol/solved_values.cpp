@@ -106,6 +106,13 @@ void check_lists(const Protocol& protocol, const SolveEntry& entry, const std::s
            "expected a scene with two priority lists and a threshold between them, but " +
                protocol.scene.name + " has none");
   }
+  const json::json_pointer by_time("/engine/budget/ms_per_step");
+  if (scene.contains(by_time)) {
+    refuse(protocol.document, place,
+           "expected a scene with a budget in tests_per_step or without any, for a pilot finds the "
+           "same on every machine, but " +
+               protocol.scene.name + " has one of " + scene[by_time].dump() + " ms_per_step");
+  }
 }
 
 /// The pilot's collisions of two bodies.

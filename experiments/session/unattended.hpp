@@ -18,15 +18,11 @@ namespace impetus::inline session {
 /// done, however many steps it takes.
 void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress);
 
-/// One trial from start to end. No frame shows it: its onset is 0. `progress` hears of the share
-/// that is done.
-AttemptRecord run_unattended_trial(const PlannedTrial& trial, StagedScene scene,
-                                   const std::function<void(double share)>& progress = {});
-
-/// All trials that `history` lacks, each on disk before the next begins; then marks the enrolment
-/// as finished. `progress` hears of the share of all. Throws what the recorder throws.
+/// All trials that `history` lacks, from start to end, each on disk before the next begins; then
+/// marks the enrolment as finished. No frame shows them: their onset is 0. `progress` hears of the
+/// share that is done. `work_clock` times budgets in milliseconds. Throws what the recorder throws.
 void run_unattended(const Plan& plan, const SessionHistory& history, const Scenes& scenes,
-                    const ScreenGeometry& screen, Recorder& recorder,
+                    const ScreenGeometry& screen, Recorder& recorder, const WorkClock& work_clock,
                     const std::function<void(double share)>& progress = {});
 
 }  // namespace impetus::inline session

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "experiments/tables/number_text.hpp"
 #include "experiments/tables/text_table.hpp"
@@ -163,9 +162,6 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
       "Parameters whose source says so were fitted by impetus fit; the others are "
       "as in " +
       story.observer + ", and what was fitted is given these.";
-  // Cuts rise: two that would meet when they are rounded are kept apart.
-  constexpr double kApart = 1e-5;
-  double least_cut = std::numeric_limits<double>::lowest();
   for (auto& [name, parameter] : document["parameters"].items()) {
     const FittedParameter* one = story.fit.find(name);
     if (one == nullptr) {
@@ -174,7 +170,8 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
     const GroupMean* mean = mean_of(story, name);
     if (mean != nullptr || (one->is_fitted() && story.means.empty())) {
       const double value = mean != nullptr ? mean->mean : one->value;
-      parameter["value"] = rounded(name.starts_with("cut_") ? std::max(value, least_cut) : value);
+      // Cuts rise; around a rating that nobody gave two would meet when they are rounded.
+      parameter["value"] = name.starts_with("cut_") ? value : rounded(value);
       parameter["source"] = fitted_words(story);
       parameter["note"] =
           "95 % interval " + (mean != nullptr
@@ -183,10 +180,6 @@ nlohmann::ordered_json fitted_document(const JsonDocument& assumed, const FitSto
     } else {
       parameter["note"] = "Held in the fit to " + story.study + ": " +
                           (one->is_fitted() ? "no one person shows it" : one->held_because) + ".";
-    }
-    if (name.starts_with("cut_")) {
-      const double cut = parameter["value"];
-      least_cut = cut + kApart * std::max(1.0, std::abs(cut));
     }
   }
   return document;

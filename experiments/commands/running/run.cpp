@@ -81,7 +81,8 @@ std::int64_t run_unattended_part(const RunPart& part, const RunOptions& options,
   const ProtocolScenes scenes(part.protocol, 0.0);
   ProgressLine line("simulating");
   run_unattended(planned(enrolment.trials, part.protocol.design), enrolment.history, scenes,
-                 assumed_screen(), writer, [&line](double share) { line.tell(share); });
+                 assumed_screen(), writer, SteadyClock(),
+                 [&line](double share) { line.tell(share); });
   writer.end("finished");
   tell_not_finite(writer);
   return writer.session_id();

@@ -29,7 +29,7 @@ struct WholeRun {
     ShapeLibrary shapes;
     plan = make_plan(protocol.design, {protocol.name, "nobody", 1});
     put_solved(solve(protocol, shapes), plan);
-    run_unattended(plan, {}, scenes, assumed_screen(), recorder);
+    run_unattended(plan, {}, scenes, assumed_screen(), recorder, SteadyClock());
   }
 
   Protocol protocol{short_study()};
@@ -127,13 +127,37 @@ TEST(EqualLists, AThresholdThatCannotReachItsShareIsRefusedByName) {
 }
 
 /// The sentence with which the shipped study is refused with one value changed.
-std::string refused_with(const std::string& pointer, const json& value) {
+std::string refused_with(const std::string& pointer, const json& value,
+                         const json& scene = json::parse(shipped("stimuli/spheres-in-view.json"))) {
   json document = json::parse(shipped("protocols/scheduler-distribution.json"));
   document[json::json_pointer(pointer)] = value;
   return refusal([&] {
-    static_cast<void>(make_protocol(parse_json("d.json", document.dump()),
-                                    parse_json("s.json", shipped("stimuli/spheres-in-view.json"))));
+    static_cast<void>(
+        make_protocol(parse_json("d.json", document.dump()), parse_json("s.json", scene.dump())));
   });
+}
+
+/// Spheres before the viewer with 4 ms of work a step.
+json scene_by_time() {
+  json scene = json::parse(shipped("stimuli/spheres-in-view.json"));
+  scene["engine"]["budget"] = {{"counts", "all-phases"}, {"ms_per_step", 4}};
+  return scene;
+}
+
+TEST(Participants, WithoutThemABudgetInMillisecondsIsTimedAllTheSame) {
+  json document = json::parse(shipped("protocols/scheduler-distribution.json"));
+  document.erase("solve");
+  document["design"]["factors"][0]["levels"] = {"size"};
+  json scene = scene_by_time();
+  scene["duration_s"] = 0.1;
+  const Protocol protocol =
+      make_protocol(parse_json("d.json", document.dump()), parse_json("s.json", scene.dump()));
+  const ProtocolScenes scenes(protocol, 0.0);
+  MemoryRecorder recorder;
+  const Plan plan = make_plan(protocol.design, {protocol.name, "nobody", 1});
+  run_unattended(plan, {}, scenes, assumed_screen(), recorder, SteadyClock());
+  ASSERT_EQ(recorder.attempts.size(), plan.size());
+  EXPECT_GT(recorder.attempts.front().steps.size(), 1U);
 }
 
 TEST(Participants, NobodyIsAskedOrShownAnything) {
@@ -149,6 +173,13 @@ TEST(EqualLists, NeedTwoListsAndAThresholdBetweenThem) {
   EXPECT_EQ(refused_with("/solve/0/pointer", "/engine/schedule/thresholds/1"),
             "d.json:/solve/0/pointer: expected \"/engine/schedule/thresholds/0\", got "
             "\"/engine/schedule/thresholds/1\"");
+}
+
+TEST(EqualLists, OfAPilotThatTimeWouldCutAreRefused) {
+  EXPECT_EQ(
+      refused_with("/title", "x", scene_by_time()),
+      "d.json:/solve/0: expected a scene with a budget in tests_per_step or without any, for a "
+      "pilot finds the same on every machine, but s.json has one of 4 ms_per_step");
 }
 
 }  // namespace impetus::scheduler_distribution_test
