@@ -33,7 +33,8 @@ repeated_measures_tests <- function(trials, factors) {
   remarks <- left_out_remark("the repeated-measures ANOVA", nrow(means) - nrow(complete))
   kept <- trials[trials$participant %in% rownames(complete), c("participant", "rating", factors)]
   fit <- listen_to(fit_anova(kept, within, between))$value
-  if (is.null(fit) || any(!is.finite(fit$F))) {
+  rounding <- 1e-12 * sum(kept$rating^2)  # in a sum of squares
+  if (is.null(fit) || any(!is.finite(fit$F) | fit$ss_error <= rounding)) {
     return(outcome(remarks = c(remarks, paste(
       "The repeated-measures ANOVA has no variance left within participants to test against, or",
       "too few participants for its interactions, and is not reported."))))

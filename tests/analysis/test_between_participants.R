@@ -40,6 +40,14 @@ test_that("with factors between participants alone the ANOVA is one of their mea
   expect_equal(row$effect_size, table[["Sum Sq"]][1] / sum(table[["Sum Sq"]]))
 })
 
+test_that("an error that is nothing but rounding is none to test against", {
+  trials <- expand.grid(participant = factor(c("a", "b", "c")), speed = factor(c(8, 12)))
+  trials$rating <- c(0.1, 0.2, 0.4, 0.4, 0.5, 0.7)  # each .3 more
+  outcome <- repeated_measures_tests(trials, "speed")
+  expect_equal(NROW(outcome$rows), 0L)
+  expect_match(outcome$remarks, "no variance left within participants", fixed = TRUE)
+})
+
 test_that("tests that pair a participant's means leave such a factor out and say why", {
   result <- friedman_tests(groups_of_obk(), c("phase", "treatment"))
   expect_equal(result$rows$effect, "phase")
