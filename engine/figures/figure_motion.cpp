@@ -170,8 +170,8 @@ int motion_parts_of(std::span<const BodyModel> parts, std::span<const BodyState>
   return count;
 }
 
-/// In a part of a step, of `count`. What rests is held by its contacts alone: what keeps a body
-/// where it is would tear at its hinges.
+/// The fall in one of the `count` parts of a step. What rests is held by its contacts alone: what
+/// keeps a body where it is would tear at its hinges.
 Fall fall_in(int part, int count, Fall fall) {
   fall.resting = false;
   if (fall.comes_last) {

@@ -7,6 +7,23 @@
 #include "experiments/run/live_run.hpp"
 
 namespace impetus::inline session {
+
+void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress) {
+  constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
+  constexpr double kMostToldSteps = 250.0;
+  // A goal may end the scene with any step.
+  const double steps = live.scene().goal ? 1.0 : kMostToldSteps;
+  const double tell_s = std::min(kMostTold_s, steps / live.scene().step_hz);
+  const auto last_s = [&] { return live.scene().goal ? std::min(end_s, live.ends_s()) : end_s; };
+  for (double time_s = 0.0; time_s < last_s();) {
+    time_s = std::min(time_s + tell_s, last_s());
+    live.poses_at(time_s);
+    if (progress) {
+      progress(time_s / end_s);
+    }
+  }
+}
+
 namespace {
 
 AttemptRecord run_trial(const PlannedTrial& trial, StagedScene scene, const WorkClock& work_clock,
@@ -32,22 +49,6 @@ AttemptRecord run_trial(const PlannedTrial& trial, StagedScene scene, const Work
 }
 
 }  // namespace
-
-void play_to(LiveRun& live, double end_s, const std::function<void(double share)>& progress) {
-  constexpr double kMostTold_s = 1.0;  // of simulated time, between words of progress
-  constexpr double kMostToldSteps = 250.0;
-  // A goal may end the scene with any step.
-  const double steps = live.scene().goal ? 1.0 : kMostToldSteps;
-  const double tell_s = std::min(kMostTold_s, steps / live.scene().step_hz);
-  const auto last_s = [&] { return live.scene().goal ? std::min(end_s, live.ends_s()) : end_s; };
-  for (double time_s = 0.0; time_s < last_s();) {
-    time_s = std::min(time_s + tell_s, last_s());
-    live.poses_at(time_s);
-    if (progress) {
-      progress(time_s / end_s);
-    }
-  }
-}
 
 void run_unattended(const Plan& plan, const SessionHistory& history, const Scenes& scenes,
                     const ScreenGeometry& screen, Recorder& recorder, const WorkClock& work_clock,

@@ -80,9 +80,8 @@ TEST(ReturnedSession, OfAFolderThatDoesNotSayItsRecordingFormatIsOfTheSecond) {
   const std::string build = published["build"];
   folder.write("site/study.json", published.dump());
   EXPECT_NE(run_program(folder, {"collect", "back", "--site", "site", "--into", "a.sqlite"})
-                .errors.find("study.json: expected sessions of recording format 1 to 3, got 99, "
-                             "published by " +
-                             build),
+                .errors.find("study.json: expected sessions of recording format 1 to " +
+                             std::to_string(kRecordingFormat) + ", got 99, published by " + build),
             std::string::npos);
   published.erase("recording_format");
   folder.write("site/study.json", published.dump());
