@@ -283,7 +283,7 @@ TEST(FigureContacts, AFigureThatLiesDoesNotSinkThroughTheFloor) {
     }
     return lowest;
   };
-  // Limbs lie upon each other's hinges: a core may be a little below the floor, not its part.
+  // The lowest centre ends 4 mm below the floor, of parts that are 6 cm thick.
   EXPECT_GT(lowest_m(kRecordingFormat), -1.0 - 0.5 * kPartRadius_m);
   EXPECT_LT(lowest_m(3), -1.2) << "what recordings of format 3 were made by";
 }
