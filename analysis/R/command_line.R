@@ -33,9 +33,13 @@ run_study_command <- function(script) {
 }
 
 # Stops with one sentence for the user, which run_command says.
-refuse <- function(...) {
-  stop(structure(class = c("refusal", "error", "condition"),
-    list(message = paste0(...), call = NULL)))
+refuse <- function(...) stop_with_sentence("refusal", ...)
+
+# The same where a study has no answers to analyse (yet): a simulated one may end so.
+refuse_without_answers <- function(...) stop_with_sentence(c("without_answers", "refusal"), ...)
+
+stop_with_sentence <- function(classes, ...) {
+  stop(structure(class = c(classes, "error", "condition"), list(message = paste0(...), call = NULL)))
 }
 
 # "study.sqlite [more.sqlite ...] --out folder" -> list(studies, out). Prints `usage` for --help.

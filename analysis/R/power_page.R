@@ -12,9 +12,20 @@
 
 kWantedPower <- 0.8
 
+# Every test of every study. One whose participants left nothing to test has rows without p.
+kAllTestsSql <- "
+  WITH tested AS (SELECT DISTINCT factor FROM test)
+  SELECT effect, number, participants, factor, p, coalesce(method, '') AS method,
+    coalesce(remark, 'no answers are left to test') AS remark
+  FROM study CROSS JOIN tested LEFT JOIN test USING (effect, number, participants, factor)
+  ORDER BY effect DESC, number, participants, factor"
+
 power_rates <- function(ledger) {
-  tests <- DBI::dbGetQuery(ledger, "SELECT * FROM test ORDER BY effect DESC, number, participants, factor")
-  if (nrow(tests) == 0) refuse("expected studies in the ledger, got none yet")
+  tests <- DBI::dbGetQuery(ledger, kAllTestsSql)
+  if (nrow(tests) == 0) {
+    refuse("expected tests of studies in the ledger, got none: no study is done yet, or nobody's answers",
+      " are left to test in any")
+  }
   study <- paste(tests$effect, tests$number, tests$participants)
   tests$p_holm <- stats::ave(tests$p, study, FUN = function(p) stats::p.adjust(p, "holm"))
   cells <- split(tests, list(tests$participants, tests$effect, tests$factor), drop = TRUE)
@@ -171,7 +182,8 @@ rates_shown <- function(rates) {
 # Why tests were not made, as often as they were not.
 untested_lines <- function(ledger) {
   rows <- DBI::dbGetQuery(ledger, paste("SELECT factor, participants, remark, count(*) AS studies",
-    "FROM test WHERE p IS NULL GROUP BY factor, participants, remark ORDER BY 1, 2, 4 DESC"))
+    "FROM (", kAllTestsSql, ") WHERE p IS NULL GROUP BY factor, participants, remark",
+    "ORDER BY 1, 2, 4 DESC"))
   if (nrow(rows) == 0) return(NULL)
   c("<h4>Tests that could not be made; they count as not rejecting</h4>",
     html_table(rows, c("Factor", "Participants", "Why", "Studies")))

@@ -150,25 +150,29 @@ power_tests_of_thresholds <- function(part, tested, question) {
   result
 }
 
-# Tests the studies listed in a table of files, and writes all that is found in one transaction.
+# Tests the studies listed in a table of files, and writes all that is found in one transaction. A study
+# in which nobody answered, or everybody is excluded, has no row of a test: power_page.R counts it.
 write_power_tests <- function(ledger_path, list_path) {
   ledger <- withr::local_db_connection(open_ledger(ledger_path))
   question <- power_question(ledger)
   studies <- utils::read.delim(list_path, colClasses = c(file = "character", sizes = "character",
     build = "character"))
   found <- lapply(split(studies, seq_len(nrow(studies))), function(study) {
-    part <- power_part(file.path(dirname(list_path), study$file), question)
+    part <- tryCatch(power_part(file.path(dirname(list_path), study$file), question),
+      without_answers = function(condition) NULL)
     lapply(as.integer(strsplit(study$sizes, ",")[[1]]), function(size) {
       key <- data.frame(effect = study$effect, number = study$number, participants = size)
+      of_size <- if (!is.null(part)) first_participants(part, size)
       list(
         study = cbind(key, seed = study$seed, build = study$build, simulated_s = study$simulated_s),
-        test = cbind(key, power_tests(first_participants(part, size), question)))
+        test = if (NROW(of_size$trials) > 0) cbind(key, power_tests(of_size, question)))
     })
   })
   found <- unlist(unname(found), recursive = FALSE)
   DBI::dbExecute(ledger, "BEGIN IMMEDIATE")
   for (table in c("study", "test")) {
     rows <- each_row(found, `[[`, table)
+    if (is.null(rows)) next
     names <- names(rows)
     DBI::dbExecute(ledger, sprintf("INSERT OR IGNORE INTO %s (%s) VALUES (%s)", table,
       paste(names, collapse = ", "), paste0(":", names, collapse = ", ")), params = as.list(rows))

@@ -37,7 +37,8 @@ read_trials <- function(paths, protocol, view, what, views = character(), where 
   })
   study$files <- basename(paths)
   if (is.null(study$trials)) {
-    refuse(file_names(study), ": expected ", what, " of '", protocol, "', got none yet")
+    refuse_without_answers(file_names(study), ": expected ", what, " of '", protocol,
+      "', got none yet")
   }
   refuse_shared_pseudonyms(study$enrolments)
   study$protocol <- protocol

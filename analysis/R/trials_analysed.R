@@ -47,7 +47,7 @@ without_left_out <- function(study, what) {
   study$catch <- trials[!out & is_catch, ]
   study$trials <- trials[!out & !is_catch, ]
   if (nrow(study$trials) > 0) return(study)
-  refuse(paste(unique(trials$file), collapse = ", "), ": expected ", what, " of '",
+  refuse_without_answers(paste(unique(trials$file), collapse = ", "), ": expected ", what, " of '",
     study$protocol, "', got only catch trials and excluded ones (", sum(out), " excluded)")
 }
 

@@ -188,9 +188,26 @@ test_that("the page answers how many, what happens without the effect, and why t
   expect_equal(nrow(kept), 6)
 })
 
-test_that("a ledger without studies is refused in one sentence", {
-  expect_error(with_ledger(new_ledger(), power_rates), "expected studies in the ledger, got none yet",
-    class = "refusal")
+test_that("a ledger without tests is refused in one sentence", {
+  expect_error(with_ledger(new_ledger(), power_rates),
+    "expected tests of studies in the ledger, got none: no study is done yet", class = "refusal")
+})
+
+test_that("a study with nobody's answers left is one that did not reject", {
+  trials <- as_simulated(few_power_trials(2))
+  answered <- write_study(tempfile(fileext = ".sqlite"), trials)
+  emptied <- write_study(tempfile(fileext = ".sqlite"), trials)
+  for (participant in unique(trials$participant)) add_exclusion(emptied, participant, NA, "a rule")
+  studies <- tempfile(fileext = ".tsv")
+  writeLines(c("file\teffect\tnumber\tsizes\tseed\tsimulated_s\tbuild",
+    sprintf("%s\t1\t%d\t%s\t7\t2.5\tb", basename(c(answered, emptied)), 1:2, "4,8")), studies)
+  ledger <- new_ledger(factors = "[\"delay_ms\"]")
+  write_power_tests(ledger, studies)
+  rates <- with_ledger(ledger, power_rates)
+  expect_equal(rates$participants, c(4, 8))
+  expect_equal(cbind(rates$studies, rates$untested), cbind(c(2, 2), c(1, 1)))
+  expect_match(paste(with_ledger(ledger, untested_lines), collapse = ""),
+    "no answers are left to test", fixed = TRUE)
 })
 
 test_that("a table's column that begins like p is not taken for it", {
