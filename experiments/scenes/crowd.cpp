@@ -12,12 +12,10 @@
 namespace impetus::inline scenes {
 namespace {
 
-constexpr int kMostDrawsEach = 10'000;
-
 /// A place where a ball is within the walls and apart from the bodies that have theirs.
 std::optional<Vector3> free_place(const std::vector<BodyState>& placed, const Room& room,
                                   double radius_m, RandomStream& stream) {
-  for (int draw = 0; draw < kMostDrawsEach; ++draw) {
+  for (int draw = 0; draw < kMostDraws; ++draw) {
     const Vector3 place = draw_place(room, stream);
     if (room.walls != nullptr && reaches_wall(*room.walls, Sphere{place, radius_m})) {
       continue;
@@ -91,7 +89,7 @@ bool overlap_anywhere(const Posture& a, const Posture& b) {
 /// Apart from itself, about the origin.
 std::optional<Posture> random_posture(const Figure& figure, const std::vector<BodyModel>& models,
                                       RandomStream& stream) {
-  for (int draw = 0; draw < kMostDrawsEach; ++draw) {
+  for (int draw = 0; draw < kMostDraws; ++draw) {
     std::vector<double> angles;
     for (const Hinge& hinge : figure.hinges) {
       angles.push_back(random_angle(hinge, stream));
@@ -123,7 +121,7 @@ class Placer {
   /// Draws a posture, then places for it.
   std::optional<Posture> place(const Figure& figure, RandomStream& stream) {
     const auto posture = random_posture(figure, *models_, stream);
-    for (int draw = 0; posture && draw < kMostDrawsEach; ++draw) {
+    for (int draw = 0; posture && draw < kMostDraws; ++draw) {
       Posture there = moved(figure, *models_, *posture, draw_place(room_, stream));
       if (is_free(there)) {
         placed_.push_back(there);
@@ -172,6 +170,12 @@ std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>&
     states.push_back(state);
   }
   return states;
+}
+
+bool has_posture(const Figure& figure, const std::vector<BodyModel>& models,
+                 const CrowdStart& start) {
+  RandomStream stream(start.seed, start.name);
+  return random_posture(figure, models, stream).has_value();
 }
 
 std::optional<std::vector<BodyState>> figure_crowd_states(const std::vector<Figure>& figures,

@@ -29,6 +29,14 @@ std::optional<std::vector<BodyState>> crowd_states(const std::vector<BodyModel>&
                                                    const Enclosure& enclosure,
                                                    const CrowdStart& start);
 
+/// How many postures are drawn for a figure, and how many places for it or a body.
+inline constexpr int kMostDraws = 10'000;
+
+/// Whether any of so many postures, drawn as figure_crowd_states() does, has the figure's parts
+/// apart from each other.
+bool has_posture(const Figure& figure, const std::vector<BodyModel>& models,
+                 const CrowdStart& start);
+
 /// States of the parts of figures that move freely, with random joint angles, uniform within the
 /// hinges' limits; apart from themselves, too. None when no room was found for them all in 10,000
 /// draws a figure. Apart are the bounds at level 0 of the parts' trees; `start.radius_m` is not

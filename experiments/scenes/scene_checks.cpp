@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiments/record/wall_names.hpp"
+#include "experiments/scenes/crowd.hpp"
 #include "experiments/scenes/distractors.hpp"
 #include "experiments/scenes/engine_checks.hpp"
 #include "experiments/scenes/figures/figure_checks.hpp"
@@ -132,10 +133,25 @@ void add_crowd_problems(const Scene& scene, ShapeLibrary& library, SceneProblems
   refuse_key(scene.meeting.has_value(), "meeting", why, problems);
   refuse_key(scene.distractors.has_value(), "distractors", why, problems);
   refuse_key(scene.figures.has_value(), "figures", why, problems);
-  if (problems.empty() && !crowd_has_room(scene, library)) {
-    problems.add_got(scene.crowd ? "/crowd/count" : "/figure_crowd/count",
-                     std::string("expected as many ") + (scene.crowd ? "bodies" : "figures") +
-                         " as the enclosure has room for");
+  if (!problems.empty()) {
+    return;
+  }
+  switch (problem_of_crowd(scene, library)) {
+    case CrowdProblem::kNone:
+      break;
+    case CrowdProblem::kNoRoom:
+      problems.add_got(scene.crowd ? "/crowd/count" : "/figure_crowd/count",
+                       std::string("expected as many ") + (scene.crowd ? "bodies" : "figures") +
+                           " as the enclosure has room for");
+      break;
+    case CrowdProblem::kNoPosture:
+      problems.add("/figure_crowd/figure",
+                   "expected parts that can be apart from each other, but at the coarsest level of "
+                   "their trees some overlap in each of " +
+                       std::to_string(kMostDraws) +
+                       " postures: \"coarsest\": \"volume\" lets them lie closer, "
+                       "\"self_collision\": {\"others\": false} lets them overlap");
+      break;
   }
 }
 

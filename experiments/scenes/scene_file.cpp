@@ -65,14 +65,19 @@ std::vector<BodyState> free_states(const Scene& scene, const SceneBodies& bodies
   return states;
 }
 
+CrowdStart crowd_start_of(const Scene& scene, const SceneBodies& bodies, double m_per_deg,
+                          const std::string& start) {
+  const CrowdSettings& crowd = scene.any_crowd();
+  return {crowd.start, "crowd of " + std::to_string(crowd.count) + "/" + start,
+          bodies.models.front().tree->bounding_radius_m(), crowd.speed_deg_s * m_per_deg,
+          crowd.spin_deg_s * kRadiansPerDegree};
+}
+
 std::optional<std::vector<BodyState>> crowd_states_of(const Scene& scene, const SceneBodies& bodies,
                                                       double m_per_deg, const Viewer& viewer,
                                                       const std::string& start) {
-  const CrowdSettings& crowd = scene.any_crowd();
-  const std::string name = "crowd of " + std::to_string(crowd.count) + "/" + start;
   const Enclosure walls = *enclosure_of(scene, m_per_deg, viewer);
-  const CrowdStart how{crowd.start, name, bodies.models.front().tree->bounding_radius_m(),
-                       crowd.speed_deg_s * m_per_deg, crowd.spin_deg_s * kRadiansPerDegree};
+  const CrowdStart how = crowd_start_of(scene, bodies, m_per_deg, start);
   return scene.figure_crowd ? figure_crowd_states(bodies.figures, bodies.models, walls, how)
                             : crowd_states(bodies.models, walls, how);
 }
@@ -242,7 +247,7 @@ StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double
   return staged;
 }
 
-bool crowd_has_room(const Scene& scene, ShapeLibrary& library) {
+CrowdProblem problem_of_crowd(const Scene& scene, ShapeLibrary& library) {
   constexpr int kRoot = 0;  // it holds the whole body
   const ScreenGeometry screen = screen_for_checks();
   const double m_per_deg = metres_per_degree(screen.viewing_distance_m);
@@ -250,11 +255,15 @@ bool crowd_has_room(const Scene& scene, ShapeLibrary& library) {
   const SceneBodies bodies = bodies_of(scene, m_per_deg, library, kRoot);
   constexpr int kStarts = 10;
   for (int repetition = 1; repetition <= kStarts; ++repetition) {
-    if (!crowd_states_of(scene, bodies, m_per_deg, viewer, "main/" + std::to_string(repetition))) {
-      return false;
+    const std::string start = "main/" + std::to_string(repetition);
+    if (!crowd_states_of(scene, bodies, m_per_deg, viewer, start)) {
+      const bool can_stand =
+          scene.crowd || has_posture(bodies.figures.front(), bodies.models,
+                                     crowd_start_of(scene, bodies, m_per_deg, start));
+      return can_stand ? CrowdProblem::kNoRoom : CrowdProblem::kNoPosture;
     }
   }
-  return true;
+  return CrowdProblem::kNone;
 }
 
 StartingOverlaps starting_overlaps_of(const Scene& scene, ShapeLibrary& library) {

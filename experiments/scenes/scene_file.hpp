@@ -51,9 +51,16 @@ StagedScene build_scene(const Scene& scene, const ScreenGeometry& screen, double
                         ShapeLibrary& library, const std::string& start = "preview",
                         std::uint64_t seed = 1, int deepest_level = kGreatestTreeDepth);
 
-/// Whether a crowd, of figures too, finds room to start in, ten times out of ten. Precondition: the
-/// scene has a crowd and an enclosure.
-bool crowd_has_room(const Scene& scene, ShapeLibrary& library);
+/// What keeps a crowd, of figures too, from starting.
+enum class CrowdProblem {
+  kNone,
+  kNoRoom,     ///< there is no place left for one of them
+  kNoPosture,  ///< a figure's own parts overlap, however its joints are turned
+};
+
+/// What keeps the scene's crowd from starting in one of ten starts. Precondition: it has a crowd
+/// and an enclosure.
+CrowdProblem problem_of_crowd(const Scene& scene, ShapeLibrary& library);
 
 /// What a scene's start has that it should not have.
 struct StartingOverlaps {

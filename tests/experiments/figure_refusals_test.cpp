@@ -231,6 +231,12 @@ TEST(FigureRefusals, CrowdsOfFiguresStandAloneAndNeedRoom) {
   EXPECT_EQ(scene_refusal(humanoid_crowd(3, 20.0)), "accepted");
   EXPECT_EQ(scene_refusal(humanoid_crowd(20, 6.0)),
             "/figure_crowd/count: expected as many figures as the enclosure has room for, got 20");
+  json round = humanoid_crowd(1, 20.0);  // whose parts, as spheres, overlap in any posture
+  round["figure_crowd"]["coarsest"] = "sphere";
+  EXPECT_EQ(scene_refusal(round).find("/figure_crowd/figure: expected parts that can be apart"), 0U)
+      << scene_refusal(round);
+  round["figure_crowd"]["self_collision"] = {{"others", false}};
+  EXPECT_EQ(scene_refusal(round), "accepted");
   EXPECT_EQ(scene_refusal(humanoid_crowd(70, 60.0)),
             "/figure_crowd/count: expected at most 1000 bodies and parts together, got 1120");
   json both = humanoid_crowd(3, 20.0);
