@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "engine/dynamics/centres_at_walls.hpp"
 #include "engine/dynamics/entry_searches.hpp"
 #include "engine/numerics/at.hpp"
 #include "engine/numerics/disjoint_sets.hpp"
@@ -174,8 +175,12 @@ class StopsInOrder {
   /// From where it was before the step, through `share` of it.
   void move(std::size_t body, double share) {
     states_[body] = step_.before[body];
-    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation,
-            step_.falls.empty() ? Fall{} : step_.falls[body]);
+    const Fall fall = step_.falls.empty() ? Fall{} : step_.falls[body];
+    advance(step_.models[body], states_[body], share * step_.dt_s, step_.rotation, fall);
+    if (step_.walls != nullptr) {
+      keep_centre_inside(*step_.walls, fall.gravity_m_s2, step_.models[body],
+                         step_.before[body].pose.position, states_[body]);
+    }
   }
 
   bool stop(std::size_t body, double share) {

@@ -35,6 +35,7 @@
 #include "engine/scheduling/work_costs.hpp"
 #include "engine/scheduling/work_meter.hpp"
 #include "engine/scheduling/workers.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus::inline dynamics {
 
@@ -58,6 +59,7 @@ struct StepMade {
   std::int64_t most_tests{kUnlimitedTests};  ///< of all searches
   PhaseWork* work{nullptr};                  ///< of the same, where it is metered, and of stops
   Workers* workers{nullptr};                 ///< who search at once; they change nothing
+  const Enclosure* walls{nullptr};           ///< that end the ways of centres, if any do
 };
 
 /// Who was stopped, and what finding it took.

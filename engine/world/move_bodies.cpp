@@ -1,7 +1,9 @@
 // The first phase of a step: everything moves as if it met nobody, and how far it went is kept.
 // SPDX-License-Identifier: MIT
 #include <cstdint>
+#include <optional>
 
+#include "engine/dynamics/centres_at_walls.hpp"
 #include "engine/numerics/at.hpp"
 #include "engine/world/phases.hpp"
 
@@ -46,6 +48,8 @@ void find_falls(const Step& step) {
 void move_each(const Step& step) {
   WorldState& world = step.world;
   const std::vector<Fall>& falls = step.memory.falls;
+  const Enclosure* walls = step.walls_of_centres();
+  const auto reaches = walls != nullptr ? std::optional<WallReach>(*walls) : std::nullopt;
   AdvancingBodies advancing;
   for (std::size_t body = 0; body < world.models.size(); ++body) {
     BodyState& state = world.states[body];
@@ -57,6 +61,11 @@ void move_each(const Step& step) {
     } else {
       travelled_m = advancing.take(world.models[body], state, step.input.dt_s,
                                    step.settings.rotation, falls.empty() ? Fall{} : falls[body]);
+      if (walls != nullptr && (*reaches)(Sphere{state.pose.position, 0.0})) {
+        const Vector3& from_m = world.finite.before()[body].pose.position;
+        keep_centre_inside(*walls, step.settings.gravity_m_s2, world.models[body], from_m, state);
+        travelled_m = (state.pose.position - from_m).norm();
+      }
     }
   }
   advancing.finish();

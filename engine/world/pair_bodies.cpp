@@ -135,11 +135,11 @@ void stop_fast_pairs(const Step& step) {
     greatest_level = std::max(greatest_level, list.greatest_level);
   }
   PhaseWork work = step.work_of(WorkPhase::kEntry);
-  const Stopping& stopping =
-      stop_at_entry({step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step),
-                     greatest_level, settings.costs, settings.rotation, kMostStops, memory.falls,
-                     settings.most_entry_tests, &work, memory.workers.get()},
-                    world.states, world.placed, memory.entries);
+  const Stopping& stopping = stop_at_entry(
+      {step.input.dt_s, world.models, world.finite.before(), stoppable_pairs(step), greatest_level,
+       settings.costs, settings.rotation, kMostStops, memory.falls, settings.most_entry_tests,
+       &work, memory.workers.get(), step.walls_of_centres()},
+      world.states, world.placed, memory.entries);
   for (PairBounds& pair : memory.candidates) {
     pair.a.centre = world.states[at(pair.pair.a)].pose.position;
     pair.b.centre = world.states[at(pair.pair.b)].pose.position;

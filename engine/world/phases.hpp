@@ -33,6 +33,11 @@ struct Step {
   [[nodiscard]] PhaseWork work_of(WorkPhase phase) const {
     return {meter, phase, memory.report.grants};
   }
+
+  /// The walls that end the ways of centres; null when none do.
+  [[nodiscard]] const Enclosure* walls_of_centres() const {
+    return settings.enclosure && !settings.has_rules_before(5) ? &*settings.enclosure : nullptr;
+  }
 };
 
 /// Moves every body, and every figure as a whole, in as many parts of the step as the meter grants.

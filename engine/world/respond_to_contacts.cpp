@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/dynamics/centres_at_walls.hpp"
 #include "engine/numerics/at.hpp"
 #include "engine/numerics/elementary_functions.hpp"
 #include "engine/world/phases.hpp"
@@ -172,76 +173,52 @@ void impose(const Step& step) {
   }
 }
 
-/// Brings a body whose centre is beyond a wall back to it, and takes from it what would carry its
-/// centre through in the next step, as if the wall pushed at its centre: its kinetic energy does
-/// not grow, and nothing turns it.
-void stop_centre_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
-                          const BodyModel& model, BodyState& state) {
-  for (int wall = 0; wall < kWallCount; ++wall) {
-    const double room_m = -reach_beyond(enclosure, wall, Sphere{state.pose.position, 0.0});
-    const Vector3 outward = -inward_normal(enclosure, wall);
-    if (room_m < 0.0) {
-      state.pose.position += room_m * outward;
-    }
-    const double outward_Ns = outward.dot(state.linear_momentum);
-    const double fall_m = std::max(0.0, 0.5 * outward.dot(gravity_m_s2) * dt_s * dt_s);
-    const double allowed_Ns = std::max(0.0, room_m - fall_m) / (dt_s * model.inverse_mass);
-    if (outward_Ns > allowed_Ns) {
-      state.linear_momentum -= (outward_Ns - allowed_Ns) * outward;
-    }
-  }
-}
-
-/// Turns a body back whose centre is beyond a wall and would go on outwards, as if the wall pushed
-/// at its centre: what pushes beside it may turn the body ever faster and still let it through. Its
-/// kinetic energy does not grow.
-void turn_back_at_walls(const Enclosure& enclosure, double restitution, double resting_m_s,
-                        const BodyModel& model, BodyState& state) {
-  for (int wall = 0; wall < kWallCount; ++wall) {
-    const Vector3 outward = -inward_normal(enclosure, wall);
-    const double outward_Ns = outward.dot(state.linear_momentum);
-    if (outward_Ns > 0.0 && reach_beyond(enclosure, wall, Sphere{state.pose.position, 0.0}) > 0.0) {
-      const double given_back = outward_Ns * model.inverse_mass > resting_m_s ? restitution : 0.0;
-      state.linear_momentum -= (1.0 + given_back) * outward_Ns * outward;
-    }
-  }
-}
-
-/// Nobody leaves the enclosure, whatever pushes at the walls were found.
-void turn_back_at_walls(const Step& step) {
+/// Turns back whose centre is at a wall or beyond, whatever pushes at the wall were found.
+void turn_centres_back(const Step& step) {
   const double resting_m_s = resting_speed_m_s(step);
   for (const CollisionReport& collision : step.memory.report.collisions) {
     const auto [first, end] = contact_range(collision);
     const auto body = at(collision.bodies.a);
+    const BodyModel& model = step.world.models[body];
     if (is_wall(collision.bodies.b) && first < end && step.memory.bounds[body].movable &&
-        !step.world.models[body].passes_through) {
-      turn_back_at_walls(*step.settings.enclosure, step.memory.restitutions[first], resting_m_s,
-                         step.world.models[body], step.world.states[body]);
+        !model.passes_through) {
+      const bool from_beyond = step.settings.has_rules_before(5);
+      turn_back_at_walls(*step.settings.enclosure, from_beyond ? 0.0 : -wall_rounding_m(model),
+                         step.memory.restitutions[first], resting_m_s, model,
+                         step.world.states[body]);
     }
   }
 }
 
-/// Once work was cut what is left unanswered can push bodies out for long, so that their centres
-/// are stopped at the walls; else they are turned back behind them.
+/// Stops whose centre would go through a wall in the step to come.
+void stop_centres(const Step& step) {
+  const WorldState& world = step.world;
+  for (std::size_t body = 0; body < world.models.size(); ++body) {
+    const bool stops =
+        step.settings.has_rules_before(5) || (world.figures && world.figures->has_part(body));
+    if (stops && step.memory.bounds[body].movable && !world.finite.is_out(body) &&
+        !world.models[body].passes_through) {
+      stop_at_walls(*step.settings.enclosure, step.settings.gravity_m_s2, step.input.dt_s,
+                    world.models[body], step.world.states[body]);
+    }
+  }
+}
+
+/// Nobody leaves the enclosure: no centre goes through a wall, and at the wall it is turned back.
+/// The parts of figures, which their hinges move, may go through; once work was cut what is left
+/// unanswered can push them out for long, so that they are stopped before.
 void keep_centres_inside(const Step& step) {
   const WorldSettings& settings = step.settings;
-  step.world.was_cut |= step.memory.report.grants.cut_beyond_refinement();
+  bool& was_cut = step.world.was_cut;
+  was_cut |= step.memory.report.grants.cut_beyond_refinement();
   if (!settings.enclosure || !(step.input.dt_s > 0.0)) {
     return;
   }
-  if (!step.world.was_cut) {
-    if (!settings.has_rules_before(3)) {
-      turn_back_at_walls(step);
-    }
-    return;
+  if (was_cut) {
+    stop_centres(step);
   }
-  for (const MovedBound& bound : step.memory.bounds) {
-    const auto body = static_cast<std::size_t>(&bound - step.memory.bounds.data());
-    if (bound.movable && !step.world.finite.is_out(body) &&
-        !step.world.models[body].passes_through) {
-      stop_centre_at_walls(*settings.enclosure, settings.gravity_m_s2, step.input.dt_s,
-                           step.world.models[body], step.world.states[body]);
-    }
+  if (!settings.has_rules_before(was_cut ? 5 : 3)) {
+    turn_centres_back(step);
   }
 }
 

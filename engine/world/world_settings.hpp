@@ -50,7 +50,7 @@ struct ImposedRebound {
 };
 
 /// Raised whenever a recording made before may no longer replay by the rules of now.
-inline constexpr int kRecordingFormat = 4;
+inline constexpr int kRecordingFormat = 5;
 
 /// Older recordings are tried, and their hashes tell whether they replay. From format 2 on they do,
 /// for their worlds go by its rules (WorldSettings::recording_format). So do those of format 1,
@@ -94,6 +94,7 @@ struct WorldSettings {
   /// By whose rules the world steps: an older one's, where a recording of it is replayed. Before 3
   /// whatever touches a body keeps it from falling, walls push where they touch alone, and what the
   /// hinges of a figure hold is pushed, too. Before 4 figures that lie sink (Fall::comes_last).
+  /// Before 5 centres go through walls and are turned back behind them (centres_at_walls.hpp).
   int recording_format{kRecordingFormat};
 
   /// Whether what came with a format is not yet so.

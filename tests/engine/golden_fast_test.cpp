@@ -35,10 +35,15 @@ World everything_fast(WorldSettings settings) {
 
 TEST(GoldenFast, TheSceneEndsInTheCommittedHash) {
   // Equal for GCC and Clang, -O0 and -O3, any instruction set; see TheGoldenScene.
-  for (const auto& [rotation, response, expected] :
-       {std::tuple(Rotation::kMidpoint, ResponseMethod::kInTurn, 0x8423d48116a3533eULL),
-        std::tuple(Rotation::kEnergyKept, ResponseMethod::kTogether, 0x8d8fb7250cd7f4e3ULL)}) {
+  constexpr auto kInTurn = ResponseMethod::kInTurn;
+  constexpr auto kTogether = ResponseMethod::kTogether;
+  for (const auto& [format, rotation, response, expected] :
+       {std::tuple(4, Rotation::kMidpoint, kInTurn, 0x8423d48116a3533eULL),
+        std::tuple(4, Rotation::kEnergyKept, kTogether, 0x8d8fb7250cd7f4e3ULL),
+        std::tuple(5, Rotation::kMidpoint, kInTurn, 0x3288f8157ae5837ULL),
+        std::tuple(5, Rotation::kEnergyKept, kTogether, 0x9f1a3944fe02c0cbULL)}) {
     WorldSettings settings;
+    settings.recording_format = format;
     settings.rotation = rotation;
     settings.response = response;
     World world = everything_fast(settings);

@@ -246,7 +246,8 @@ TEST(Gravity, MustBeFinite) {
   EXPECT_EQ(problem_of(settings), "world: the response needs one pass or more, got 0");
   settings = falling(1.0);
   settings.recording_format = 0;
-  EXPECT_EQ(problem_of(settings), "world: expected the rules of recording format 1 to 4, got 0");
+  EXPECT_EQ(problem_of(settings), "world: expected the rules of recording format 1 to " +
+                                      std::to_string(kRecordingFormat) + ", got 0");
 }
 
 }  // namespace impetus::gravity_test

@@ -1,0 +1,31 @@
+// What walls do to the centre of a body, so that nobody leaves the enclosure whatever pushes at its
+// contacts were found. None of it turns the body, and in none does its energy grow.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/dynamics/body.hpp"
+#include "engine/volumes/enclosure.hpp"
+
+namespace impetus::inline dynamics {
+
+/// By how far a centre that is at a wall may be off it (metres).
+double wall_rounding_m(const BodyModel& model);
+
+/// Where the way of a step from `from_m` led the centre through walls, it ends at them: its place
+/// across a wall is the wall's, and its speed across what it had there. One that was beyond a wall
+/// before goes on, nor is one kept that passes through others.
+void keep_centre_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
+                        const BodyModel& model, const Vector3& from_m, BodyState& state);
+
+/// Turns a body back whose centre is more than `least_m` beyond a wall and would go on outwards, as
+/// if the wall pushed at its centre: what pushes beside it may turn the body ever faster and still
+/// let it through. Approaches slower than `resting_m_s` are given nothing back.
+void turn_back_at_walls(const Enclosure& enclosure, double least_m, double restitution,
+                        double resting_m_s, const BodyModel& model, BodyState& state);
+
+/// Brings a body whose centre is beyond a wall back to it, and takes from it what would carry its
+/// centre through in the next step, of `dt_s` seconds, as if the wall pushed at its centre.
+void stop_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
+                   const BodyModel& model, BodyState& state);
+
+}  // namespace impetus::inline dynamics
