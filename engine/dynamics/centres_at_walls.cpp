@@ -7,25 +7,38 @@
 namespace impetus::inline dynamics {
 namespace {
 
-/// Of walls that are not square to each other, one after the other: in an edge of 70° a round
-/// leaves a tenth.
-constexpr int kRounds = 9;
-
 double centre_beyond_m(const Enclosure& enclosure, int wall, const Vector3& centre_m) {
   return reach_beyond(enclosure, wall, Sphere{centre_m, 0.0});
 }
 
-/// Puts the centre back to the wall from `beyond_m` behind it. On its parabola it had the energy of
-/// now at the wall, too.
-void end_way_at_wall(const Vector3& outward, double beyond_m, const Vector3& gravity_m_s2,
-                     const BodyModel& model, BodyState& state) {
-  state.pose.position -= beyond_m * outward;
-  const double speed_m_s = model.inverse_mass * outward.dot(state.linear_momentum);
-  if (speed_m_s > 0.0) {
-    const double square = speed_m_s * speed_m_s - 2.0 * beyond_m * outward.dot(gravity_m_s2);
-    const double at_wall_m_s = std::sqrt(std::max(0.0, square));
-    state.linear_momentum += (at_wall_m_s - speed_m_s) / model.inverse_mass * outward;
+/// Of the straight way to `to_m`, how much is within the walls that it began within.
+double share_inside(const Enclosure& enclosure, double rounding_m, const Vector3& from_m,
+                    const Vector3& to_m) {
+  double share = 1.0;
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    const double before_m = centre_beyond_m(enclosure, wall, from_m);
+    const double after_m = centre_beyond_m(enclosure, wall, to_m);
+    if (after_m > 0.0 && before_m <= rounding_m) {
+      const double room_m = std::max(0.0, -before_m);
+      share = std::min(share, room_m / (room_m + after_m));
+    }
   }
+  return share;
+}
+
+/// What a momentum becomes where the body is not moved by `left_m` along gravity: as on its
+/// parabola the speed is less by what it would have gained.
+Vector3 without_fall(const Vector3& momentum, const Vector3& left_m, const Vector3& gravity_m_s2,
+                     double inverse_mass) {
+  const double gravity = gravity_m_s2.norm();
+  if (!(gravity > 0.0)) {
+    return momentum;
+  }
+  const Vector3 down = gravity_m_s2 / gravity;
+  const double speed_m_s = inverse_mass * down.dot(momentum);
+  const double square = speed_m_s * speed_m_s - 2.0 * gravity * down.dot(left_m);
+  const double there_m_s = std::copysign(std::sqrt(std::max(0.0, square)), speed_m_s);
+  return momentum + (there_m_s - speed_m_s) / inverse_mass * down;
 }
 
 }  // namespace
@@ -40,16 +53,12 @@ void keep_centre_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
   if (model.passes_through || !(model.inverse_mass > 0.0)) {
     return;
   }
-  bool is_inside = false;
-  for (int round = 0; round < kRounds && !is_inside; ++round) {
-    is_inside = true;
-    for (int wall = 0; wall < kWallCount; ++wall) {
-      const double beyond_m = centre_beyond_m(enclosure, wall, state.pose.position);
-      if (beyond_m > 0.0 && centre_beyond_m(enclosure, wall, from_m) <= wall_rounding_m(model)) {
-        end_way_at_wall(-inward_normal(enclosure, wall), beyond_m, gravity_m_s2, model, state);
-        is_inside = false;
-      }
-    }
+  const double share = share_inside(enclosure, wall_rounding_m(model), from_m, state.pose.position);
+  if (share < 1.0) {
+    const Vector3 left_m = (1.0 - share) * (state.pose.position - from_m);
+    state.pose.position -= left_m;
+    state.linear_momentum =
+        without_fall(state.linear_momentum, left_m, gravity_m_s2, model.inverse_mass);
   }
 }
 

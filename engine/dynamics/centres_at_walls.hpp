@@ -11,9 +11,10 @@ namespace impetus::inline dynamics {
 /// By how far a centre that is at a wall may be off it (metres).
 double wall_rounding_m(const BodyModel& model);
 
-/// Where the way of a step from `from_m` led the centre through walls, it ends at them: its place
-/// across a wall is the wall's, and its speed across what it had there. One that was beyond a wall
-/// before goes on, nor is one kept that passes through others.
+/// Where the way of a step from `from_m` led the centre through a wall, it ends there, with the
+/// energy that the body has now; what was left of the step is lost, as for who stops at an entry.
+/// One that was beyond a wall before goes on through that, and so does one that passes through
+/// others.
 void keep_centre_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
                         const BodyModel& model, const Vector3& from_m, BodyState& state);
 
