@@ -41,6 +41,7 @@ struct Step {
 };
 
 /// Moves every body, and every figure as a whole, in as many parts of the step as the meter grants.
+/// The way of a body's centre ends at a wall.
 /// Bodies whose state is not finite are taken out, before and after they have moved.
 void move_bodies(const Step& step);
 
