@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "engine/numerics/random_stream.hpp"
@@ -19,14 +20,16 @@ constexpr int kSteps = 120;
 /// Draws what a scene says.
 class SceneDraw {
  public:
-  explicit SceneDraw(std::uint64_t number) : random_(kSeed, "scene " + std::to_string(number)) {}
+  explicit SceneDraw(std::uint64_t number)
+      : random_(kSeed, "scene " + std::to_string(number)),
+        of_walls_(kSeed, "walls of scene " + std::to_string(number)) {}
 
   json scene() {
     json scene = {{"$schema", "scene.schema.json"}, {"schema_version", 1}, {"title", "drawn"}};
     scene["engine"] = engine();
     scene["viewer"] = {{"azimuth_deg", 0}};
     scene["duration_s"] = 5;
-    scene["enclosure"] = {{"edge_deg", between(5, 40)}};
+    scene["enclosure"] = walls_or_cube(between(5, 40));
     json who = {{"density_kg_m3", between(100, 8000)},
                 {"colours", {"#d9813b"}},
                 {"speed_deg_s", between(0.1, 300)}};
@@ -76,6 +79,17 @@ class SceneDraw {
          {{"kind", "plate"}, {"width_deg", 2}, {"height_deg", 1}, {"thickness_deg", 0.2}}});
   }
 
+  /// What is seen of a depth about as large, in three of ten.
+  json walls_or_cube(double edge_deg) {
+    if (of_walls_.uniform() < 0.3) {
+      const double front = of_walls_.uniform();
+      return {{"kind", "view-frustum"},
+              {"front_deg", front * edge_deg},
+              {"back_deg", (1.0 - front) * edge_deg + 1.0}};
+    }
+    return {{"edge_deg", edge_deg}};
+  }
+
   json engine() {
     json engine = {{"step_hz", one_of({30, 60, 120, 240})},
                    {"restitution", one_of({0.0, 0.5, 1.0, random_.uniform()})},
@@ -107,6 +121,7 @@ class SceneDraw {
   }
 
   RandomStream random_;
+  RandomStream of_walls_;
 };
 
 /// Kinetic, and potential where there is gravity (J).
@@ -142,11 +157,14 @@ double way_m(const World& world, double dt_s) {
   return farthest_m;
 }
 
+/// How far the centre of any body is beyond a wall (metres).
 double farthest_out_m(const World& world) {
-  const double half_m = closed_cube(world.settings().enclosure)->half_edge_m;
-  double farthest_m = -half_m;
+  double farthest_m = -std::numeric_limits<double>::infinity();
   for (const BodyState& state : world.states()) {
-    farthest_m = std::max(farthest_m, state.pose.position.cwiseAbs().maxCoeff() - half_m);
+    for (int wall = 0; wall < kWallCount; ++wall) {
+      farthest_m = std::max(farthest_m, reach_beyond(*world.settings().enclosure, wall,
+                                                     Sphere{state.pose.position, 0.0}));
+    }
   }
   return farthest_m;
 }
