@@ -4,119 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/motion.hpp"
+#include "engine/figures/as_one_body.hpp"
 #include "engine/numerics/at.hpp"
 
 namespace impetus::inline figures {
 namespace {
 
-// How a figure moves beyond what it would as one rigid body, and the energy in it.
-//
-//   momenta  =  those of a rigid body with the figure's whole momentum  +  internal ones
-//
-// The internal momenta sum to nothing, linear and angular, and the two energies add up: so the
-// internal motion can be made slower or faster without touching the figure's momentum or pulling
-// at its hinges.
-
-/// Beyond this an energy cannot be had back by faster internal motion: there is too little of it.
-constexpr double kMostGrowth = 1.001;
-
-/// The velocities that one rigid body in place of the figure would have.
-struct RigidMotion {
-  Vector3 centre{Vector3::Zero()};
-  Vector3 velocity{Vector3::Zero()};
-  Vector3 spin{Vector3::Zero()};
-};
-
-Matrix3 inertia_in_world(const BodyModel& part, const BodyState& state) {
-  const Matrix3 rotation = state.pose.orientation.toRotationMatrix();
-  return rotation * part.inverse_inertia.inverse() * rotation.transpose();
-}
-
-/// Of a figure that is free to go; one whose root is fixed does not move as a whole.
-RigidMotion rigid_motion_of(std::span<const BodyModel> parts, std::span<const BodyState> states) {
-  RigidMotion motion;
-  if (parts.front().inverse_mass == 0.0) {
-    return motion;
-  }
-  double mass = 0.0;
-  Vector3 momentum = Vector3::Zero();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const double own = 1.0 / parts[i].inverse_mass;
-    mass += own;
-    motion.centre += own * states[i].pose.position;
-    momentum += states[i].linear_momentum;
-  }
-  motion.centre /= mass;
-  motion.velocity = momentum / mass;
-  Matrix3 inertia = Matrix3::Zero();
-  Vector3 angular = Vector3::Zero();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Vector3 arm = states[i].pose.position - motion.centre;
-    inertia += inertia_in_world(parts[i], states[i]) +
-               1.0 / parts[i].inverse_mass *
-                   (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
-    angular += states[i].angular_momentum + arm.cross(states[i].linear_momentum);
-  }
-  motion.spin = inertia.inverse() * angular;
-  return motion;
-}
-
-/// Momenta of a part beyond those of the rigid motion.
-PartImpulse internal_momentum(const RigidMotion& rigid, const BodyModel& part,
-                              const BodyState& state) {
-  const Vector3 arm = state.pose.position - rigid.centre;
-  const Vector3 velocity = rigid.velocity + rigid.spin.cross(arm);
-  return {state.linear_momentum - velocity / part.inverse_mass,
-          state.angular_momentum - inertia_in_world(part, state) * rigid.spin};
-}
-
-/// The kinetic energy of a figure's parts (J).
-double kinetic_energy(std::span<const BodyModel> parts, std::span<const BodyState> states) {
-  double energy = 0.0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    energy += kinetic_energy(parts[i], states[i]);
-  }
-  return energy;
-}
-
-/// Makes the internal motion such that the kinetic energy is `energy_J`, as far as that can be: at
-/// least that of the rigid motion. It grows only where `may_grow`, and by a thousandth at the most.
-/// A part without inverse mass, if any, is the root, and nothing is rigid motion then.
-void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> parts,
-                     std::span<BodyState> states) {
-  const double present_J = kinetic_energy(parts, states);
-  if (present_J == energy_J || (present_J < energy_J && !may_grow)) {
-    return;
-  }
-  const RigidMotion rigid = rigid_motion_of(parts, states);
-  double internal_J = 0.0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].inverse_mass > 0.0) {
-      BodyState internal = states[i];
-      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
-      internal.linear_momentum = own.linear;
-      internal.angular_momentum = own.angular;
-      internal_J += kinetic_energy(parts[i], internal);
-    }
-  }
-  const double wanted_J = internal_J + (energy_J - present_J);
-  if (!(internal_J > 0.0)) {
-    return;
-  }
-  const double times = std::min(kMostGrowth, std::sqrt(std::max(0.0, wanted_J / internal_J)));
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].inverse_mass > 0.0) {
-      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
-      states[i].linear_momentum += (times - 1.0) * own.linear;
-      states[i].angular_momentum += (times - 1.0) * own.angular;
-    }
-  }
-}
-
 /// Of the beginning impulses, at most; and those that are made whatever work is granted.
 constexpr int kMostIterations = 24;
 constexpr int kLeastIterations = 2;
+
+/// What a figure may be wrong by that has arrived: of its size, or radians, and of its energy.
+constexpr double kArrived = 1e-9;
 
 /// By how much the child's anchor and axis miss the parent's: in world (metres), and across the
 /// axis (radians).
@@ -189,41 +88,68 @@ FigureMotion::FigureMotion(const Figure& figure, const std::vector<BodyModel>& m
       impulses_(at(figure.part_count)),
       asked_(figure.hinges.size(), Vector5::Zero()) {}
 
-void FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
-                           Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
+bool FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& models,
+                           const FigureStep& step, PhaseWork& work,
                            std::vector<BodyState>& states) {
   const std::size_t first = at(figure.first_part);
   const std::size_t count = at(figure.part_count);
   const Parts parts{figure, std::span(models).subspan(first, count),
-                    falls.empty() ? falls : falls.subspan(first, count), rotation,
+                    step.falls.empty() ? step.falls : step.falls.subspan(first, count),
                     std::span(states).subspan(first, count)};
-  int motion_parts = motion_parts_of(parts.models, parts.states, dt_s);
-  while (motion_parts > 1 &&
-         !work.spend(std::int64_t{figure.part_count} * (motion_parts - 1) * kLeastIterations)) {
-    motion_parts /= 2;
+  const int motion_parts = granted_parts(parts, step, work);
+  if (motion_parts == 0) {
+    move_as_one_body(step.dt_s, parts.models, parts.falls, parts.states);
+    return false;
   }
+  bool arrived = true;
   for (int i = 0; i < motion_parts; ++i) {
     falls_.clear();
     for (const Fall& fall : parts.falls) {
       falls_.push_back(fall_in(i, motion_parts, fall));
     }
-    advance_part(parts, dt_s / motion_parts, work);
+    arrived &= advance_part(parts, step.dt_s / motion_parts, step, work);
   }
+  return arrived;
 }
 
-void FigureMotion::advance_part(const Parts& parts, double dt_s, PhaseWork& work) {
+/// In how many parts a step is made: as many as it should, or half as often as it takes; at last in
+/// none, where the figure may go as one body.
+int FigureMotion::granted_parts(const Parts& parts, const FigureStep& step, PhaseWork& work) const {
+  const int in_any_case = step.may_go_as_one_body ? 0 : 1;
+  int count = motion_parts_of(parts.models, parts.states, step.dt_s);
+  while (count > in_any_case && !work.spend(std::int64_t{parts.figure.part_count} *
+                                            (count - in_any_case) * kLeastIterations)) {
+    count /= 2;
+  }
+  return count;
+}
+
+bool FigureMotion::advance_part(const Parts& parts, double dt_s, const FigureStep& step,
+                                PhaseWork& work) {
   start_.assign(parts.states.begin(), parts.states.end());
   const double before_J = kinetic_energy(parts.models, parts.states);
+  const double centre_before_J = energy_of_centre(parts.models, parts.states);
   solver_.look_at(parts.states);
-  arrive_together(parts, dt_s, work);
+  const double error = arrive_together(parts, dt_s, step.rotation, work);
   stop_across_hinges(parts.states);
-  bring_to_energy(before_J + work_of_gravity(parts.models, parts.falls, start_, parts.states),
-                  /*may_grow=*/!any_supported(parts.falls), parts.models, parts.states);
+  const double of_gravity_J = work_of_gravity(parts.models, parts.falls, start_, parts.states);
+  bring_to_energy(before_J + of_gravity_J, /*may_grow=*/!any_supported(parts.falls), parts.models,
+                  parts.states);
+  const double after_J = kinetic_energy(parts.models, parts.states);
+  const double of_centre_J = energy_of_centre(parts.models, parts.states) - centre_before_J;
+  const double most_J = before_J + std::max(of_gravity_J, of_centre_J);
+  const bool arrived = error <= kArrived && after_J <= most_J + kArrived * after_J;
+  if (!arrived && step.may_go_as_one_body) {
+    std::copy(start_.begin(), start_.end(), parts.states.begin());
+    move_as_one_body(dt_s, parts.models, falls_, parts.states);
+  }
+  return arrived;
 }
 
-void FigureMotion::arrive_together(const Parts& parts, double dt_s, PhaseWork& work) {
+double FigureMotion::arrive_together(const Parts& parts, double dt_s, Rotation rotation,
+                                     PhaseWork& work) {
   std::fill(impulses_.begin(), impulses_.end(), PartImpulse{});
-  double error = arrive(parts, dt_s);
+  double error = arrive(parts, dt_s, rotation);
   double least = error;
   best_ = impulses_;
   for (int iteration = 0; iteration < kMostIterations && error > kHingeTolerance && dt_s > 0.0;
@@ -236,7 +162,7 @@ void FigureMotion::arrive_together(const Parts& parts, double dt_s, PhaseWork& w
     }
     middle_.find_hinge_impulses(asked_, of_hinges_);
     solver_.add_impulses_of(of_hinges_, impulses_);
-    error = arrive(parts, dt_s);
+    error = arrive(parts, dt_s, rotation);
     if (error < least) {
       least = error;
       best_ = impulses_;
@@ -244,16 +170,17 @@ void FigureMotion::arrive_together(const Parts& parts, double dt_s, PhaseWork& w
   }
   if (error > least) {
     impulses_ = best_;
-    arrive(parts, dt_s);
+    arrive(parts, dt_s, rotation);
   }
+  return least;
 }
 
-double FigureMotion::arrive(const Parts& parts, double dt_s) {
+double FigureMotion::arrive(const Parts& parts, double dt_s, Rotation rotation) {
   std::copy(start_.begin(), start_.end(), parts.states.begin());
   solver_.push_parts(impulses_, parts.states);
   AdvancingBodies advancing;
   for (std::size_t i = 0; i < parts.states.size(); ++i) {
-    static_cast<void>(advancing.take(parts.models[i], parts.states[i], dt_s, parts.rotation,
+    static_cast<void>(advancing.take(parts.models[i], parts.states[i], dt_s, rotation,
                                      falls_.empty() ? Fall{} : falls_[i]));
   }
   advancing.finish();

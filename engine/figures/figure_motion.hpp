@@ -7,7 +7,9 @@
 //   impulses at the end that leave nothing moving across a hinge
 //
 // (RATTLE: Andersen 1983.) All are opposite impulses at one point: momentum is kept to rounding.
-// The energy is brought back to what it was, or below (bring_to_energy()).
+// The energy is brought back to what it was, or below (bring_to_energy()). Where work is refused,
+// or the hinges cannot be closed with the energy that there is, the figure goes as one body
+// (move_as_one_body()): with its hinges, its momentum and its energy, but not on in its motion.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,17 +31,25 @@ inline constexpr double kHingeTolerance = 1e-11;
 inline constexpr int kMostMotionParts = 64;
 inline constexpr double kTurnPart = 0.25;
 
+/// A step of figures.
+struct FigureStep {
+  double dt_s{0.0};
+  Rotation rotation{Rotation::kMidpoint};
+  std::span<const Fall> falls;    ///< empty, or one for each body of the world
+  bool may_go_as_one_body{true};  ///< not by the rules of recording formats below 6: there hinges
+                                  ///< are left open instead
+};
+
 /// Moves one figure, in memory that it keeps.
 class FigureMotion {
  public:
   /// `models` are those of all bodies of the world.
   FigureMotion(const Figure& figure, const std::vector<BodyModel>& models);
 
-  /// Moves the parts, whose states are among `states`, through `dt_s` seconds; `falls` is empty or
-  /// has a fall for each body of the world.
-  void advance(const Figure& figure, const std::vector<BodyModel>& models, double dt_s,
-               Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
-               std::vector<BodyState>& states);
+  /// Moves the parts, whose states are among `states`, through a step. Returns whether they arrived
+  /// with their hinges closed, by their own motion all the way.
+  bool advance(const Figure& figure, const std::vector<BodyModel>& models, const FigureStep& step,
+               PhaseWork& work, std::vector<BodyState>& states);
 
   /// Takes the parts' poses, for the next.
   void look_at(std::span<const BodyState> parts) { solver_.look_at(parts); }
@@ -58,14 +68,16 @@ class FigureMotion {
     const Figure& figure;
     std::span<const BodyModel> models;
     std::span<const Fall> falls;  ///< none: no gravity
-    Rotation rotation;
     std::span<BodyState> states;
   };
 
-  void advance_part(const Parts& parts, double dt_s, PhaseWork& work);
-  void arrive_together(const Parts& parts, double dt_s, PhaseWork& work);
-  /// With the impulses so far; returns by how much the hinges miss.
-  double arrive(const Parts& parts, double dt_s);
+  [[nodiscard]] int granted_parts(const Parts& parts, const FigureStep& step,
+                                  PhaseWork& work) const;
+  bool advance_part(const Parts& parts, double dt_s, const FigureStep& step, PhaseWork& work);
+  /// Returns by how much the hinges miss.
+  double arrive_together(const Parts& parts, double dt_s, Rotation rotation, PhaseWork& work);
+  /// With the impulses so far; returns the same.
+  double arrive(const Parts& parts, double dt_s, Rotation rotation);
   double note_errors(const Parts& parts, double dt_s);
   void look_at_middle(const Parts& parts);
 

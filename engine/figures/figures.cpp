@@ -49,26 +49,31 @@ void Figures::begin(const std::vector<Figure>& figures, std::vector<BodyState>& 
   }
 }
 
-void Figures::advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
-                      double dt_s, Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
-                      FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
-                      std::vector<BodyState>& states) {
-  time_s_ += dt_s;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
+bool Figures::advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+                      const FigureStep& step, PhaseWork& work, FiniteStates& finite,
+                      std::vector<NotFiniteBody>& not_finite, std::vector<BodyState>& states) {
+  time_s_ += step.dt_s;
+  bool arrived = true;
+  const std::size_t first = step.may_go_as_one_body ? next_ : 0;
+  for (std::size_t turn = 0; turn < figures.size(); ++turn) {
+    const std::size_t i = (first + turn) % figures.size();
     const Figure& figure = figures[i];
     if (take_out_as_a_whole(figure, finite, states)) {
       continue;
     }
     if (figure.driven) {
-      driven_.drive(figure, models, time_s_, dt_s, states);
+      driven_.drive(figure, models, time_s_, step.dt_s, states);
     } else {
-      motions_[i].advance(figure, models, dt_s, rotation, falls, work, states);
+      const bool was_refused = work.refused();
+      arrived &= motions_[i].advance(figure, models, step, work, states);
+      next_ = work.refused() && !was_refused ? i : next_;
     }
     for (std::size_t part = begin_of(figure); part < end_of(figure); ++part) {
       finite.check(part, states[part], not_finite);
     }
     take_out_as_a_whole(figure, finite, states);
   }
+  return arrived;
 }
 
 bool Figures::may_meet(const std::vector<Figure>& figures, BodyPair bodies) const {

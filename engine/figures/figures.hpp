@@ -30,12 +30,12 @@ class Figures {
   /// somebody made.
   void begin(const std::vector<Figure>& figures, std::vector<BodyState>& states);
 
-  /// Moves all parts through `dt_s` seconds, in as many parts of it as `work` grants: one at least.
-  /// A figure of which a part is out is out itself.
-  void advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
-               double dt_s, Rotation rotation, std::span<const Fall> falls, PhaseWork& work,
-               FiniteStates& finite, std::vector<NotFiniteBody>& not_finite,
-               std::vector<BodyState>& states);
+  /// Moves all parts through a step, as far as `work` is granted: those first that came short in
+  /// the step before. A figure of which a part is out is out itself. Returns whether all got where
+  /// their own motion takes them.
+  bool advance(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+               const FigureStep& step, PhaseWork& work, FiniteStates& finite,
+               std::vector<NotFiniteBody>& not_finite, std::vector<BodyState>& states);
 
   /// Whether the bounds of two bodies are worth a look: not of neighbours, nor of parts of a figure
   /// that does not collide with itself.
@@ -61,6 +61,7 @@ class Figures {
   }
 
   double time_s_{0.0};
+  std::size_t next_{0};  ///< the figure that asks for work first
   std::vector<FigureMotion> motions_;
   DrivenMotion driven_;
   std::vector<std::int32_t> figure_of_;             ///< by body; −1: none

@@ -95,10 +95,13 @@ void move_bodies(const Step& step) {
   find_falls(step);
   if (world.figures) {
     PhaseWork work = step.work_of(WorkPhase::kMotion);
-    world.figures->advance(step.settings.figures, world.models, step.input.dt_s,
-                           step.settings.rotation, memory.falls, work, world.finite,
-                           memory.report.not_finite, world.states);
-    memory.report.degradations |= work.refused() ? kMotionCut : 0U;
+    const FigureStep figure_step{step.input.dt_s, step.settings.rotation, memory.falls,
+                                 /*may_go_as_one_body=*/!step.settings.has_rules_before(6)};
+    const bool arrived =
+        world.figures->advance(step.settings.figures, world.models, figure_step, work, world.finite,
+                               memory.report.not_finite, world.states);
+    const bool is_cut = work.refused() || (figure_step.may_go_as_one_body && !arrived);
+    memory.report.degradations |= is_cut ? kMotionCut : 0U;
   }
   memory.bounds.resize(world.models.size());
   move_each(step);

@@ -36,7 +36,7 @@ enum Degradation : std::uint32_t {
   /// stayed at coarser levels, or stopped early
   /// or the meter did
   kEntryTestsSpent = 16,
-  kMotionCut = 32,  ///< figures took the step in fewer parts than they should
+  kMotionCut = 32,  ///< figures took the step in fewer parts than they should, or as one body
   kPairsLeft = 64,  ///< pairs of bodies were not found, or hardly reach into each other and were
                     ///< not looked at
   kContactsLeft = 128,  ///< pairs that touch got no contact

@@ -50,7 +50,7 @@ struct ImposedRebound {
 };
 
 /// Raised whenever a recording made before may no longer replay by the rules of now.
-inline constexpr int kRecordingFormat = 5;
+inline constexpr int kRecordingFormat = 6;
 
 /// Older recordings are tried, and their hashes tell whether they replay. From format 2 on they do,
 /// for their worlds go by its rules (WorldSettings::recording_format). So do those of format 1,
