@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -88,6 +90,26 @@ inline BodyState moving(const BodyModel& model, const Vector3& position,
   BodyState state = resting_at(position);
   state.linear_momentum = velocity_m_s / model.inverse_mass;
   return state;
+}
+
+/// By how much a place is beyond the walls, at the farthest (metres); below 0: within them all.
+inline double beyond_walls_m(const Enclosure& enclosure, const Vector3& place) {
+  double farthest_m = -std::numeric_limits<double>::infinity();
+  for (int wall = 0; wall < kWallCount; ++wall) {
+    farthest_m = std::max(farthest_m, reach_beyond(enclosure, wall, Sphere{place, 0.0}));
+  }
+  return farthest_m;
+}
+
+/// The farthest that any body's centre is beyond the walls of a world (metres); without walls:
+/// -infinity.
+inline double farthest_outside_m(const World& world) {
+  double farthest_m = -std::numeric_limits<double>::infinity();
+  for (std::size_t body = 0; world.settings().enclosure && body < world.states().size(); ++body) {
+    farthest_m = std::max(farthest_m, beyond_walls_m(*world.settings().enclosure,
+                                                     world.states()[body].pose.position));
+  }
+  return farthest_m;
 }
 
 inline StepInput step_of(double dt_s) {

@@ -14,10 +14,13 @@ struct Flight {
   double angular_drift{0.0};
   double energy_drift{0.0};
   double widest_gap_m{0.0};
+  int steps_cut{0};
 };
 
-/// A stirred figure of 16 parts without limits, alone.
-inline Flight fly(int steps, double stirred, Rotation rotation) {
+/// A stirred figure of 16 parts without limits, alone. Of its motion some steps may do, for each
+/// drawn anew, fewer than `most_units`.
+inline Flight fly(int steps, double stirred, Rotation rotation,
+                  std::int64_t most_units = kUnlimitedTests) {
   FigureScene scene = limbs_of_16();
   for (Hinge& hinge : scene.figure.hinges) {
     hinge.least_rad = -std::numeric_limits<double>::infinity();
@@ -37,9 +40,15 @@ inline Flight fly(int steps, double stirred, Rotation rotation) {
   const WholeMomentum before = momentum_of(world.states());
   const double energy_J = energy_of(scene.models, world.states());
   Flight flight;
-  FixedWork work(0);
   for (int step = 0; step < steps; ++step) {
-    world.step({kStep_s, {}}, work);
+    WorkGrants grants;
+    if (most_units < kUnlimitedTests) {
+      grants.of(WorkPhase::kMotion) =
+          static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(most_units)));
+    }
+    FixedWork work(grants);
+    const bool is_cut = (world.step({kStep_s, {}}, work).degradations & kMotionCut) != 0;
+    flight.steps_cut += is_cut ? 1 : 0;
     flight.widest_gap_m = std::max(flight.widest_gap_m, widest_gap_m(scene.figure, world.states()));
     flight.energy_drift = std::max(
         flight.energy_drift, std::abs(energy_of(scene.models, world.states()) / energy_J - 1.0));

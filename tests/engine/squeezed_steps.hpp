@@ -47,18 +47,6 @@ inline double kinetic_energy_of_all(const World& world) {
   return energy_J;
 }
 
-/// The farthest that a centre of mass is beyond a wall of the enclosure (metres); none: -infinity.
-inline double farthest_outside_m(const World& world) {
-  double farthest_m = -std::numeric_limits<double>::infinity();
-  for (const BodyState& state : world.states()) {
-    for (int wall = 0; world.settings().enclosure && wall < kWallCount; ++wall) {
-      farthest_m = std::max(farthest_m, reach_beyond(*world.settings().enclosure, wall,
-                                                     Sphere{state.pose.position, 0.0}));
-    }
-  }
-  return farthest_m;
-}
-
 /// How often something of a step was refused, and what that was.
 struct SqueezedSteps {
   int steps_cut{0};

@@ -18,6 +18,7 @@ struct Recording {
 
 constexpr Recording kRecordings[] = {
     {"at-walls", 4U},               // of format 5: bodies that are through a wall within a step
+    {"tumbling", 2U},               // of format 6: figures whose motion is cut
     {"behind-the-curtain", 7U},     // a curtain; a launch that nothing follows
     {"causality-thresholds", 20U},  // training, three or more of each delay
     {"causality-thresholds-quest", 21U},
@@ -98,6 +99,8 @@ TEST(GoldenStudies, BodiesFallByTheRulesOfTheFormatThatTheyWereRecordedIn) {
   EXPECT_GT(divergent_by("lying", 3), 0);
   EXPECT_EQ(divergent_by("at-walls", 5), 0);
   EXPECT_EQ(divergent_by("at-walls", 4), 4) << "each of its trials";
+  EXPECT_EQ(divergent_by("tumbling", 6), 0);
+  EXPECT_EQ(divergent_by("tumbling", 5), 2) << "each of its trials";
 }
 
 // What would not be noticed by a comparison of builds, if no recording had it.

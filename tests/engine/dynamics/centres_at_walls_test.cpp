@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/world/world.hpp"
 #include "tests/engine/builders.hpp"
@@ -17,14 +16,6 @@ constexpr std::uint64_t kSeed = 5;
 
 Enclosure what_is_seen() {
   return view_frustum(viewer_at({0.8, 0.6, 1280, 1024, 2.0}, 25.0), 0.4, 0.4);
-}
-
-double centre_beyond_m(const Enclosure& enclosure, const Vector3& centre) {
-  double farthest_m = -std::numeric_limits<double>::infinity();
-  for (int wall = 0; wall < kWallCount; ++wall) {
-    farthest_m = std::max(farthest_m, reach_beyond(enclosure, wall, Sphere{centre, 0.0}));
-  }
-  return farthest_m;
 }
 
 double energy_J(const BodyModel& model, const BodyState& state, const Vector3& gravity_m_s2) {
@@ -39,16 +30,16 @@ TEST(CentresAtWalls, AWayEndsAtAnyWallsWithTheEnergyThatItBeganWith) {
     for (int i = 0; i < 1'000; ++i) {
       const Vector3 gravity = random_in_cube(random, 10.0);
       BodyState before = moving(model, random_in_cube(random, 0.1), random_in_cube(random, 9.0));
-      if (centre_beyond_m(walls, before.pose.position) > 0.0) {
+      if (beyond_walls_m(walls, before.pose.position) > 0.0) {
         continue;
       }
       BodyState after = before;
       const double dt_s = 0.05;
       advance(model, after, dt_s, Rotation::kMidpoint, {gravity});
-      const bool ends = centre_beyond_m(walls, after.pose.position) > 0.0;
+      const bool ends = beyond_walls_m(walls, after.pose.position) > 0.0;
       const BodyState free = after;
       keep_centre_inside(walls, gravity, model, before.pose.position, after);
-      ASSERT_LE(centre_beyond_m(walls, after.pose.position), wall_rounding_m(model));
+      ASSERT_LE(beyond_walls_m(walls, after.pose.position), wall_rounding_m(model));
       ASSERT_NEAR(energy_J(model, after, gravity), energy_J(model, before, gravity), 1e-12);
       ASSERT_TRUE(ends || after.pose.position == free.pose.position) << "others go on";
       ended += ends ? 1 : 0;
@@ -102,7 +93,7 @@ TEST(CentresAtWalls, ABallThatIsFastForItsRoomStaysInsideAndKeepsItsEnergy) {
       for (int step = 0; step < 600; ++step) {
         world.step(step_of(1.0 / 60.0), meter);
         const BodyState& state = world.states()[0];
-        ASSERT_LE(centre_beyond_m(walls, state.pose.position), wall_rounding_m(model));
+        ASSERT_LE(beyond_walls_m(walls, state.pose.position), wall_rounding_m(model));
         ASSERT_NEAR(energy_J(model, state, settings.gravity_m_s2), start_J, 1e-9 * start_J);
       }
     }

@@ -3,12 +3,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "engine/numerics/random_stream.hpp"
 #include "experiments/protocol/checked_scene.hpp"
 #include "experiments/scenes/scene_enclosure.hpp"
+#include "tests/engine/builders.hpp"
 #include "tests/experiments/test_scenes.hpp"
 
 namespace impetus::random_scenes_test {
@@ -157,18 +157,6 @@ double way_m(const World& world, double dt_s) {
   return farthest_m;
 }
 
-/// How far the centre of any body is beyond a wall (metres).
-double farthest_out_m(const World& world) {
-  double farthest_m = -std::numeric_limits<double>::infinity();
-  for (const BodyState& state : world.states()) {
-    for (int wall = 0; wall < kWallCount; ++wall) {
-      farthest_m = std::max(farthest_m, reach_beyond(*world.settings().enclosure, wall,
-                                                     Sphere{state.pose.position, 0.0}));
-    }
-  }
-  return farthest_m;
-}
-
 /// Steps the scene twice, side by side.
 void expect_promises_kept(SceneDraw& draw, StagedScene& staged) {
   World& world = staged.world;
@@ -190,7 +178,7 @@ void expect_promises_kept(SceneDraw& draw, StagedScene& staged) {
     const double rounding_J = 1e-9 * std::abs(before_J);
     ASSERT_LE(energy_J(world), before_J + supported_J(world, dt_s) + rounding_J) << "step " << step;
     const double most_out_m = world.settings().figures.empty() ? 0.0 : longest_way_m;
-    ASSERT_LE(farthest_out_m(world), most_out_m + 1e-9) << "step " << step;
+    ASSERT_LE(farthest_outside_m(world), most_out_m + 1e-9) << "step " << step;
   }
 }
 
