@@ -57,46 +57,33 @@ RigidMotion rigid_motion_of(std::span<const BodyModel> parts, std::span<const Bo
   return motion;
 }
 
-/// Those that a part has in the rigid motion.
-PartImpulse rigid_momenta(const RigidMotion& rigid, const BodyModel& part, const BodyState& state) {
+/// Momenta of a part beyond those of the rigid motion.
+PartImpulse internal_momentum(const RigidMotion& rigid, const BodyModel& part,
+                              const BodyState& state) {
   const Vector3 arm = state.pose.position - rigid.centre;
   const Vector3 velocity = rigid.velocity + rigid.spin.cross(arm);
-  return {velocity / part.inverse_mass, inertia_in_world(part, state) * rigid.spin};
+  return {state.linear_momentum - velocity / part.inverse_mass,
+          state.angular_momentum - inertia_in_world(part, state) * rigid.spin};
 }
 
-/// Those beyond the rigid motion.
-PartImpulse internal_momenta(const RigidMotion& rigid, const BodyModel& part,
-                             const BodyState& state) {
-  const PartImpulse own = rigid_momenta(rigid, part, state);
-  return {state.linear_momentum - own.linear, state.angular_momentum - own.angular};
+/// The body that the figure is as long as it keeps its posture, in the world's frame.
+BodyModel body_of(const RigidMotion& whole) {
+  BodyModel body;
+  body.inverse_mass = 1.0 / whole.mass;
+  body.inverse_inertia = whole.inverse_inertia;
+  return body;
 }
 
-/// What gravity gives to the whole in a step: to its velocity, and to the way of its centre.
-struct WholeFall {
-  Vector3 velocity{Vector3::Zero()};
-  Vector3 way{Vector3::Zero()};
-};
-
-WholeFall whole_fall(double dt_s, double mass, std::span<const BodyModel> parts,
-                     std::span<const Fall> falls) {
-  WholeFall whole;
+/// How it falls: by what its parts get together, and held where any of them is.
+Fall fall_of_whole(const BodyModel& body, const BodyState& state, double dt_s,
+                   std::span<const BodyModel> parts, std::span<const Fall> falls) {
+  Vector3 gravity_m_s2 = Vector3::Zero();
+  bool any_supported = false;
   for (std::size_t i = 0; i < falls.size(); ++i) {
-    const Vector3 velocity = dt_s / (parts[i].inverse_mass * mass) * falls[i].gravity_m_s2;
-    whole.velocity += velocity;
-    whole.way += falls[i].supported ? Vector3::Zero() : Vector3(0.5 * dt_s * velocity);
+    gravity_m_s2 += body.inverse_mass / parts[i].inverse_mass * falls[i].gravity_m_s2;
+    any_supported = any_supported || falls[i].supported;
   }
-  return whole;
-}
-
-/// By how much the whole turns in a step.
-Quaternion turn_of(const RigidMotion& rigid, double dt_s) {
-  BodyModel whole;
-  whole.inverse_mass = 1.0 / rigid.mass;
-  whole.inverse_inertia = rigid.inverse_inertia;
-  BodyState state;
-  state.angular_momentum = rigid.angular_momentum;
-  advance(whole, state, dt_s, Rotation::kEnergyKept);
-  return state.pose.orientation;
+  return fall_of(body, state, any_supported, gravity_m_s2, dt_s);
 }
 
 }  // namespace
@@ -133,7 +120,7 @@ void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> 
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].inverse_mass > 0.0) {
       BodyState internal = states[i];
-      const PartImpulse own = internal_momenta(rigid, parts[i], states[i]);
+      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
       internal.linear_momentum = own.linear;
       internal.angular_momentum = own.angular;
       internal_J += kinetic_energy(parts[i], internal);
@@ -146,7 +133,7 @@ void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> 
   const double times = std::min(kMostGrowth, std::sqrt(std::max(0.0, wanted_J / internal_J)));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].inverse_mass > 0.0) {
-      const PartImpulse own = internal_momenta(rigid, parts[i], states[i]);
+      const PartImpulse own = internal_momentum(rigid, parts[i], states[i]);
       states[i].linear_momentum += (times - 1.0) * own.linear;
       states[i].angular_momentum += (times - 1.0) * own.angular;
     }
@@ -158,22 +145,31 @@ void move_as_one_body(double dt_s, std::span<const BodyModel> parts, std::span<c
   if (is_fixed(parts)) {
     return;
   }
-  const RigidMotion before = rigid_motion_of(parts, states);
-  const WholeFall fall = whole_fall(dt_s, before.mass, parts, falls);
-  const Quaternion turn = turn_of(before, dt_s);
-  RigidMotion after = before;
-  after.centre += dt_s * before.velocity + fall.way;
-  after.velocity += fall.velocity;
-  const Matrix3 turned = turn.toRotationMatrix();
-  after.spin = turned * before.inverse_inertia * turned.transpose() * before.angular_momentum;
+  const RigidMotion whole = rigid_motion_of(parts, states);
+  const BodyModel body = body_of(whole);
+  BodyState moved;
+  moved.pose.position = whole.centre;
+  moved.linear_momentum = whole.mass * whole.velocity;
+  moved.angular_momentum = whole.angular_momentum;
+  const Fall fall = fall_of_whole(body, moved, dt_s, parts, falls);
+  advance(body, moved, dt_s, Rotation::kEnergyKept, fall);
+  const Quaternion& turn = moved.pose.orientation;
+  const Vector3 velocity = body.inverse_mass * moved.linear_momentum;
+  const Vector3 spin = whole.inverse_inertia * (turn.conjugate() * whole.angular_momentum);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     BodyState& state = states[i];
-    const PartImpulse internal = internal_momenta(before, parts[i], state);
-    state.pose.position = after.centre + turn * Vector3(state.pose.position - before.centre);
+    const double mass = 1.0 / parts[i].inverse_mass;
+    const Vector3 arm = state.pose.position - whole.centre;
+    const Matrix3 inertia = inertia_in_world(parts[i], state);
+    PartImpulse momentum{mass * spin.cross(arm), inertia * spin};  // turned with the figure
+    if (!fall.supported) {
+      momentum.linear += state.linear_momentum - mass * (whole.velocity + whole.spin.cross(arm));
+      momentum.angular += state.angular_momentum - inertia * whole.spin;
+    }
+    state.pose.position = moved.pose.position + turn * arm;
     state.pose.orientation = (turn * state.pose.orientation).normalized();
-    const PartImpulse rigid = rigid_momenta(after, parts[i], state);
-    state.linear_momentum = rigid.linear + turn * internal.linear;
-    state.angular_momentum = rigid.angular + turn * internal.angular;
+    state.linear_momentum = mass * velocity + turn * momentum.linear;
+    state.angular_momentum = turn * momentum.angular;
   }
 }
 

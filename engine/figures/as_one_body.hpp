@@ -29,9 +29,10 @@ double energy_of_centre(std::span<const BodyModel> parts, std::span<const BodySt
 void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> parts,
                      std::span<BodyState> states);
 
-/// Moves a figure through `dt_s` seconds in the posture that it has: as a whole it goes and turns
-/// as a body does, by the rule that keeps energy, and its internal motion goes on after that. Its
-/// centre of mass goes where that of its parts would; one that is fixed stays as it is. `falls` is
+/// Moves a figure through `dt_s` seconds in the posture that it has: as a whole it goes, falls and
+/// turns as a body does, by the rule that keeps energy. Its internal motion goes on after that; but
+/// where any of its parts is held, so is the whole, and its internal motion ends: gravity would
+/// feed it, step by step, while nothing moves. A figure that is fixed stays as it is. `falls` is
 /// empty or has a fall for each part.
 void move_as_one_body(double dt_s, std::span<const BodyModel> parts, std::span<const Fall> falls,
                       std::span<BodyState> states);

@@ -46,6 +46,18 @@ bool any_supported(std::span<const Fall> falls) {
   return std::any_of(falls.begin(), falls.end(), [](const Fall& fall) { return fall.supported; });
 }
 
+/// What a figure that is held may gain in a part of a step, as whatever rests may (motion.hpp).
+double given_to_held_J(std::span<const BodyModel> parts, std::span<const Fall> falls, double step_s,
+                       double part_s) {
+  double force_squares = 0.0;  // over mass
+  for (std::size_t i = 0; i < falls.size(); ++i) {
+    if (parts[i].inverse_mass > 0.0) {
+      force_squares += falls[i].gravity_m_s2.squaredNorm() / parts[i].inverse_mass;
+    }
+  }
+  return any_supported(falls) ? kRestingSteps * step_s * part_s * force_squares : 0.0;
+}
+
 /// Whether a part turns so far that where it arrives does not depend smoothly enough on impulses:
 /// none is near to being turned in another way (turned_far()), where the iteration would jump.
 bool any_turns_far(std::span<const BodyModel> parts, std::span<const BodyState> states,
@@ -69,15 +81,18 @@ int motion_parts_of(std::span<const BodyModel> parts, std::span<const BodyState>
   return count;
 }
 
-/// The fall in one of the `count` parts of a step. What rests is held by its contacts alone: what
-/// keeps a body where it is would tear at its hinges.
-Fall fall_in(int part, int count, Fall fall) {
+/// The fall from one of the `count` parts of a step to another. What rests is held by its contacts
+/// alone: what keeps a body where it is would tear at its hinges.
+Fall fall_in(int first, int end, int count, Fall fall) {
   fall.resting = false;
   if (fall.comes_last) {
-    fall.gravity_m_s2 *= part == count - 1 ? count : 0.0;
+    fall.gravity_m_s2 *= end == count ? static_cast<double>(count) / (end - first) : 0.0;
   }
   return fall;
 }
+
+/// What moves across a hinge by less than this share of how fast its sides move, is rounding.
+constexpr double kStill = 1e-12;
 
 }  // namespace
 
@@ -98,18 +113,27 @@ bool FigureMotion::advance(const Figure& figure, const std::vector<BodyModel>& m
                     std::span(states).subspan(first, count)};
   const int motion_parts = granted_parts(parts, step, work);
   if (motion_parts == 0) {
-    move_as_one_body(step.dt_s, parts.models, parts.falls, parts.states);
+    go_as_one_body(parts, step.dt_s, parts.falls);
     return false;
   }
   bool arrived = true;
   for (int i = 0; i < motion_parts; ++i) {
-    falls_.clear();
-    for (const Fall& fall : parts.falls) {
-      falls_.push_back(fall_in(i, motion_parts, fall));
+    if (!arrived && work.refused() && step.may_go_as_one_body) {
+      find_falls(parts, i, motion_parts, motion_parts);
+      go_as_one_body(parts, step.dt_s * (motion_parts - i) / motion_parts, falls_);
+      return false;
     }
+    find_falls(parts, i, i + 1, motion_parts);
     arrived &= advance_part(parts, step.dt_s / motion_parts, step, work);
   }
   return arrived;
+}
+
+void FigureMotion::find_falls(const Parts& parts, int first, int end, int count) {
+  falls_.clear();
+  for (const Fall& fall : parts.falls) {
+    falls_.push_back(fall_in(first, end, count, fall));
+  }
 }
 
 /// In how many parts a step is made: as many as it should, or half as often as it takes; at last in
@@ -127,23 +151,38 @@ int FigureMotion::granted_parts(const Parts& parts, const FigureStep& step, Phas
 bool FigureMotion::advance_part(const Parts& parts, double dt_s, const FigureStep& step,
                                 PhaseWork& work) {
   start_.assign(parts.states.begin(), parts.states.end());
-  const double before_J = kinetic_energy(parts.models, parts.states);
-  const double centre_before_J = energy_of_centre(parts.models, parts.states);
   solver_.look_at(parts.states);
   const double error = arrive_together(parts, dt_s, step.rotation, work);
   stop_across_hinges(parts.states);
+  const bool energy_holds = bring_energy_back(parts, dt_s, step.dt_s);
+  const bool arrived = error <= kArrived && energy_holds;
+  if (!arrived && step.may_go_as_one_body) {
+    std::copy(start_.begin(), start_.end(), parts.states.begin());
+    go_as_one_body(parts, dt_s, falls_);
+  }
+  return arrived;
+}
+
+bool FigureMotion::bring_energy_back(const Parts& parts, double part_s, double step_s) const {
+  const double before_J = kinetic_energy(parts.models, start_);
   const double of_gravity_J = work_of_gravity(parts.models, parts.falls, start_, parts.states);
   bring_to_energy(before_J + of_gravity_J, /*may_grow=*/!any_supported(parts.falls), parts.models,
                   parts.states);
+  const double of_centre_J =
+      energy_of_centre(parts.models, parts.states) - energy_of_centre(parts.models, start_);
+  const double most_J = before_J + std::max(of_gravity_J, of_centre_J) +
+                        given_to_held_J(parts.models, parts.falls, step_s, part_s);
   const double after_J = kinetic_energy(parts.models, parts.states);
-  const double of_centre_J = energy_of_centre(parts.models, parts.states) - centre_before_J;
-  const double most_J = before_J + std::max(of_gravity_J, of_centre_J);
-  const bool arrived = error <= kArrived && after_J <= most_J + kArrived * after_J;
-  if (!arrived && step.may_go_as_one_body) {
-    std::copy(start_.begin(), start_.end(), parts.states.begin());
-    move_as_one_body(dt_s, parts.models, falls_, parts.states);
+  return after_J <= most_J + kArrived * after_J;
+}
+
+void FigureMotion::go_as_one_body(const Parts& parts, double dt_s, std::span<const Fall> falls) {
+  move_as_one_body(dt_s, parts.models, falls, parts.states);
+  solver_.look_at(parts.states);
+  const bool was_slowed_in_parts = !solver_.nothing_moves_across(kStill, parts.states);  // at walls
+  if (was_slowed_in_parts) {
+    stop_across_hinges(parts.states);
   }
-  return arrived;
 }
 
 double FigureMotion::arrive_together(const Parts& parts, double dt_s, Rotation rotation,

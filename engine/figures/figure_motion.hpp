@@ -73,7 +73,11 @@ class FigureMotion {
 
   [[nodiscard]] int granted_parts(const Parts& parts, const FigureStep& step,
                                   PhaseWork& work) const;
+  void find_falls(const Parts& parts, int first, int end, int count);
   bool advance_part(const Parts& parts, double dt_s, const FigureStep& step, PhaseWork& work);
+  /// To what it was when the part began, with what gravity gave. Returns whether it is no more.
+  bool bring_energy_back(const Parts& parts, double part_s, double step_s) const;
+  void go_as_one_body(const Parts& parts, double dt_s, std::span<const Fall> falls);
   /// Returns by how much the hinges miss.
   double arrive_together(const Parts& parts, double dt_s, Rotation rotation, PhaseWork& work);
   /// With the impulses so far; returns the same.

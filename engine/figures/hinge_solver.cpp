@@ -63,8 +63,8 @@ void HingeSolver::look_at(std::span<const BodyState> parts) {
                                                   });
   if (!as_before) {
     place(parts);
-    factor();
     is_placed_ = true;
+    is_factored_ = false;
   }
 }
 
@@ -95,6 +95,7 @@ void HingeSolver::place(std::span<const BodyState> parts) {
 }
 
 void HingeSolver::factor() {
+  is_factored_ = true;
   for (std::size_t i = joints_.size(); i-- > 0;) {
     Joint& joint = joints_[i];
     Part& child = parts_[i + 1];
@@ -115,6 +116,9 @@ void HingeSolver::factor() {
 }
 
 void HingeSolver::solve(std::span<const Vector5> asked) {
+  if (!is_factored_) {
+    factor();
+  }
   for (std::size_t i = joints_.size(); i-- > 0;) {
     Joint& joint = joints_[i];
     joint.impulse = joint.stiffness.solve(asked[i] - joint.child_response * parts_[i + 1].impulse);
@@ -181,13 +185,31 @@ void HingeSolver::push_parts(std::span<const PartImpulse> impulses,
   }
 }
 
+Vector6 HingeSolver::velocity_of(std::size_t part, std::span<const BodyState> parts) const {
+  return joined(parts_[part].inverse_mass * parts[part].linear_momentum,
+                parts_[part].inverse_inertia * parts[part].angular_momentum);
+}
+
 Vector5 HingeSolver::speed_across(std::size_t hinge, std::span<const BodyState> parts) const {
-  const auto velocity_of = [&](std::size_t part) {
-    return joined(parts_[part].inverse_mass * parts[part].linear_momentum,
-                  parts_[part].inverse_inertia * parts[part].angular_momentum);
-  };
   const Joint& joint = joints_[hinge];
-  return joint.of_child * velocity_of(hinge + 1) + joint.of_parent * velocity_of(joint.parent);
+  return joint.of_child * velocity_of(hinge + 1, parts) +
+         joint.of_parent * velocity_of(joint.parent, parts);
+}
+
+bool HingeSolver::nothing_moves_across(double share, std::span<const BodyState> parts) const {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Vector6 of_child = velocity_of(i + 1, parts);
+    const Vector6 of_parent = velocity_of(joints_[i].parent, parts);
+    const Vector5 child = joints_[i].of_child * of_child;
+    const Vector5 parent = joints_[i].of_parent * of_parent;
+    const Vector5 across = child + parent;
+    const double speed = child.head<3>().norm() + parent.head<3>().norm();
+    const double spin = of_child.tail<3>().norm() + of_parent.tail<3>().norm();
+    if (!(across.head<3>().norm() <= share * speed && across.tail<2>().norm() <= share * spin)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace impetus::inline figures

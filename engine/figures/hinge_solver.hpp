@@ -102,6 +102,9 @@ class HingeSolver {
   /// How fast the parts move across a hinge, in the same terms.
   [[nodiscard]] Vector5 speed_across(std::size_t hinge, std::span<const BodyState> parts) const;
 
+  /// Whether nothing moves across any hinge by more than this share of how fast its sides move.
+  [[nodiscard]] bool nothing_moves_across(double share, std::span<const BodyState> parts) const;
+
   /// Adds the impulses to the momenta of the parts that can move.
   void push_parts(std::span<const PartImpulse> impulses, std::span<BodyState> parts) const;
 
@@ -134,6 +137,8 @@ class HingeSolver {
   void place(std::span<const BodyState> parts);
   void factor();
   void solve(std::span<const Vector5> asked);
+  /// Linear (m/s), angular (rad/s).
+  [[nodiscard]] Vector6 velocity_of(std::size_t part, std::span<const BodyState> parts) const;
   void add_impulse_of(std::size_t hinge, const Vector5& impulse,
                       std::vector<PartImpulse>& impulses) const;
 
@@ -143,6 +148,7 @@ class HingeSolver {
   std::vector<Joint> joints_;
   std::vector<Vector5> nothing_;
   bool is_placed_{false};
+  bool is_factored_{false};
 };
 
 }  // namespace impetus::inline figures
