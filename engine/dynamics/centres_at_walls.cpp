@@ -7,10 +7,6 @@
 namespace impetus::inline dynamics {
 namespace {
 
-double centre_beyond_m(const Enclosure& enclosure, int wall, const Vector3& centre_m) {
-  return reach_beyond(enclosure, wall, Sphere{centre_m, 0.0});
-}
-
 /// Of the straight way to `to_m`, how much is within the walls that it began within.
 double share_inside(const Enclosure& enclosure, double rounding_m, const Vector3& from_m,
                     const Vector3& to_m) {
@@ -42,6 +38,10 @@ Vector3 without_fall(const Vector3& momentum, const Vector3& left_m, const Vecto
 }
 
 }  // namespace
+
+double centre_beyond_m(const Enclosure& enclosure, int wall, const Vector3& centre_m) {
+  return reach_beyond(enclosure, wall, Sphere{centre_m, 0.0});
+}
 
 double wall_rounding_m(const BodyModel& model) {
   constexpr double kRounding = 1e-9;
@@ -75,11 +75,11 @@ void turn_back_at_walls(const Enclosure& enclosure, double least_m, double resti
 }
 
 void stop_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
-                   const BodyModel& model, BodyState& state) {
+                   bool brings_back, const BodyModel& model, BodyState& state) {
   for (int wall = 0; wall < kWallCount; ++wall) {
     const double room_m = -centre_beyond_m(enclosure, wall, state.pose.position);
     const Vector3 outward = -inward_normal(enclosure, wall);
-    if (room_m < 0.0) {
+    if (brings_back && room_m < 0.0) {
       state.pose.position += room_m * outward;
     }
     const double outward_Ns = outward.dot(state.linear_momentum);

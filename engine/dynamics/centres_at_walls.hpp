@@ -24,9 +24,13 @@ void keep_centre_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
 void turn_back_at_walls(const Enclosure& enclosure, double least_m, double restitution,
                         double resting_m_s, const BodyModel& model, BodyState& state);
 
-/// Brings a body whose centre is beyond a wall back to it, and takes from it what would carry its
-/// centre through in the next step, of `dt_s` seconds, as if the wall pushed at its centre.
+/// By how much a centre is beyond a wall (metres); below 0: within it.
+double centre_beyond_m(const Enclosure& enclosure, int wall, const Vector3& centre_m);
+
+/// Takes from a body what would carry its centre through a wall in the next step, of `dt_s`
+/// seconds, as if the wall pushed at its centre. One that is beyond it already is moved back to the
+/// wall where `brings_back`, which tears at the hinges of a figure.
 void stop_at_walls(const Enclosure& enclosure, const Vector3& gravity_m_s2, double dt_s,
-                   const BodyModel& model, BodyState& state);
+                   bool brings_back, const BodyModel& model, BodyState& state);
 
 }  // namespace impetus::inline dynamics

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/dynamics/centres_at_walls.hpp"
 #include "engine/figures/hinge_solver.hpp"
 
 namespace impetus::inline figures {
@@ -13,6 +14,14 @@ namespace {
 constexpr double kMostGrowth = 1.001;
 
 bool is_fixed(std::span<const BodyModel> parts) { return parts.front().inverse_mass == 0.0; }
+
+double mass_of(std::span<const BodyModel> parts) {
+  double mass_kg = 0.0;
+  for (const BodyModel& part : parts) {
+    mass_kg += 1.0 / part.inverse_mass;
+  }
+  return mass_kg;
+}
 
 /// The velocities that one rigid body in place of the figure would have.
 struct RigidMotion {
@@ -86,6 +95,30 @@ Fall fall_of_whole(const BodyModel& body, const BodyState& state, double dt_s,
   return fall_of(body, state, any_supported, gravity_m_s2, dt_s);
 }
 
+/// How far any centre is beyond a wall (metres).
+double farthest_beyond_m(const Enclosure& enclosure, int wall, std::span<const BodyState> states) {
+  double beyond_m = 0.0;
+  for (const BodyState& state : states) {
+    beyond_m = std::max(beyond_m, centre_beyond_m(enclosure, wall, state.pose.position));
+  }
+  return beyond_m;
+}
+
+/// Moves a figure by `way_m`, or by the part of it that its kinetic energy lifts it by.
+void move_paid_for(const Vector3& way_m, const Vector3& gravity_m_s2,
+                   std::span<const BodyModel> parts, std::span<BodyState> states) {
+  const double cost_J = mass_of(parts) * std::max(0.0, -gravity_m_s2.dot(way_m));
+  const double kinetic_J = kinetic_energy(parts, states);
+  const double share = cost_J > kinetic_J ? kinetic_J / cost_J : 1.0;
+  const double slower =
+      cost_J > 0.0 ? std::sqrt(std::max(0.0, 1.0 - share * cost_J / kinetic_J)) : 1.0;
+  for (BodyState& state : states) {
+    state.pose.position += share * way_m;
+    state.linear_momentum *= slower;
+    state.angular_momentum *= slower;
+  }
+}
+
 }  // namespace
 
 double kinetic_energy(std::span<const BodyModel> parts, std::span<const BodyState> states) {
@@ -100,13 +133,11 @@ double energy_of_centre(std::span<const BodyModel> parts, std::span<const BodySt
   if (is_fixed(parts)) {
     return 0.0;
   }
-  double mass = 0.0;
   Vector3 momentum = Vector3::Zero();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    mass += 1.0 / parts[i].inverse_mass;
-    momentum += states[i].linear_momentum;
+  for (const BodyState& state : states) {
+    momentum += state.linear_momentum;
   }
-  return 0.5 * momentum.squaredNorm() / mass;
+  return 0.5 * momentum.squaredNorm() / mass_of(parts);
 }
 
 void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> parts,
@@ -170,6 +201,22 @@ void move_as_one_body(double dt_s, std::span<const BodyModel> parts, std::span<c
     state.pose.orientation = (turn * state.pose.orientation).normalized();
     state.linear_momentum = mass * velocity + turn * momentum.linear;
     state.angular_momentum = turn * momentum.angular;
+  }
+}
+
+void move_back_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
+                      std::span<const BodyModel> parts, std::span<BodyState> states) {
+  constexpr int kMostRounds = 8;  // from a slanted wall back may be through another
+  bool moved = !is_fixed(parts);
+  for (int round = 0; moved && round < kMostRounds; ++round) {
+    moved = false;
+    for (int wall = 0; wall < kWallCount; ++wall) {
+      const double beyond_m = farthest_beyond_m(enclosure, wall, states);
+      if (beyond_m > 0.0) {
+        move_paid_for(beyond_m * inward_normal(enclosure, wall), gravity_m_s2, parts, states);
+        moved = true;
+      }
+    }
   }
 }
 

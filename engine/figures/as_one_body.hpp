@@ -14,6 +14,7 @@
 #include <span>
 
 #include "engine/dynamics/motion.hpp"
+#include "engine/volumes/enclosure.hpp"
 
 namespace impetus::inline figures {
 
@@ -36,5 +37,10 @@ void bring_to_energy(double energy_J, bool may_grow, std::span<const BodyModel> 
 /// empty or has a fall for each part.
 void move_as_one_body(double dt_s, std::span<const BodyModel> parts, std::span<const Fall> falls,
                       std::span<BodyState> states);
+
+/// Moves a figure of which a centre is beyond a wall back, as a whole. What it is lifted by comes
+/// from its kinetic energy, and is no more than that has. One that is fixed stays where it is.
+void move_back_inside(const Enclosure& enclosure, const Vector3& gravity_m_s2,
+                      std::span<const BodyModel> parts, std::span<BodyState> states);
 
 }  // namespace impetus::inline figures

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/figures/as_one_body.hpp"
 #include "engine/numerics/at.hpp"
 
 namespace impetus::inline figures {
@@ -74,6 +75,20 @@ bool Figures::advance(const std::vector<Figure>& figures, const std::vector<Body
     take_out_as_a_whole(figure, finite, states);
   }
   return arrived;
+}
+
+void Figures::move_back_inside(const std::vector<Figure>& figures,
+                               const std::vector<BodyModel>& models, const Enclosure& enclosure,
+                               const Vector3& gravity_m_s2, const FiniteStates& finite,
+                               std::vector<BodyState>& states) const {
+  for (const Figure& figure : figures) {
+    if (!figure.driven && !is_out(figure, finite)) {
+      const std::size_t first = begin_of(figure);
+      const std::size_t count = at(figure.part_count);
+      figures::move_back_inside(enclosure, gravity_m_s2, std::span(models).subspan(first, count),
+                                std::span(states).subspan(first, count));
+    }
+  }
 }
 
 bool Figures::may_meet(const std::vector<Figure>& figures, BodyPair bodies) const {

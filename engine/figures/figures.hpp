@@ -37,6 +37,11 @@ class Figures {
                const FigureStep& step, PhaseWork& work, FiniteStates& finite,
                std::vector<NotFiniteBody>& not_finite, std::vector<BodyState>& states);
 
+  /// Moves back, as wholes, those of which a centre is beyond a wall (move_back_inside()).
+  void move_back_inside(const std::vector<Figure>& figures, const std::vector<BodyModel>& models,
+                        const Enclosure& enclosure, const Vector3& gravity_m_s2,
+                        const FiniteStates& finite, std::vector<BodyState>& states) const;
+
   /// Whether the bounds of two bodies are worth a look: not of neighbours, nor of parts of a figure
   /// that does not collide with itself.
   [[nodiscard]] bool may_meet(const std::vector<Figure>& figures, BodyPair bodies) const;

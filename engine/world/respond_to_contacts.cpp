@@ -190,16 +190,22 @@ void turn_centres_back(const Step& step) {
   }
 }
 
-/// Stops whose centre would go through a wall in the step to come.
+/// Stops whose centre would go through a wall in the step to come. Figures that are beyond one come
+/// back as wholes: one of their parts alone would tear at its hinges.
 void stop_centres(const Step& step) {
-  const WorldState& world = step.world;
+  WorldState& world = step.world;
+  const bool each_alone = step.settings.has_rules_before(6);
+  if (world.figures && !each_alone) {
+    world.figures->move_back_inside(step.settings.figures, world.models, *step.settings.enclosure,
+                                    step.settings.gravity_m_s2, world.finite, world.states);
+  }
   for (std::size_t body = 0; body < world.models.size(); ++body) {
     const bool stops =
         step.settings.has_rules_before(5) || (world.figures && world.figures->has_part(body));
     if (stops && step.memory.bounds[body].movable && !world.finite.is_out(body) &&
         !world.models[body].passes_through) {
       stop_at_walls(*step.settings.enclosure, step.settings.gravity_m_s2, step.input.dt_s,
-                    world.models[body], step.world.states[body]);
+                    each_alone, world.models[body], step.world.states[body]);
     }
   }
 }

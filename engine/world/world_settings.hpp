@@ -95,7 +95,8 @@ struct WorldSettings {
   /// whatever touches a body keeps it from falling, walls push where they touch alone, and what the
   /// hinges of a figure hold is pushed, too. Before 4 figures that lie sink (Fall::comes_last).
   /// Before 5 centres go through walls and are turned back behind them (centres_at_walls.hpp).
-  /// Before 6 the hinges of figures whose motion is cut are left open (as_one_body.hpp).
+  /// Before 6 the hinges of figures whose motion is cut are left open, and torn where a part is
+  /// brought back from beyond a wall (as_one_body.hpp).
   int recording_format{kRecordingFormat};
 
   /// Whether what came with a format is not yet so.
