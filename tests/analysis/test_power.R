@@ -198,11 +198,13 @@ test_that("a study with nobody's answers left is one that did not reject", {
   answered <- write_study(tempfile(fileext = ".sqlite"), trials)
   emptied <- write_study(tempfile(fileext = ".sqlite"), trials)
   for (participant in unique(trials$participant)) add_exclusion(emptied, participant, NA, "a rule")
-  studies <- tempfile(fileext = ".tsv")
-  writeLines(c("file\teffect\tnumber\tsizes\tseed\tsimulated_s\tbuild",
-    sprintf("%s\t1\t%d\t%s\t7\t2.5\tb", basename(c(answered, emptied)), 1:2, "4,8")), studies)
   ledger <- new_ledger(factors = "[\"delay_ms\"]")
-  write_power_tests(ledger, studies)
+  for (number in 1:2) {  # the first alone, without any test
+    studies <- tempfile(fileext = ".tsv")
+    writeLines(c("file\teffect\tnumber\tsizes\tseed\tsimulated_s\tbuild",
+      sprintf("%s\t1\t%d\t4,8\t7\t2.5\tb", basename(c(emptied, answered))[number], number)), studies)
+    write_power_tests(ledger, studies)
+  }
   rates <- with_ledger(ledger, power_rates)
   expect_equal(rates$participants, c(4, 8))
   expect_equal(cbind(rates$studies, rates$untested), cbind(c(2, 2), c(1, 1)))

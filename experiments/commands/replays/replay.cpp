@@ -191,8 +191,9 @@ int compare_all(StudyFile& study, const std::vector<StoredAttempt>& attempts) {
   }
   diverged += compare_levels(study, attempts, library);
   const double took_s = Seconds(std::chrono::steady_clock::now() - start).count();
-  std::printf("%zu trials, %lld steps, %.0f times real time, %lld divergent\n", attempts.size(),
-              static_cast<long long>(compared.steps), compared.simulated_s / took_s,
+  const double times = compared.simulated_s / took_s;
+  std::printf("%zu trials, %lld steps, %.*f times real time, %lld divergent\n", attempts.size(),
+              static_cast<long long>(compared.steps), times < 10.0 ? 1 : 0, times,
               static_cast<long long>(diverged));
   return diverged == 0 ? kDone : kFound;
 }
