@@ -73,10 +73,6 @@ class DeadlineWork final : public WorkMeter {
   void finish() override;
 
  private:
-  /// What is done whatever is granted may take so many times as long as it did lately: of what is
-  /// the most of it, contacts with walls, once in some hundred steps.
-  static constexpr double kSpread = 1.1;
-
   /// How far a phase has come in this step.
   struct Granting {
     std::int64_t granted{0};
@@ -112,7 +108,7 @@ class DeadlineWork final : public WorkMeter {
   /// What it takes to model the contacts with walls, whatever is granted, and to hand them to the
   /// response.
   [[nodiscard]] double walls_ns() const {
-    return kSpread * (part_ns(StepPart::kModel) + part_ns(StepPart::kRespond)) * bodies_at_walls_;
+    return (part_ns(StepPart::kModel) + part_ns(StepPart::kRespond)) * bodies_at_walls_;
   }
 
   const WorkClock* clock_;
