@@ -14,6 +14,7 @@
 
 namespace impetus::as_one_body_test {
 
+// By the rules of format 5 hinges open by 1 cm here, and the energy changes by a fifth.
 TEST(AsOneBody, WhateverIsCutOfItAFigureKeepsItsMomentumItsEnergyAndItsHinges) {
   for (const auto& [stirred, most_units] : {std::pair(0.02, 400), std::pair(2.0, 6'000)}) {
     const Flight flight = fly(1000, stirred, Rotation::kMidpoint, most_units);
